@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/fluid/fractional_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "washfsi/fluid/stencils.hpp"
+
+namespace washfsi {
+
+template <int Dim>
+FractionalStep<Dim>::FractionalStep(const Grid<Dim>& grid, const Boundary<Dim>& boundary,
+                                    const FluidOptions<Dim>& options)
+    : grid_(grid),
+      boundary_(boundary),
+      density_(options.density),
+      viscosity_(options.viscosity),
+      pressure_tolerance_(options.pressure_tolerance),
+      projects_(options.projection),
+      momentum_(grid, boundary, options.viscosity, options.momentum_tolerance),
+      poisson_(grid, options.density),
+      velocity_(grid.face_vector()),
+      velocity_before_(grid.face_vector()),
+      intermediate_(grid.face_vector()),
+      advection_(grid.face_vector()),
+      advection_before_(grid.face_vector()),
+      rhs_(grid.face_vector()),
+      pressure_(grid.cell_vector()),
+      phi_(grid.cell_vector()),
+      minus_divergence_(grid.cell_vector()) {
+  set_initial_velocity(options);
+}
+
+template <int Dim>
+void FractionalStep<Dim>::set_initial_velocity(const FluidOptions<Dim>& options) {
+  const bool vortices = options.initial == "taylor_green", uniform = options.initial == "uniform";
+  const Point<Dim> wave = 2 * std::numbers::pi * (grid_.upper() - grid_.lower()).cwiseInverse();
+  {
+    const FaceView<Dim> u(grid_.face_dm(), velocity_);
+    for (int c = 0; c < Dim; ++c)
+      for_each<Dim>(grid_.owned(), [&](const Index<Dim>& face) {
+        const Point<Dim> angle = wave.cwiseProduct(grid_.face_center(face, c) - grid_.lower());
+        // u = (-cos kx sin ly, (k/l) sin kx cos ly): one wave in the x,y plane, divergence free
+        if (vortices && c == 0) u(face, c) = -std::cos(angle[0]) * std::sin(angle[1]);
+        if (vortices && c == 1) u(face, c) = wave[0] / wave[1] * std::sin(angle[0]) * std::cos(angle[1]);
+        if (uniform) u(face, c) = options.initial_velocity[c];
+      });
+  }
+  boundary_.set_boundary_faces(velocity_, 0.0);
+}
+
+template <int Dim>
+void FractionalStep<Dim>::advance(double dt, const StepFields& fields) {
+  predict(dt, fields);
+  project();
+  finish();
+}
+
+template <int Dim>
+void FractionalStep<Dim>::predict(double dt, const StepFields& fields) {
+  const petsc::LogEvent event("momentum");
+  dt_ = dt;
+  explicit_terms(dt, fields);
+  // the guess: linear extrapolation of the two last velocities
+  WASH_PETSC(VecCopy(velocity_, intermediate_));
+  if (has_history_) WASH_PETSC(VecAXPBY(intermediate_, -1.0, 2.0, velocity_before_));
+  momentum_.set_step(dt, fields.density, fields.constraint);
+  counts_.momentum += static_cast<double>(momentum_.solve(rhs_, time_ + dt, intermediate_));
+  poisson_.set_density(fields.density);
+}
+
+template <int Dim>
+void FractionalStep<Dim>::explicit_terms(double dt, const StepFields& fields) {
+  const petsc::LocalVector local_u(grid_.face_dm(), velocity_), local_p(grid_.cell_dm(), pressure_);
+  boundary_.fill(local_u, time_);
+  const double weight = has_history_ ? 1.5 : 1.0, weight_before = has_history_ ? -0.5 : 0.0;
+  const Point<Dim>& h = grid_.spacing();
+  const ConstFaceView<Dim> u(grid_.face_dm(), local_u), f(grid_.face_dm(), fields.force);
+  const ConstFaceView<Dim> rho(grid_.face_dm(), fields.density), before(grid_.face_dm(), advection_before_);
+  const ConstCellView<Dim> p(grid_.cell_dm(), local_p);
+  const FaceView<Dim> now(grid_.face_dm(), advection_), b(grid_.face_dm(), rhs_);
+  for (int c = 0; c < Dim; ++c)
+    for_each<Dim>(grid_.inner_faces(c), [&](const Index<Dim>& face) {
+      now(face, c) = advection<Dim>(u, face, c, h);
+      const double stress = 0.5 * viscosity_ * laplacian<Dim>(u, face, c, h) - gradient<Dim>(p, face, c, h);
+      const double advected = weight * now(face, c) + weight_before * before(face, c);
+      b(face, c) = u(face, c) + dt * ((stress + f(face, c)) / rho(face, c) - advected);
+    });
+}
+
+template <int Dim>
+void FractionalStep<Dim>::project() {
+  if (!projects_) return;
+  const petsc::LogEvent event("pressure");
+  double speed = 0;
+  WASH_PETSC(VecNorm(intermediate_, NORM_INFINITY, &speed));
+  speed = std::max(speed, boundary_.largest_speed(time_ + dt_));
+  {
+    const petsc::LocalVector local(grid_.face_dm(), intermediate_);
+    boundary_.fill(local, time_ + dt_);
+    const ConstFaceView<Dim> u(grid_.face_dm(), local);
+    const CellView<Dim> r(grid_.cell_dm(), minus_divergence_), p(grid_.cell_dm(), pressure_);
+    for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) {
+      const double div = divergence<Dim>(u, cell, grid_.spacing());
+      r(cell) = -div;
+      p(cell) -= 0.5 * viscosity_ * div;
+    });
+  }
+  const double tolerance = pressure_tolerance_ * speed / grid_.spacing().minCoeff();
+  counts_.pressure += static_cast<double>(poisson_.solve(minus_divergence_, tolerance, phi_));
+  poisson_.correct(phi_, intermediate_);
+  WASH_PETSC(VecAXPY(pressure_, density_ / dt_, phi_));  // p += q
+}
+
+template <int Dim>
+void FractionalStep<Dim>::finish() {
+  velocity_before_ = std::exchange(velocity_, std::exchange(intermediate_, std::move(velocity_before_)));
+  std::swap(advection_before_, advection_);
+  has_history_ = true;
+  time_ += dt_;
+  ++counts_.steps;
+}
+
+template <int Dim>
+void FractionalStep<Dim>::constraint_force(Vec force) const {
+  momentum_.constraint_force(rhs_, time_ + dt_, intermediate_, force);
+}
+
+template <int Dim>
+std::vector<std::pair<std::string, Vec>> FractionalStep<Dim>::face_state() const {
+  return {{"velocity", velocity_}, {"velocity_before", velocity_before_}, {"advection_before", advection_before_}};
+}
+
+template <int Dim>
+std::vector<std::pair<std::string, Vec>> FractionalStep<Dim>::cell_state() const {
+  return {{"pressure", pressure_}, {"phi", phi_}};
+}
+
+template class FractionalStep<2>;
+template class FractionalStep<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The fractional step of Brown, Cortez and Minion (2001), thesis (2.2-20, 2.2-21), with variable density:
+//   1. explicit terms  b  = u^n + dt [ -3/2 (u.grad u)^n + 1/2 (u.grad u)^(n-1)
+//                                      - (1/rho) grad p^(n-1/2) + (mu / 2 rho) lap u^n + f/rho ]
+//   2. predict         u* - (mu dt / 2 rho) lap u* = b,    u* = u_b on the boundary, u* = u_solid in solids
+//   3. project         div( (1/rho) grad q ) = div u* / dt,    u^(n+1) = u* - (dt/rho) grad q
+//                      p^(n+1/2) = p^(n-1/2) + q - (mu/2) div u*
+//   4. finish          n becomes n + 1
+// The first step takes (u.grad u)^0 alone (forward Euler).
+#pragma once
+
+#include "washfsi/fluid/momentum.hpp"
+#include "washfsi/fluid/options.hpp"
+#include "washfsi/fluid/pressure.hpp"
+
+namespace washfsi {
+
+/// Iterations spent so far.
+struct SolverCounts {
+  double momentum = 0, pressure = 0;
+  double steps = 0;
+};
+
+/// What a step is given, as fields on faces: density [kg/m3], force density [N/m3] and solids.
+struct StepFields {
+  Vec density = nullptr;
+  Vec force = nullptr;
+  Constraint constraint;
+};
+
+template <int Dim>
+class FractionalStep {
+ public:
+  FractionalStep(const Grid<Dim>& grid, const Boundary<Dim>& boundary, const FluidOptions<Dim>& options);
+
+  /// One whole step: predict, project, finish. Collective. Errors: DivergedError.
+  void advance(double dt, const StepFields& fields);
+
+  /// Phases 1 and 2: u* from u^n. Collective.
+  void predict(double dt, const StepFields& fields);
+  /// Phase 3: makes the intermediate velocity divergence free and updates the pressure. Collective.
+  void project();
+  /// Phase 4: the intermediate velocity becomes u^(n+1). Collective.
+  void finish();
+
+  Vec velocity() const { return velocity_; }  ///< u^n [m/s]
+  Vec pressure() const { return pressure_; }  ///< p^(n-1/2) [Pa]
+  double time() const { return time_; }       ///< t^n [s]
+  void set_time(double time) { time_ = time; }
+  /// Tells that the velocity at hand is the first one: the next step advects by forward Euler.
+  void forget_history() { has_history_ = false; }
+  bool has_history() const { return has_history_; }
+  void set_history(bool known) { has_history_ = known; }
+
+  /// Force density [N/m3] by which solids held the water in the last `predict`. Collective.
+  void constraint_force(Vec force) const;
+
+  /// All vectors that a restart needs, with their names: the face fields, then the cell fields.
+  std::vector<std::pair<std::string, Vec>> face_state() const;
+  std::vector<std::pair<std::string, Vec>> cell_state() const;
+
+  const SolverCounts& counts() const { return counts_; }
+  void set_counts(const SolverCounts& counts) { counts_ = counts; }
+
+ private:
+  void explicit_terms(double dt, const StepFields& fields);
+  void set_initial_velocity(const FluidOptions<Dim>& options);
+
+  const Grid<Dim>& grid_;
+  const Boundary<Dim>& boundary_;
+  double density_, viscosity_, pressure_tolerance_;
+  bool projects_;
+  MomentumSolver<Dim> momentum_;
+  PressureSolver<Dim> poisson_;
+
+  petsc::Vector velocity_, velocity_before_;    ///< u^n, u^(n-1)
+  petsc::Vector intermediate_;                  ///< u*, then u^(n+1)
+  petsc::Vector advection_, advection_before_;  ///< (u.grad u)^n, (u.grad u)^(n-1)
+  petsc::Vector rhs_;                           ///< b of the last `predict`
+  petsc::Vector pressure_;                      ///< p^(n-1/2)
+  petsc::Vector phi_;                           ///< dt q / rho_f of the last projection: the next one's guess
+  petsc::Vector minus_divergence_;
+  double time_ = 0, dt_ = 0;
+  bool has_history_ = false;
+  SolverCounts counts_;
+};
+
+extern template class FractionalStep<2>;
+extern template class FractionalStep<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/fluid/krylov.hpp"
+
+#include "washfsi/support/errors.hpp"
+
+namespace washfsi {
+
+bool set_up_from_options(KSP solver) {
+  const char* prefix = nullptr;
+  WASH_PETSC(KSPGetOptionsPrefix(solver, &prefix));
+  const petsc::MutedErrors muted;
+  try {
+    WASH_PETSC(KSPSetFromOptions(solver));
+    WASH_PETSC(KSPSetUp(solver));
+  } catch (const petsc::Error&) {
+    throw InputError("-" + std::string(prefix) + "...: the solver cannot be set up with these options (" +
+                     muted.message() + ")");
+  }
+  PetscBool given = PETSC_FALSE;
+  WASH_PETSC(PetscOptionsHasName(nullptr, prefix, "-ksp_atol", &given));
+  return given == PETSC_TRUE;
+}
+
+PetscInt solve_to(KSP solver, double tolerance, Vec rhs, Vec solution, const std::string& what) {
+  double rtol = 0, atol = 0, dtol = 0;
+  PetscInt most = 0;
+  WASH_PETSC(KSPGetTolerances(solver, &rtol, &atol, &dtol, &most));
+  WASH_PETSC(KSPSetTolerances(solver, rtol, tolerance > 0 ? tolerance : atol, dtol, most));
+  WASH_PETSC(KSPSolve(solver, rhs, solution));
+  KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
+  WASH_PETSC(KSPGetConvergedReason(solver, &reason));
+  PetscInt iterations = 0;
+  WASH_PETSC(KSPGetIterationNumber(solver, &iterations));
+  if (reason < 0)
+    throw DivergedError(what + ": the linear solver failed after " + std::to_string(iterations) + " iterations (" +
+                        KSPConvergedReasons[reason] + ")");
+  return iterations;
+}
+
+}  // namespace washfsi

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "washfsi/support/petsc.hpp"
+
+namespace washfsi {
+
+/// Reads the solver's options and sets it up, so that a wrong setting is met before the first step.
+/// Returns whether the user fixed the absolute tolerance himself. Collective. Errors: InputError.
+bool set_up_from_options(KSP solver);
+
+/// Solves with an absolute residual tolerance and returns the iterations. Collective.
+/// Errors: DivergedError naming `what` and PETSc's reason.
+PetscInt solve_to(KSP solver, double tolerance, Vec rhs, Vec solution, const std::string& what);
+
+}  // namespace washfsi

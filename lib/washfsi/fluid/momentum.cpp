@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/fluid/momentum.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "washfsi/fluid/krylov.hpp"
+#include "washfsi/fluid/stencils.hpp"
+
+namespace washfsi {
+
+template <int Dim>
+MomentumSolver<Dim>::MomentumSolver(const Grid<Dim>& grid, const Boundary<Dim>& boundary, double viscosity,
+                                    double tolerance)
+    : grid_(grid), boundary_(boundary), viscosity_(viscosity), tolerance_(tolerance), residual_(grid.face_vector()),
+      correction_(grid.face_vector()) {
+  PetscInt size = 0;
+  WASH_PETSC(VecGetLocalSize(residual_, &size));
+  WASH_PETSC(MatCreateShell(grid.comm(), size, size, PETSC_DETERMINE, PETSC_DETERMINE, this, matrix_.put()));
+  WASH_PETSC(MatShellSetOperation(matrix_, MATOP_MULT, reinterpret_cast<void (*)()>(&MomentumSolver::multiply)));
+  WASH_PETSC(MatShellSetOperation(matrix_, MATOP_GET_DIAGONAL, reinterpret_cast<void (*)()>(&MomentumSolver::get_diagonal)));
+
+  WASH_PETSC(KSPCreate(grid.comm(), solver_.put()));
+  WASH_PETSC(KSPSetOptionsPrefix(solver_, "momentum_"));
+  WASH_PETSC(KSPSetOperators(solver_, matrix_, matrix_));
+  WASH_PETSC(KSPSetType(solver_, KSPGMRES));
+  PC pc = nullptr;
+  WASH_PETSC(KSPGetPC(solver_, &pc));
+  WASH_PETSC(PCSetType(pc, PCJACOBI));
+  WASH_PETSC(KSPSetTolerances(solver_, 1e-50, PETSC_DEFAULT, PETSC_DEFAULT, 1000));
+  const petsc::Vector unit_density = petsc::zeros_like(residual_);
+  WASH_PETSC(VecSet(unit_density, 1.0));
+  set_step(1.0, unit_density, {});  // a first set of coefficients, for setting up only
+  user_sets_atol_ = set_up_from_options(solver_);
+  density_ = nullptr;
+}
+
+template <int Dim>
+void MomentumSolver<Dim>::set_step(double dt, Vec density, const Constraint& constraint) {
+  dt_ = dt;
+  density_ = density;
+  constraint_ = constraint;
+  WASH_PETSC(MatAssemblyBegin(matrix_, MAT_FINAL_ASSEMBLY));  // tells the preconditioner of new entries
+  WASH_PETSC(MatAssemblyEnd(matrix_, MAT_FINAL_ASSEMBLY));
+}
+
+template <int Dim>
+PetscErrorCode MomentumSolver<Dim>::multiply(Mat matrix, Vec x, Vec y) {
+  return petsc::guarded([&] {
+    void* self = nullptr;
+    WASH_PETSC(MatShellGetContext(matrix, &self));
+    static_cast<MomentumSolver*>(self)->apply(x, y);
+  });
+}
+
+template <int Dim>
+PetscErrorCode MomentumSolver<Dim>::get_diagonal(Mat matrix, Vec result) {
+  return petsc::guarded([&] {
+    void* context = nullptr;
+    WASH_PETSC(MatShellGetContext(matrix, &context));
+    const auto& self = *static_cast<MomentumSolver*>(context);
+    WASH_PETSC(VecSet(result, 1.0));  // boundary faces: identity rows
+    const FaceView<Dim> diagonal(self.grid_.face_dm(), result);
+    const ConstFaceView<Dim> rho(self.grid_.face_dm(), self.density_);
+    for (int c = 0; c < Dim; ++c)
+      for_each<Dim>(self.grid_.inner_faces(c), [&](const Index<Dim>& face) {
+        diagonal(face, c) = self.diagonal(face, c, self.viscosity_ * self.dt_ / (2 * rho(face, c)));
+      });
+  });
+}
+
+// 1 - a (diagonal of the Laplacian), with the reflections at walls and slip sides folded in.
+template <int Dim>
+double MomentumSolver<Dim>::diagonal(const Index<Dim>& face, int c, double diffusivity) const {
+  double sum = 0;
+  for (int d = 0; d < Dim; ++d) {
+    const auto axis = static_cast<std::size_t>(d);
+    double weight = 2;
+    if (d != c && !grid_.periodic(d)) {
+      if (face[axis] == 0) weight -= boundary_.mirror_sign(d, End::lower, c);
+      if (face[axis] == grid_.cells()[axis] - 1) weight -= boundary_.mirror_sign(d, End::upper, c);
+    }
+    sum += weight / (grid_.spacing()[d] * grid_.spacing()[d]);
+  }
+  return 1 + diffusivity * sum;
+}
+
+template <int Dim>
+void MomentumSolver<Dim>::apply(Vec x, Vec y) const {
+  const petsc::LocalVector local(grid_.face_dm(), x);
+  boundary_.fill_homogeneous(local);
+  WASH_PETSC(VecCopy(x, y));
+  const ConstFaceView<Dim> u(grid_.face_dm(), local), rho(grid_.face_dm(), density_);
+  const FaceView<Dim> result(grid_.face_dm(), y);
+  std::optional<ConstFaceView<Dim>> fraction;
+  if (constraint_.fluid_fraction) fraction.emplace(grid_.face_dm(), constraint_.fluid_fraction);
+  for (int c = 0; c < Dim; ++c)
+    for_each<Dim>(grid_.inner_faces(c), [&](const Index<Dim>& face) {
+      const double a = viscosity_ * dt_ / (2 * rho(face, c));
+      const double fluid_row = u(face, c) - a * laplacian<Dim>(u, face, c, grid_.spacing());
+      const double H = fraction ? (*fraction)(face, c) : 1;
+      result(face, c) = H == 1 ? fluid_row : H * fluid_row + (1 - H) * diagonal(face, c, a) * u(face, c);
+    });
+}
+
+template <int Dim>
+void MomentumSolver<Dim>::residual(Vec rhs, double time, Vec velocity, Vec result) const {
+  const petsc::LocalVector local(grid_.face_dm(), velocity);
+  boundary_.fill(local, time);
+  WASH_PETSC(VecZeroEntries(result));
+  const ConstFaceView<Dim> u(grid_.face_dm(), local), rho(grid_.face_dm(), density_), b(grid_.face_dm(), rhs);
+  const FaceView<Dim> r(grid_.face_dm(), result);
+  std::optional<ConstFaceView<Dim>> fraction, solid;
+  if (constraint_.fluid_fraction) {
+    fraction.emplace(grid_.face_dm(), constraint_.fluid_fraction);
+    solid.emplace(grid_.face_dm(), constraint_.solid_velocity);
+  }
+  for (int c = 0; c < Dim; ++c)
+    for_each<Dim>(grid_.inner_faces(c), [&](const Index<Dim>& face) {
+      const double a = viscosity_ * dt_ / (2 * rho(face, c));
+      const double fluid_row = b(face, c) - u(face, c) + a * laplacian<Dim>(u, face, c, grid_.spacing());
+      const double H = fraction ? (*fraction)(face, c) : 1;
+      r(face, c) = H == 1 ? fluid_row
+                          : H * fluid_row + (1 - H) * diagonal(face, c, a) * ((*solid)(face, c) - u(face, c));
+    });
+}
+
+// The scale of the tolerance: the largest speed present or prescribed by solids.
+template <int Dim>
+double MomentumSolver<Dim>::largest_speed(Vec rhs) const {
+  double speed = 0, solid = 0;
+  WASH_PETSC(VecNorm(rhs, NORM_INFINITY, &speed));
+  if (constraint_.solid_velocity) WASH_PETSC(VecNorm(constraint_.solid_velocity, NORM_INFINITY, &solid));
+  return std::max(speed, solid);
+}
+
+// Solves for the correction of the guess: homogeneous boundaries, and a residual that is small from the start.
+template <int Dim>
+PetscInt MomentumSolver<Dim>::solve(Vec rhs, double time, Vec velocity) {
+  boundary_.set_boundary_faces(velocity, time);
+  residual(rhs, time, velocity, residual_);
+  const double scale = std::max(largest_speed(rhs), boundary_.largest_speed(time));
+  const double rms_to_norm = std::sqrt(Dim * grid_.cell_count());
+  const double tolerance = user_sets_atol_ ? 0 : std::max(tolerance_ * scale * rms_to_norm, 1e-300);
+  const PetscInt iterations = solve_to(solver_, tolerance, residual_, correction_, "momentum");
+  WASH_PETSC(VecAXPY(velocity, 1.0, correction_));
+  return iterations;
+}
+
+template <int Dim>
+void MomentumSolver<Dim>::constraint_force(Vec rhs, double time, Vec velocity, Vec force) const {
+  WASH_PETSC(VecZeroEntries(force));
+  if (!constraint_.fluid_fraction) return;
+  const petsc::LocalVector local(grid_.face_dm(), velocity);
+  boundary_.fill(local, time);
+  const ConstFaceView<Dim> u(grid_.face_dm(), local), rho(grid_.face_dm(), density_), b(grid_.face_dm(), rhs);
+  const ConstFaceView<Dim> fraction(grid_.face_dm(), constraint_.fluid_fraction);
+  const FaceView<Dim> f(grid_.face_dm(), force);
+  for (int c = 0; c < Dim; ++c)
+    for_each<Dim>(grid_.inner_faces(c), [&](const Index<Dim>& face) {
+      if (fraction(face, c) == 1) return;
+      const double viscous = 0.5 * viscosity_ * laplacian<Dim>(u, face, c, grid_.spacing());
+      f(face, c) = rho(face, c) * (u(face, c) - b(face, c)) / dt_ - viscous;
+    });
+}
+
+template class MomentumSolver<2>;
+template class MomentumSolver<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/grid/boundary.hpp"
+#include "washfsi/support/petsc.hpp"
+
+namespace washfsi {
+
+/// Where solids hold the velocity: a fraction H (1 in fluid, 0 in solid) and a velocity [m/s], on faces.
+/// Null vectors: no solids.
+struct Constraint {
+  Vec fluid_fraction = nullptr;
+  Vec solid_velocity = nullptr;
+};
+
+/// The implicit half of a step: u* - (mu dt / 2 rho) lap u* = b in fluid, u* = u_solid in solids (4.2-6, 4.2-7),
+///   H (u* - (mu dt / 2 rho) lap u* - b) + (1 - H) D (u* - u_solid) = 0,   D = the diagonal of the fluid row,
+/// rows scaled so that the diagonal is near 1. Matrix-free GMRES with Jacobi, PETSc prefix momentum_.
+template <int Dim>
+class MomentumSolver {
+ public:
+  /// Collective. `tolerance`: rms residual over the largest speed.
+  MomentumSolver(const Grid<Dim>& grid, const Boundary<Dim>& boundary, double viscosity, double tolerance);
+
+  /// Fixes the coefficients of this step. The vectors must live until the next call. Collective.
+  void set_step(double dt, Vec density, const Constraint& constraint);
+
+  /// Solves for u* at time `time`; `velocity` holds a guess and then u*. Returns the number of iterations.
+  /// Collective. Errors: DivergedError.
+  PetscInt solve(Vec rhs, double time, Vec velocity);
+
+  /// rho/dt (u* - (mu dt / 2 rho) lap u* - b) where H < 1, else 0: the force density [N/m3] that the solids
+  /// exert on the water to hold it, u* being the solution for `rhs`. Collective.
+  void constraint_force(Vec rhs, double time, Vec velocity, Vec force) const;
+
+ private:
+  static PetscErrorCode multiply(Mat matrix, Vec x, Vec y);
+  static PetscErrorCode get_diagonal(Mat matrix, Vec diagonal);
+  void apply(Vec x, Vec y) const;
+  void residual(Vec rhs, double time, Vec velocity, Vec result) const;
+  double diagonal(const Index<Dim>& face, int c, double diffusivity) const;
+  double largest_speed(Vec rhs) const;
+
+  const Grid<Dim>& grid_;
+  const Boundary<Dim>& boundary_;
+  double viscosity_, tolerance_;
+  double dt_ = 0;
+  Vec density_ = nullptr;
+  Constraint constraint_;
+  petsc::Matrix matrix_;
+  petsc::Solver solver_;
+  petsc::Vector residual_, correction_;
+  bool user_sets_atol_ = false;
+};
+
+extern template class MomentumSolver<2>;
+extern template class MomentumSolver<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/fluid/options.hpp"
+
+namespace washfsi {
+
+template <int Dim>
+FluidOptions<Dim> FluidOptions<Dim>::from_options(Options& options) {
+  FluidOptions<Dim> fluid;
+  constexpr Range tolerance{1e-15, 1e-2, false, "a number from 1e-15 to 0.01"};
+  options.block("", "Fluid", [&](OptionBlock& block) {
+    block.real("fluid_density", fluid.density, "kg/m3", positive, "density of the water");
+    block.real("fluid_viscosity", fluid.viscosity, "Pa s", non_negative, "dynamic viscosity of the water");
+    block.choice("fluid_initial", fluid.initial, {"rest", "taylor_green", "uniform"}, "velocity at the start");
+    block.template point<Dim>("fluid_initial_velocity", fluid.initial_velocity, "m/s", "velocity of -fluid_initial uniform");
+    block.boolean("fluid_projection", fluid.projection, "make the velocity divergence free");
+    block.choice("advection", fluid.advection, {"central"}, "scheme of the advection term");
+    block.real("momentum_tolerance", fluid.momentum_tolerance, "-", tolerance,
+               "rms residual of the momentum solve over the largest speed");
+    block.real("pressure_tolerance", fluid.pressure_tolerance, "-", tolerance,
+               "divergence left after a step over (largest speed)/h");
+  });
+  return fluid;
+}
+
+template struct FluidOptions<2>;
+template struct FluidOptions<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/fluid/pressure.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "washfsi/fluid/krylov.hpp"
+#include "washfsi/fluid/stencils.hpp"
+#include "washfsi/support/collective.hpp"
+#include "washfsi/support/errors.hpp"
+
+namespace washfsi {
+
+namespace {
+
+/// Assembles -div( ratio grad ) on a DM; ratio(cell, d) is that of the cell's lower d-face, 0 in the boundary.
+template <int Dim, class Ratio>
+void assemble_laplacian(DM dm, const Point<Dim>& extent, Mat matrix, const Ratio& ratio) {
+  DMDALocalInfo info;
+  WASH_PETSC(DMDAGetLocalInfo(dm, &info));
+  const Index<3> start{info.xs, info.ys, info.zs}, count{info.xm, info.ym, info.zm}, cells{info.mx, info.my, info.mz};
+  Box<Dim> owned;
+  Point<Dim> h;
+  for (std::size_t d = 0; d < Dim; ++d) {
+    owned.lower[d] = start[d];
+    owned.upper[d] = start[d] + count[d];
+    h[static_cast<int>(d)] = extent[static_cast<int>(d)] / static_cast<double>(cells[d]);
+  }
+  const auto stencil_of = [](const Index<Dim>& cell) {
+    MatStencil stencil{};
+    stencil.i = cell[0];
+    stencil.j = cell[1];
+    if constexpr (Dim == 3) stencil.k = cell[2];
+    return stencil;
+  };
+  WASH_PETSC(MatZeroEntries(matrix));
+  for_each<Dim>(owned, [&](const Index<Dim>& cell) {
+    const MatStencil row = stencil_of(cell);
+    std::array<MatStencil, 2 * Dim + 1> columns{row};
+    std::array<double, 2 * Dim + 1> values{};
+    PetscInt used = 1;
+    for (int d = 0; d < Dim; ++d)
+      for (const int step : {-1, 1}) {
+        const Index<Dim> neighbour = shifted<Dim>(cell, d, step);
+        const double weight = ratio(step < 0 ? cell : neighbour, d) / (h[d] * h[d]);
+        if (weight == 0) continue;
+        columns[static_cast<std::size_t>(used)] = stencil_of(neighbour);
+        values[static_cast<std::size_t>(used++)] = -weight;
+        values[0] += weight;
+      }
+    WASH_PETSC(MatSetValuesStencil(matrix, 1, &row, used, columns.data(), values.data(), ADD_VALUES));
+  });
+  WASH_PETSC(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
+  WASH_PETSC(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
+}
+
+}  // namespace
+
+template <int Dim>
+PressureSolver<Dim>::PressureSolver(const Grid<Dim>& grid, double reference_density)
+    : grid_(grid), reference_density_(reference_density) {
+  WASH_PETSC(DMCreateLocalVector(grid.face_dm(), ratio_.put()));
+  WASH_PETSC(DMCreateLocalVector(grid.stencil_dm(), local_phi_.put()));
+  WASH_PETSC(VecZeroEntries(local_phi_));
+
+  const petsc::Vector cells = grid.cell_vector();
+  PetscInt size = 0;
+  WASH_PETSC(VecGetLocalSize(cells, &size));
+  WASH_PETSC(MatCreateShell(grid.comm(), size, size, PETSC_DETERMINE, PETSC_DETERMINE, this, matrix_.put()));
+  WASH_PETSC(MatShellSetOperation(matrix_, MATOP_MULT, reinterpret_cast<void (*)()>(&PressureSolver::multiply)));
+  WASH_PETSC(DMCreateMatrix(grid.stencil_dm(), assembled_.put()));
+  WASH_PETSC(MatNullSpaceCreate(grid.comm(), PETSC_TRUE, 0, nullptr, constants_.put()));
+  WASH_PETSC(MatSetNullSpace(matrix_, constants_));
+  WASH_PETSC(MatSetNullSpace(assembled_, constants_));
+  WASH_PETSC(MatSetOption(assembled_, MAT_SPD, PETSC_TRUE));
+
+  WASH_PETSC(KSPCreate(grid.comm(), solver_.put()));
+  WASH_PETSC(KSPSetOptionsPrefix(solver_, "pressure_"));
+  WASH_PETSC(KSPSetType(solver_, KSPCG));
+  WASH_PETSC(KSPSetNormType(solver_, KSP_NORM_UNPRECONDITIONED));
+  WASH_PETSC(KSPSetInitialGuessNonzero(solver_, PETSC_TRUE));
+  WASH_PETSC(KSPSetTolerances(solver_, 1e-50, PETSC_DEFAULT, PETSC_DEFAULT, 1000));
+  PC pc = nullptr;
+  WASH_PETSC(KSPGetPC(solver_, &pc));
+  WASH_PETSC(PCSetType(pc, PCHYPRE));
+  WASH_PETSC(PCHYPRESetType(pc, "boomeramg"));
+  const petsc::Vector uniform = grid.face_vector();
+  WASH_PETSC(VecSet(uniform, reference_density_));
+  set_density(uniform);
+  set_preconditioner_defaults();
+  user_sets_atol_ = set_up_from_options(solver_);
+}
+
+// What hypre and PCMG take from the options database only.
+template <int Dim>
+void PressureSolver<Dim>::set_preconditioner_defaults() {
+  std::array<char, 64> type{};
+  WASH_PETSC(PetscOptionsGetString(nullptr, "pressure_", "-pc_type", type.data(), type.size(), nullptr));
+  const std::string chosen = type.data();
+  if (chosen.empty() || chosen == PCHYPRE)  // its own choice, Gaussian elimination, fails on the singular matrix
+    petsc::set_default_option("-pressure_pc_hypre_boomeramg_relax_type_coarse", "symmetric-SOR/Jacobi");
+  if (chosen == PCMG) configure_multigrid();
+}
+
+// Rediscretised cell-centred multigrid, as many levels as the cell counts can be halved. Coarse levels have
+// uniform density: the preconditioner needs no more.
+template <int Dim>
+void PressureSolver<Dim>::configure_multigrid() {
+  PetscInt levels = 1;
+  Index<Dim> cells = grid_.cells();
+  const auto even = [](PetscInt n) { return n % 2 == 0 && n >= 4; };
+  for (; std::all_of(cells.begin(), cells.end(), even); ++levels)
+    for (auto& n : cells) n /= 2;
+  double coarsest = 1;
+  for (const PetscInt n : cells) coarsest *= static_cast<double>(n);
+  if (coarsest > 512)
+    throw InputError("-pressure_pc_type mg: the cell counts in -grid_cells must be divisible by a power of 2 that leaves"
+                     " at most 512 cells; this grid leaves " + std::to_string(static_cast<int>(coarsest)));
+  petsc::set_default_option("-pressure_pc_mg_levels", std::to_string(levels));
+  petsc::set_default_option("-pressure_mg_coarse_pc_type", "redundant");
+  petsc::set_default_option("-pressure_mg_coarse_redundant_pc_type", "svd");  // the coarse matrix is singular too
+  WASH_PETSC(KSPSetDM(solver_, grid_.stencil_dm()));
+  WASH_PETSC(KSPSetDMActive(solver_, PETSC_FALSE));
+  WASH_PETSC(DMKSPSetComputeOperators(grid_.stencil_dm(), &PressureSolver::assemble_coarse, this));
+}
+
+template <int Dim>
+PetscErrorCode PressureSolver<Dim>::assemble_coarse(KSP solver, Mat, Mat preconditioner, void* context) {
+  return petsc::guarded([&] {
+    const auto& self = *static_cast<PressureSolver*>(context);
+    DM dm = nullptr;
+    WASH_PETSC(KSPGetDM(solver, &dm));
+    DMDALocalInfo info;
+    WASH_PETSC(DMDAGetLocalInfo(dm, &info));
+    const Index<3> cells{info.mx, info.my, info.mz};
+    assemble_laplacian<Dim>(dm, self.grid_.upper() - self.grid_.lower(), preconditioner, [&](const Index<Dim>& face, int d) {
+      const auto axis = static_cast<std::size_t>(d);
+      const bool in_boundary = !self.grid_.periodic(d) && (face[axis] == 0 || face[axis] == cells[axis]);
+      return in_boundary ? 0.0 : 1.0;
+    });
+    WASH_PETSC(MatSetNullSpace(preconditioner, self.constants_));
+  });
+}
+
+template <int Dim>
+void PressureSolver<Dim>::set_density(Vec density) {
+  WASH_PETSC(DMGlobalToLocal(grid_.face_dm(), density, INSERT_VALUES, ratio_));
+  double lightest = 0, heaviest = 0;
+  WASH_PETSC(VecMin(density, nullptr, &lightest));
+  WASH_PETSC(VecMax(density, nullptr, &heaviest));
+  {
+    const FaceView<Dim> ratio(grid_.face_dm(), ratio_);
+    for (int d = 0; d < Dim; ++d) {
+      const auto axis = static_cast<std::size_t>(d);
+      Box<Dim> faces = grid_.owned();
+      ++faces.upper[axis];  // the upper faces of the last owned cells
+      for_each<Dim>(faces, [&](const Index<Dim>& face) {
+        const bool in_boundary = !grid_.periodic(d) && (face[axis] == 0 || face[axis] == grid_.cells()[axis]);
+        ratio(face, d) = in_boundary ? 0 : reference_density_ / ratio(face, d);
+      });
+    }
+  }
+  // Where the density varies little, the preconditioner of the uniform one serves; otherwise it follows each step.
+  // A function of this step's density alone, so that a restarted run has the same preconditioner.
+  const bool nearly_uniform = heaviest < 1.5 * reference_density_ && lightest > reference_density_ / 1.5;
+  if (nearly_uniform && assembled_is_uniform_) return;
+  assembled_is_uniform_ = nearly_uniform;
+  assemble();
+}
+
+template <int Dim>
+void PressureSolver<Dim>::assemble() {
+  const ConstFaceView<Dim> ratio(grid_.face_dm(), ratio_);
+  const bool uniform = assembled_is_uniform_;
+  assemble_laplacian<Dim>(grid_.stencil_dm(), grid_.upper() - grid_.lower(), assembled_,
+                          [&](const Index<Dim>& face, int d) {
+                            const double value = ratio(face, d);
+                            return uniform && value != 0 ? 1.0 : value;
+                          });
+  WASH_PETSC(KSPSetOperators(solver_, matrix_, assembled_));
+}
+
+template <int Dim>
+PetscErrorCode PressureSolver<Dim>::multiply(Mat matrix, Vec x, Vec y) {
+  return petsc::guarded([&] {
+    void* self = nullptr;
+    WASH_PETSC(MatShellGetContext(matrix, &self));
+    static_cast<PressureSolver*>(self)->apply(x, y);
+  });
+}
+
+template <int Dim>
+void PressureSolver<Dim>::apply(Vec x, Vec y) {
+  WASH_PETSC(DMGlobalToLocal(grid_.stencil_dm(), x, INSERT_VALUES, local_phi_));
+  const ConstCellView<Dim> phi(grid_.stencil_dm(), local_phi_);
+  const ConstFaceView<Dim> ratio(grid_.face_dm(), ratio_);
+  const CellView<Dim> result(grid_.stencil_dm(), y);
+  const Point<Dim> weight = grid_.spacing().cwiseProduct(grid_.spacing()).cwiseInverse();
+  for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) {
+    double sum = 0;
+    for (int d = 0; d < Dim; ++d) {
+      const Index<Dim> next = shifted<Dim>(cell, d, 1);
+      sum += weight[d] * (ratio(cell, d) * (phi(cell) - phi(shifted<Dim>(cell, d, -1))) -
+                          ratio(next, d) * (phi(next) - phi(cell)));
+    }
+    result(cell) = sum;
+  });
+}
+
+template <int Dim>
+PetscInt PressureSolver<Dim>::solve(Vec minus_divergence, double tolerance, Vec phi) {
+  return solve_to(solver_, user_sets_atol_ ? 0 : std::max(tolerance, 1e-300), minus_divergence, phi, "pressure");
+}
+
+template <int Dim>
+void PressureSolver<Dim>::correct(Vec phi, Vec velocity) const {
+  WASH_PETSC(DMGlobalToLocal(grid_.stencil_dm(), phi, INSERT_VALUES, local_phi_));
+  const ConstCellView<Dim> local(grid_.stencil_dm(), local_phi_);
+  const ConstFaceView<Dim> ratio(grid_.face_dm(), ratio_);
+  const FaceView<Dim> u(grid_.face_dm(), velocity);
+  for (int d = 0; d < Dim; ++d)
+    for_each<Dim>(grid_.inner_faces(d), [&](const Index<Dim>& face) {
+      u(face, d) -= ratio(face, d) * gradient<Dim>(local, face, d, grid_.spacing());
+    });
+}
+
+template class PressureSolver<2>;
+template class PressureSolver<3>;
+
+}  // namespace washfsi

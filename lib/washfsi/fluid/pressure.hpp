@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/grid/grid.hpp"
+#include "washfsi/support/petsc.hpp"
+
+namespace washfsi {
+
+/// The projection's Poisson equation (2.2-11, 2.2-28) for phi = dt q / rho_f:
+///   -div( (rho_f/rho) grad phi ) = -div u*,   n . grad phi = 0 on the boundary,
+/// so that u* - (rho_f/rho) grad phi has the solver's residual as its divergence. Matrix-free CG, PETSc prefix
+/// pressure_; an assembled matrix serves preconditioners that want entries (hypre, mg, gamg).
+template <int Dim>
+class PressureSolver {
+ public:
+  /// Collective. `reference_density` is rho_f.
+  PressureSolver(const Grid<Dim>& grid, double reference_density);
+
+  /// Takes the face densities [kg/m3] of this step. Collective.
+  void set_density(Vec density);
+
+  /// Solves to a residual whose norm is below `tolerance` [1/s]; `phi` holds a guess, then the solution.
+  /// Returns the iterations. Collective. Errors: DivergedError.
+  PetscInt solve(Vec minus_divergence, double tolerance, Vec phi);
+
+  /// velocity -= (rho_f/rho) grad phi on all inner faces. Collective.
+  void correct(Vec phi, Vec velocity) const;
+
+ private:
+  static PetscErrorCode multiply(Mat matrix, Vec x, Vec y);
+  static PetscErrorCode assemble_coarse(KSP solver, Mat matrix, Mat preconditioner, void* context);
+  void apply(Vec x, Vec y);
+  void assemble();
+  void set_preconditioner_defaults();
+  void configure_multigrid();
+
+  const Grid<Dim>& grid_;
+  double reference_density_;
+  petsc::Vector ratio_;       ///< rho_f/rho on faces, local, 0 on boundary faces
+  petsc::Vector local_phi_;   ///< ghosted; ghosts beyond the boundary stay 0
+  petsc::Matrix matrix_, assembled_;
+  petsc::NullSpace constants_;
+  petsc::Solver solver_;
+  bool user_sets_atol_ = false;
+  bool assembled_is_uniform_ = false;
+};
+
+extern template class PressureSolver<2>;
+extern template class PressureSolver<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/grid/grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "washfsi/support/errors.hpp"
+
+namespace washfsi {
+
+namespace {
+
+template <int Dim>
+void check_shape(const GridShape<Dim>& shape) {
+  for (std::size_t d = 0; d < Dim; ++d)
+    if (shape.cells[d] < shape.ghost_width)
+      throw InputError("-grid_cells " + std::to_string(shape.cells[d]) + ": must be at least " +
+                       std::to_string(shape.ghost_width) + " in each direction");
+  for (int d = 0; d < Dim; ++d)
+    if (!(shape.upper[d] > shape.lower[d])) throw InputError("-grid_upper: must exceed -grid_lower in each direction");
+}
+
+template <int Dim>
+petsc::Dm create_dm(MPI_Comm comm, const GridShape<Dim>& shape) {
+  std::array<DMBoundaryType, 3> ends{DM_BOUNDARY_NONE, DM_BOUNDARY_NONE, DM_BOUNDARY_NONE};
+  for (std::size_t d = 0; d < Dim; ++d) ends[d] = shape.periodic[d] ? DM_BOUNDARY_PERIODIC : DM_BOUNDARY_GHOSTED;
+  petsc::Dm dm;
+  const auto& n = shape.cells;
+  if constexpr (Dim == 2)
+    WASH_PETSC(DMDACreate2d(comm, ends[0], ends[1], DMDA_STENCIL_BOX, n[0], n[1], PETSC_DECIDE, PETSC_DECIDE, 1,
+                            shape.ghost_width, nullptr, nullptr, dm.put()));
+  else
+    WASH_PETSC(DMDACreate3d(comm, ends[0], ends[1], ends[2], DMDA_STENCIL_BOX, n[0], n[1], n[2], PETSC_DECIDE,
+                            PETSC_DECIDE, PETSC_DECIDE, 1, shape.ghost_width, nullptr, nullptr, nullptr, dm.put()));
+  WASH_PETSC(DMSetUp(dm));
+  return dm;
+}
+
+// A DM on the same partition with other components or stencil.
+template <int Dim>
+petsc::Dm create_sibling(DM dm, PetscInt components, PetscInt ghost_width, DMDAStencilType stencil) {
+  MPI_Comm comm = PetscObjectComm(reinterpret_cast<PetscObject>(dm));
+  PetscInt m = 0, n = 0, p = 0;
+  std::array<PetscInt, 3> cells{};
+  std::array<DMBoundaryType, 3> ends{};
+  WASH_PETSC(DMDAGetInfo(dm, nullptr, &cells[0], &cells[1], &cells[2], &m, &n, &p, nullptr, nullptr, &ends[0],
+                         &ends[1], &ends[2], nullptr));
+  const PetscInt *lx = nullptr, *ly = nullptr, *lz = nullptr;
+  WASH_PETSC(DMDAGetOwnershipRanges(dm, &lx, &ly, &lz));
+  petsc::Dm sibling;
+  if constexpr (Dim == 2)
+    WASH_PETSC(DMDACreate2d(comm, ends[0], ends[1], stencil, cells[0], cells[1], m, n, components, ghost_width, lx,
+                            ly, sibling.put()));
+  else
+    WASH_PETSC(DMDACreate3d(comm, ends[0], ends[1], ends[2], stencil, cells[0], cells[1], cells[2], m, n, p,
+                            components, ghost_width, lx, ly, lz, sibling.put()));
+  WASH_PETSC(DMSetUp(sibling));
+  return sibling;
+}
+
+std::vector<PetscInt> running_sum(const PetscInt* lengths, PetscInt count) {
+  std::vector<PetscInt> ends(lengths, lengths + count);
+  for (std::size_t i = 1; i < ends.size(); ++i) ends[i] += ends[i - 1];
+  return ends;
+}
+
+}  // namespace
+
+template <int Dim>
+Grid<Dim>::Grid(MPI_Comm comm, const GridShape<Dim>& shape) : comm_(comm), shape_(shape) {
+  check_shape(shape_);
+  for (int d = 0; d < Dim; ++d)
+    spacing_[d] = (shape_.upper[d] - shape_.lower[d]) / static_cast<double>(shape_.cells[static_cast<std::size_t>(d)]);
+  {
+    const petsc::MutedErrors muted;
+    try {
+      cell_dm_ = create_dm(comm_, shape_);
+    } catch (const petsc::Error&) {
+      throw InputError("-grid_cells: too few cells for this number of ranks (" + muted.message() + ")");
+    }
+  }
+  face_dm_ = create_sibling<Dim>(cell_dm_, Dim, shape_.ghost_width, DMDA_STENCIL_BOX);
+  stencil_dm_ = create_sibling<Dim>(cell_dm_, 1, 1, DMDA_STENCIL_STAR);
+  WASH_PETSC(DMDASetInterpolationType(stencil_dm_, DMDA_Q0));  // cell-centred multigrid
+
+  DMDALocalInfo info;
+  WASH_PETSC(DMDAGetLocalInfo(cell_dm_, &info));
+  const Index<3> start{info.xs, info.ys, info.zs}, count{info.xm, info.ym, info.zm};
+  const Index<3> ghost_start{info.gxs, info.gys, info.gzs}, ghost_count{info.gxm, info.gym, info.gzm};
+  std::array<const PetscInt*, 3> lengths{};
+  std::array<PetscInt, 3> parts{};
+  WASH_PETSC(DMDAGetOwnershipRanges(cell_dm_, &lengths[0], &lengths[1], &lengths[2]));
+  WASH_PETSC(DMDAGetInfo(cell_dm_, nullptr, nullptr, nullptr, nullptr, &parts[0], &parts[1], &parts[2], nullptr,
+                         nullptr, nullptr, nullptr, nullptr, nullptr));
+  for (std::size_t d = 0; d < Dim; ++d) {
+    owned_.lower[d] = start[d];
+    owned_.upper[d] = start[d] + count[d];
+    local_.lower[d] = ghost_start[d];
+    local_.upper[d] = ghost_start[d] + ghost_count[d];
+    part_ends_[d] = running_sum(lengths[d], parts[d]);
+  }
+}
+
+template <int Dim>
+double Grid<Dim>::cell_count() const {
+  double count = 1;
+  for (const PetscInt n : shape_.cells) count *= static_cast<double>(n);
+  return count;
+}
+
+template <int Dim>
+Box<Dim> Grid<Dim>::inner_faces(int axis) const {
+  Box<Dim> box = owned_;
+  const auto d = static_cast<std::size_t>(axis);
+  if (!shape_.periodic[d] && box.lower[d] == 0) box.lower[d] = 1;
+  return box;
+}
+
+template <int Dim>
+Point<Dim> Grid<Dim>::cell_center(const Index<Dim>& cell) const {
+  Point<Dim> center;
+  for (int d = 0; d < Dim; ++d)
+    center[d] = shape_.lower[d] + (static_cast<double>(cell[static_cast<std::size_t>(d)]) + 0.5) * spacing_[d];
+  return center;
+}
+
+template <int Dim>
+Point<Dim> Grid<Dim>::face_center(const Index<Dim>& face, int axis) const {
+  Point<Dim> center = cell_center(face);
+  center[axis] -= 0.5 * spacing_[axis];
+  return center;
+}
+
+template <int Dim>
+Index<Dim> Grid<Dim>::cell_of(const Point<Dim>& point) const {
+  Index<Dim> cell;
+  for (std::size_t d = 0; d < Dim; ++d) {
+    const int axis = static_cast<int>(d);
+    const auto i = static_cast<PetscInt>(std::floor((point[axis] - shape_.lower[axis]) / spacing_[axis]));
+    const PetscInt n = shape_.cells[d];
+    cell[d] = shape_.periodic[d] ? ((i % n) + n) % n : std::clamp<PetscInt>(i, 0, n - 1);
+  }
+  return cell;
+}
+
+template <int Dim>
+int Grid<Dim>::owner(const Index<Dim>& cell) const {
+  std::ptrdiff_t rank = 0;
+  for (std::size_t d = Dim; d-- > 0;) {
+    const auto& ends = part_ends_[d];
+    const auto part = std::upper_bound(ends.begin(), ends.end(), cell[d]) - ends.begin();
+    rank = rank * static_cast<std::ptrdiff_t>(ends.size()) + part;
+  }
+  return static_cast<int>(rank);
+}
+
+template <int Dim>
+bool Grid<Dim>::contains(const Point<Dim>& point) const {
+  for (int d = 0; d < Dim; ++d)
+    if (!periodic(d) && !(point[d] > shape_.lower[d] && point[d] < shape_.upper[d])) return false;
+  return true;
+}
+
+template <int Dim>
+petsc::Vector Grid<Dim>::cell_vector() const {
+  petsc::Vector vector;
+  WASH_PETSC(DMCreateGlobalVector(cell_dm_, vector.put()));
+  WASH_PETSC(VecZeroEntries(vector));
+  return vector;
+}
+
+template <int Dim>
+petsc::Vector Grid<Dim>::face_vector() const {
+  petsc::Vector vector;
+  WASH_PETSC(DMCreateGlobalVector(face_dm_, vector.put()));
+  WASH_PETSC(VecZeroEntries(vector));
+  return vector;
+}
+
+template class Grid<2>;
+template class Grid<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "washfsi/grid/index.hpp"
+#include "washfsi/grid/view.hpp"
+#include "washfsi/support/petsc.hpp"
+#include "washfsi/support/point.hpp"
+
+namespace washfsi {
+
+/// What a grid is made from.
+template <int Dim>
+struct GridShape {
+  Index<Dim> cells{};                  ///< number of cells in each direction
+  Point<Dim> lower = Point<Dim>::Zero();  ///< [m]
+  Point<Dim> upper = Point<Dim>::Ones();  ///< [m]
+  std::array<bool, Dim> periodic{};
+  PetscInt ghost_width = 3;  ///< cells around each rank's part: delta half width + 1
+};
+
+/// The staggered (MAC) grid: one partition of the box into ranks; a cell owns its lower faces. Cell fields
+/// (pressure) have one value per cell, face fields (velocity) Dim values per cell: component d is the value on
+/// the cell's lower d-face. The faces at the upper ends lie in the ghost layer and belong to `Boundary`.
+template <int Dim>
+class Grid {
+ public:
+  /// Collective. Errors: InputError if a rank's part would be thinner than the ghost layer.
+  Grid(MPI_Comm comm, const GridShape<Dim>& shape);
+
+  MPI_Comm comm() const { return comm_; }
+  const Index<Dim>& cells() const { return shape_.cells; }
+  const Point<Dim>& lower() const { return shape_.lower; }
+  const Point<Dim>& upper() const { return shape_.upper; }
+  bool periodic(int axis) const { return shape_.periodic[static_cast<std::size_t>(axis)]; }
+  PetscInt ghost_width() const { return shape_.ghost_width; }
+  const Point<Dim>& spacing() const { return spacing_; }  ///< [m]
+  double cell_volume() const { return spacing_.prod(); }  ///< [m^Dim]
+  double cell_count() const;
+
+  DM cell_dm() const { return cell_dm_; }
+  DM face_dm() const { return face_dm_; }
+  /// Cell DM with one ghost layer and a star stencil: for the pressure operator and its preconditioners.
+  DM stencil_dm() const { return stencil_dm_; }
+
+  const Box<Dim>& owned() const { return owned_; }
+  /// Owned cells and ghosts.
+  const Box<Dim>& local() const { return local_; }
+  /// Owned faces normal to `axis` that are unknowns: all but the face in the lower boundary.
+  Box<Dim> inner_faces(int axis) const;
+
+  Point<Dim> cell_center(const Index<Dim>& cell) const;
+  Point<Dim> face_center(const Index<Dim>& face, int axis) const;
+  /// The cell that holds a point; periodic images are folded into the box.
+  Index<Dim> cell_of(const Point<Dim>& point) const;
+  /// The rank that owns a cell of the box.
+  int owner(const Index<Dim>& cell) const;
+  /// Whether a point lies in the box (always, along periodic directions).
+  bool contains(const Point<Dim>& point) const;
+
+  petsc::Vector cell_vector() const;  ///< zero, global
+  petsc::Vector face_vector() const;  ///< zero, global
+
+ private:
+  MPI_Comm comm_;
+  GridShape<Dim> shape_;
+  Point<Dim> spacing_;
+  petsc::Dm cell_dm_, face_dm_, stencil_dm_;
+  Box<Dim> owned_, local_;
+  std::array<std::vector<PetscInt>, Dim> part_ends_;  ///< per direction, end of each rank's range of cells
+};
+
+extern template class Grid<2>;
+extern template class Grid<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <petscsys.h>
+
+#include <array>
+
+namespace washfsi {
+
+/// Global index of a cell, x first. Face (index, d) is the LOWER d-face of that cell.
+template <int Dim>
+using Index = std::array<PetscInt, Dim>;
+
+/// A half-open box of indices.
+template <int Dim>
+struct Box {
+  Index<Dim> lower, upper;
+
+  bool contains(const Index<Dim>& index) const {
+    for (int d = 0; d < Dim; ++d)
+      if (index[d] < lower[d] || index[d] >= upper[d]) return false;
+    return true;
+  }
+};
+
+template <int Dim>
+constexpr Index<Dim> shifted(Index<Dim> index, int axis, PetscInt by) noexcept {
+  index[static_cast<std::size_t>(axis)] += by;
+  return index;
+}
+
+/// Calls kernel(index) for each index of the box, x fastest. No communication.
+template <int Dim, class Kernel, int Axis = Dim - 1>
+void for_each(const Box<Dim>& box, Kernel&& kernel, Index<Dim> index = {}) {
+  for (index[Axis] = box.lower[Axis]; index[Axis] < box.upper[Axis]; ++index[Axis]) {
+    if constexpr (Axis == 0)
+      kernel(index);
+    else
+      for_each<Dim, Kernel&, Axis - 1>(box, kernel, index);
+  }
+}
+
+}  // namespace washfsi

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/grid/options.hpp"
+
+#include <cmath>
+
+#include "washfsi/support/errors.hpp"
+
+namespace washfsi {
+
+namespace {
+
+std::vector<double> read_cells(OptionBlock& block) {
+  std::vector<double> cells{64, 64};
+  block.require("grid_cells", "the number of cells in each direction, nx,ny or nx,ny,nz");
+  block.reals("grid_cells", cells, 2, 3, "-", "cells in x,y[,z]; the number of values is the dimension");
+  for (const double n : cells)
+    if (n < 1 || n > 1e5 || n != std::floor(n))
+      throw InputError("-grid_cells " + to_text(n) + ": must be whole numbers from 1 to 100000");
+  return cells;
+}
+
+template <int Dim>
+Side<Dim> read_side(OptionBlock& block, const std::string& name) {
+  Side<Dim> side;
+  std::string kind = "wall";
+  block.choice(name, kind, {"wall", "slip", "periodic"}, "what holds on this side of the box");
+  block.template point<Dim>(name + "_velocity", side.velocity, "m/s", "velocity of the wall on this side");
+  side.kind = kind == "wall" ? BoundaryKind::wall : kind == "slip" ? BoundaryKind::slip : BoundaryKind::periodic;
+  if (side.kind == BoundaryKind::periodic && block.given(name + "_velocity"))
+    throw InputError("-" + name + "_velocity: a periodic side has no velocity");
+  return side;
+}
+
+}  // namespace
+
+int dimension_from_options(Options& options) {
+  std::size_t dimension = 2;
+  options.block("", "Grid", [&](OptionBlock& block) { dimension = read_cells(block).size(); });
+  return static_cast<int>(dimension);
+}
+
+template <int Dim>
+GridOptions<Dim> GridOptions<Dim>::from_options(Options& options) {
+  GridOptions<Dim> grid;
+  options.block("", "Grid and boundary", [&](OptionBlock& block) {
+    const std::vector<double> cells = read_cells(block);
+    for (std::size_t d = 0; d < Dim; ++d) grid.shape.cells[d] = static_cast<PetscInt>(cells[d]);
+    block.template point<Dim>("grid_lower", grid.shape.lower, "m", "lower corner of the box");
+    block.template point<Dim>("grid_upper", grid.shape.upper, "m", "upper corner of the box");
+    for (std::size_t d = 0; d < Dim; ++d) {
+      const std::string name = std::string("bc_") + "xyz"[d];
+      grid.sides[d] = {read_side<Dim>(block, name + "_lower"), read_side<Dim>(block, name + "_upper")};
+      const bool lower = grid.sides[d][0].kind == BoundaryKind::periodic;
+      if (lower != (grid.sides[d][1].kind == BoundaryKind::periodic))
+        throw InputError("-" + name + "_lower, -" + name + "_upper: both sides must be periodic, or neither");
+      grid.shape.periodic[d] = lower;
+    }
+  });
+  return grid;
+}
+
+template struct GridOptions<2>;
+template struct GridOptions<3>;
+
+}  // namespace washfsi

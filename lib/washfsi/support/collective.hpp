@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <mpi.h>
+
+#include <string>
+#include <vector>
+
+namespace washfsi {
+
+int rank_of(MPI_Comm comm);
+int ranks_of(MPI_Comm comm);
+
+/// Sum over the ranks, added in rank order so that a repeated run gives the same bits. Collective.
+double ordered_sum(MPI_Comm comm, double value);
+std::vector<double> ordered_sum(MPI_Comm comm, const std::vector<double>& values);
+
+/// Largest value of any rank. Collective.
+double largest(MPI_Comm comm, double value);
+
+/// True if it is true on any rank. Collective.
+bool any_rank(MPI_Comm comm, bool mine);
+
+/// Rank 0's text on every rank. Collective.
+std::string from_first_rank(MPI_Comm comm, const std::string& text);
+
+/// A value with the place and field where it was found.
+struct Located {
+  double value = 0;
+  int field = 0;
+  double place[3] = {0, 0, 0};
+};
+
+/// The entry with the largest value of any rank (lowest rank on ties). Collective.
+Located largest(MPI_Comm comm, const Located& mine);
+
+}  // namespace washfsi

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/support/hdf5_file.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <numeric>
+#include <utility>
+
+#include "washfsi/support/collective.hpp"
+#include "washfsi/support/errors.hpp"
+
+namespace washfsi {
+
+namespace {
+
+/// Closes an HDF5 identifier at the end of its scope.
+class Identifier {
+ public:
+  Identifier(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
+  ~Identifier() {
+    if (id_ >= 0) (void)close_(id_);
+  }
+  Identifier(Identifier&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+  Identifier(const Identifier&) = delete;
+  Identifier& operator=(const Identifier&) = delete;
+  operator hid_t() const { return id_; }
+
+ private:
+  hid_t id_;
+  herr_t (*close_)(hid_t);
+};
+
+Identifier memory_space(const Slab& slab) {
+  return {H5Screate_simple(static_cast<int>(slab.count.size()), slab.count.data(), nullptr), H5Sclose};
+}
+
+bool empty(const Slab& slab) { return std::find(slab.count.begin(), slab.count.end(), hsize_t{0}) != slab.count.end(); }
+
+// Selects the slab in a file space and everything in a memory space, or nothing in both.
+bool select(hid_t file_space, hid_t memory, const Slab& slab) {
+  if (empty(slab)) return H5Sselect_none(file_space) >= 0 && H5Sselect_none(memory) >= 0;
+  return H5Sselect_hyperslab(file_space, H5S_SELECT_SET, slab.offset.data(), nullptr, slab.count.data(), nullptr) >= 0;
+}
+
+Identifier collective_transfer() {
+  Identifier transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
+  (void)H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE);
+  return transfer;
+}
+
+}  // namespace
+
+Hdf5File::Hdf5File(MPI_Comm comm, const std::string& path, Mode mode) : comm_(comm), path_(path), mode_(mode) {
+  (void)H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // we report errors ourselves, in one line
+  const Identifier access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  (void)H5Pset_fapl_mpio(access, comm, MPI_INFO_NULL);
+  if (mode == Mode::create)
+    file_ = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
+  else
+    file_ = H5Fopen(path.c_str(), mode == Mode::append ? H5F_ACC_RDWR : H5F_ACC_RDONLY, access);
+  agree(file_ >= 0, "cannot be opened as an HDF5 file");
+}
+
+Hdf5File::~Hdf5File() {
+  // Closing is collective: while an exception unwinds, other ranks may not be here.
+  if (file_ >= 0 && std::uncaught_exceptions() == 0) (void)H5Fclose(file_);
+}
+
+void Hdf5File::agree(bool succeeded, const std::string& what) const {
+  if (!any_rank(comm_, !succeeded)) return;
+  if (mode_ == Mode::read) throw InputError(path_ + ": " + what);
+  throw FileError(path_ + ": " + what);
+}
+
+void Hdf5File::write(const std::string& dataset, const Slab& slab, hid_t type, const void* values) {
+  const Identifier space(H5Screate_simple(static_cast<int>(slab.shape.size()), slab.shape.data(), nullptr), H5Sclose);
+  const Identifier link(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+  (void)H5Pset_create_intermediate_group(link, 1);
+  const Identifier set(H5Dcreate2(file_, dataset.c_str(), type, space, link, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
+  agree(set >= 0, "cannot write " + dataset);
+  const Identifier memory = memory_space(slab);
+  const bool written =
+      select(space, memory, slab) && H5Dwrite(set, type, memory, space, collective_transfer(), values) >= 0;
+  agree(written, "cannot write " + dataset + " (is the disk full?)");
+}
+
+void Hdf5File::write(const std::string& dataset, const Slab& slab, const std::vector<double>& values) {
+  write(dataset, slab, H5T_NATIVE_DOUBLE, values.data());
+}
+
+void Hdf5File::write(const std::string& dataset, const Slab& slab, const std::vector<long long>& values) {
+  write(dataset, slab, H5T_NATIVE_LLONG, values.data());
+}
+
+std::vector<hsize_t> Hdf5File::shape(const std::string& dataset) {
+  const Identifier set(H5Dopen2(file_, dataset.c_str(), H5P_DEFAULT), H5Dclose);
+  agree(set >= 0, "has no dataset " + dataset);
+  const Identifier space(H5Dget_space(set), H5Sclose);
+  std::vector<hsize_t> dims(static_cast<std::size_t>(std::max(H5Sget_simple_extent_ndims(space), 0)));
+  (void)H5Sget_simple_extent_dims(space, dims.data(), nullptr);
+  return dims;
+}
+
+std::vector<double> Hdf5File::read(const std::string& dataset, const Slab& slab) {
+  agree(shape(dataset) == slab.shape, "dataset " + dataset + " has another shape than this run's");
+  const Identifier set(H5Dopen2(file_, dataset.c_str(), H5P_DEFAULT), H5Dclose);
+  const Identifier space(H5Dget_space(set), H5Sclose);
+  const Identifier memory = memory_space(slab);
+  const hsize_t size = std::accumulate(slab.count.begin(), slab.count.end(), hsize_t{1}, std::multiplies<>());
+  std::vector<double> values(size);
+  const bool done = select(space, memory, slab) &&
+                    H5Dread(set, H5T_NATIVE_DOUBLE, memory, space, collective_transfer(), values.data()) >= 0;
+  agree(done, "cannot read " + dataset);
+  return values;
+}
+
+void Hdf5File::set_attribute(const std::string& object, const std::string& name, double value) {
+  const Identifier space(H5Screate(H5S_SCALAR), H5Sclose);
+  const Identifier attribute(H5Acreate_by_name(file_, object.c_str(), name.c_str(), H5T_NATIVE_DOUBLE, space,
+                                               H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                             H5Aclose);
+  agree(attribute >= 0 && H5Awrite(attribute, H5T_NATIVE_DOUBLE, &value) >= 0, "cannot write attribute " + name);
+}
+
+double Hdf5File::attribute(const std::string& object, const std::string& name) {
+  double value = 0;
+  const Identifier attribute(H5Aopen_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  agree(attribute >= 0 && H5Aread(attribute, H5T_NATIVE_DOUBLE, &value) >= 0, "has no attribute " + name);
+  return value;
+}
+
+bool Hdf5File::contains(const std::string& name) {
+  // each group on the way must be asked for
+  for (std::size_t slash = name.find('/', 1); slash != std::string::npos; slash = name.find('/', slash + 1))
+    if (H5Lexists(file_, name.substr(0, slash).c_str(), H5P_DEFAULT) <= 0) return false;
+  return H5Lexists(file_, name.c_str(), H5P_DEFAULT) > 0;
+}
+
+void Hdf5File::create_group(const std::string& name) {
+  const Identifier group(H5Gcreate2(file_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+  agree(group >= 0, "cannot create group " + name);
+}
+
+std::vector<std::string> Hdf5File::members(const std::string& group) {
+  std::vector<std::string> names;
+  if (group != "/" && !contains(group)) return names;
+  const Identifier id(H5Gopen2(file_, group.c_str(), H5P_DEFAULT), H5Gclose);
+  H5G_info_t info{};
+  agree(id >= 0 && H5Gget_info(id, &info) >= 0, "cannot list " + group);
+  for (hsize_t i = 0; i < info.nlinks; ++i) {
+    std::vector<char> name(256);
+    (void)H5Lget_name_by_idx(id, ".", H5_INDEX_NAME, H5_ITER_INC, i, name.data(), name.size(), H5P_DEFAULT);
+    names.emplace_back(name.data());
+  }
+  return names;
+}
+
+void Hdf5File::remove(const std::string& name) {
+  agree(H5Ldelete(file_, name.c_str(), H5P_DEFAULT) >= 0, "cannot remove " + name);
+}
+
+void Hdf5File::close() {
+  if (file_ < 0) return;
+  const herr_t status = H5Fclose(file_);
+  file_ = -1;
+  agree(status >= 0, "cannot be completed (is the disk full?)");
+}
+
+void make_writable_folder(MPI_Comm comm, const std::string& path) {
+  bool writable = true;
+  if (rank_of(comm) == 0) {
+    std::error_code error;
+    std::filesystem::create_directories(path, error);
+    writable = std::filesystem::is_directory(path, error) && access(path.c_str(), W_OK) == 0;
+  }
+  if (any_rank(comm, !writable)) throw FileError("-output_dir " + path + ": this folder cannot be made or written to");
+}
+
+void write_text_file(MPI_Comm comm, const std::string& path, const std::string& text) {
+  bool written = true;
+  if (rank_of(comm) == 0) {
+    const std::string temporary = path + ".part";
+    std::ofstream file(temporary);
+    file << text;
+    file.close();
+    std::error_code error;
+    if (file) std::filesystem::rename(temporary, path, error);
+    written = file && !error;
+  }
+  if (any_rank(comm, !written)) throw FileError(path + ": cannot be written");
+}
+
+}  // namespace washfsi

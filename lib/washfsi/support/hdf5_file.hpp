@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <hdf5.h>
+#include <mpi.h>
+
+#include <string>
+#include <vector>
+
+namespace washfsi {
+
+/// The part of a dataset that this rank holds: slowest index first.
+struct Slab {
+  std::vector<hsize_t> shape;   ///< of the whole dataset
+  std::vector<hsize_t> offset;  ///< of this rank's part
+  std::vector<hsize_t> count;   ///< of this rank's part; a zero means none
+};
+
+/// An HDF5 file that all ranks share. All members are collective. Errors, on all ranks: FileError when writing,
+/// InputError when reading.
+class Hdf5File {
+ public:
+  enum class Mode { create, append, read };
+
+  Hdf5File(MPI_Comm comm, const std::string& path, Mode mode);
+  ~Hdf5File();
+  Hdf5File(const Hdf5File&) = delete;
+  Hdf5File& operator=(const Hdf5File&) = delete;
+
+  /// Writes a new dataset; groups in its name are created.
+  void write(const std::string& dataset, const Slab& slab, const std::vector<double>& values);
+  void write(const std::string& dataset, const Slab& slab, const std::vector<long long>& values);
+  std::vector<double> read(const std::string& dataset, const Slab& slab);
+  /// Whole shape of a dataset.
+  std::vector<hsize_t> shape(const std::string& dataset);
+
+  /// Attributes of an existing object ("/" is the file itself).
+  void set_attribute(const std::string& object, const std::string& name, double value);
+  double attribute(const std::string& object, const std::string& name);
+
+  /// Names in a group, sorted; empty if there is no such group.
+  std::vector<std::string> members(const std::string& group);
+  bool contains(const std::string& name);
+  void create_group(const std::string& name);
+  void remove(const std::string& name);
+
+  /// Closes and reports what only closing can tell, such as a full disk.
+  void close();
+
+ private:
+  void agree(bool succeeded, const std::string& what) const;
+  void write(const std::string& dataset, const Slab& slab, hid_t type, const void* values);
+
+  MPI_Comm comm_;
+  std::string path_;
+  Mode mode_;
+  hid_t file_ = -1;
+};
+
+/// Makes a folder and its parents; throws FileError on all ranks if it cannot be written to. Collective.
+void make_writable_folder(MPI_Comm comm, const std::string& path);
+
+/// Writes a text file on rank 0, completely or not at all. Collective. Errors: FileError on all ranks.
+void write_text_file(MPI_Comm comm, const std::string& path, const std::string& text);
+
+}  // namespace washfsi

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/support/options.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+#include <sstream>
+#include <string_view>
+
+#include "washfsi/support/errors.hpp"
+
+namespace washfsi {
+
+std::string to_text(double value) {
+  std::array<char, 64> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+  return {buffer.data(), end};
+}
+
+std::string join(const std::vector<std::string>& words, const std::string& separator) {
+  std::string text;
+  for (const auto& word : words) text += (text.empty() ? "" : separator) + word;
+  return text;
+}
+
+std::vector<std::string> split(const std::string& list, char separator) {
+  std::vector<std::string> words;
+  std::istringstream stream(list);
+  for (std::string word; std::getline(stream, word, separator);) words.push_back(word);
+  return words;
+}
+
+namespace {
+
+// PetscOptionsBegin expands to PetscCall, so it needs a function that returns PetscErrorCode.
+PetscErrorCode open_block(MPI_Comm comm, const char* prefix, const char* title,
+                          const std::function<void(PetscOptionItems*)>& body) {
+  PetscFunctionBeginUser;
+  PetscOptionsBegin(comm, prefix, title, "washfsi");
+  body(PetscOptionsObject);
+  PetscOptionsEnd();
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode ask_string(PetscOptionItems* PetscOptionsObject, const char* flag, const char* help,
+                          const char* current, char* value, std::size_t length, PetscBool* given) {
+  PetscFunctionBeginUser;
+  PetscCall(PetscOptionsString(flag, help, "washfsi", current, value, length, given));
+  PetscFunctionReturn(0);
+}
+
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i);
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({substituted, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row[b.size()];
+}
+
+// Options that PETSc itself reads, some of them only when it finalizes.
+bool belongs_to_petsc(const std::string& name) {
+  static constexpr std::array<std::string_view, 40> starts{
+      "log_",     "options_", "malloc",   "memory_", "info",    "help",    "version", "citations", "on_error_", "fp_trap",
+      "check_",   "error_",   "no_signal", "start_in", "stop_for", "debugger_", "get_total", "mpi_",  "petsc_",    "objects_",
+      "python",   "display",  "x_",       "draw_",   "viewer_", "vec_",    "mat_",    "is_",       "sf_",       "dm_",
+      "da_",      "pc_",      "ksp_",     "snes_",   "ts_",     "tao_",    "use_gpu", "device_",   "cuda_",     "saws_"};
+  return std::any_of(starts.begin(), starts.end(), [&](std::string_view start) { return name.starts_with(start); });
+}
+
+}  // namespace
+
+Options::Options(MPI_Comm comm) : comm_(comm) {
+  PetscBool asked = PETSC_FALSE;
+  WASH_PETSC(PetscOptionsHasHelp(nullptr, &asked));
+  help_ = asked == PETSC_TRUE;
+}
+
+void Options::block(const std::string& prefix, const std::string& title,
+                    const std::function<void(OptionBlock&)>& declare) {
+  std::exception_ptr failure;  // an exception must not leave PETSc's block half open
+  WASH_PETSC(open_block(comm_, prefix.c_str(), title.c_str(), [&](PetscOptionItems* items) {
+    try {
+      OptionBlock block(*this, items, prefix);
+      declare(block);
+    } catch (...) {
+      failure = std::current_exception();
+    }
+  }));
+  if (failure) std::rethrow_exception(failure);
+}
+
+void Options::record(const std::string& name, double value) { record(name, to_text(value)); }
+
+std::map<std::string, std::string> Options::database() {
+  char* text = nullptr;
+  WASH_PETSC(PetscOptionsGetAll(nullptr, &text));
+  std::map<std::string, std::string> entries;
+  std::istringstream words(text);
+  std::string key;
+  for (std::string word; words >> word;) {
+    const bool is_key = word.size() > 1 && word[0] == '-' && std::isalpha(static_cast<unsigned char>(word[1]));
+    if (is_key)
+      entries[key = word.substr(1)];
+    else if (!key.empty())
+      entries[key] += (entries[key].empty() ? "" : " ") + word;
+  }
+  (void)PetscFree(text);
+  return entries;
+}
+
+std::string Options::nearest(const std::string& name) const {
+  std::string best;
+  std::size_t smallest = std::max<std::size_t>(2, name.size() / 3) + 1;
+  for (const auto& [known, value] : values_) {
+    const std::size_t distance = edit_distance(name, known);
+    if (distance < smallest) {
+      smallest = distance;
+      best = known;
+    }
+  }
+  return best;
+}
+
+void Options::reject_unread() const {
+  for (const auto& [name, value] : database()) {
+    PetscBool used = PETSC_FALSE;
+    WASH_PETSC(PetscOptionsUsed(nullptr, ("-" + name).c_str(), &used));
+    if (used || values_.contains(name) || belongs_to_petsc(name)) continue;
+    const std::string suggestion = nearest(name);
+    throw InputError("-" + name + (value.empty() ? "" : " " + value) + ": no part of this run reads this option" +
+                     (suggestion.empty() ? " (-help lists all)" : "; did you mean -" + suggestion + "?"));
+  }
+}
+
+std::string Options::resolved() const {
+  std::string text = "# every option of the run with the value used; solver options as they were given\n";
+  for (const auto& [name, value] : values_)
+    if (!value.empty()) text += "-" + name + " " + value + "\n";
+  for (const auto& [name, value] : database())
+    if (!values_.contains(name) && name != "options_file") text += "-" + name + (value.empty() ? "" : " " + value) + "\n";
+  return text;
+}
+
+std::optional<std::string> OptionBlock::ask(const std::string& name, const std::string& current,
+                                            const std::string& help) {
+  std::array<char, 4096> buffer{};
+  PetscBool given = PETSC_FALSE;
+  WASH_PETSC(ask_string(items_, ("-" + name).c_str(), help.c_str(), current.c_str(), buffer.data(), buffer.size(), &given));
+  options_.values_[prefix_ + name] = given ? buffer.data() : current;
+  if (!given) return std::nullopt;
+  return std::string(buffer.data());
+}
+
+void OptionBlock::refuse(const std::string& name, const std::string& value, const std::string& allowed) const {
+  throw InputError("-" + prefix_ + name + " " + value + ": must be " + allowed);
+}
+
+double OptionBlock::number(const std::string& name, const std::string& word, const Range& range) const {
+  double value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  const bool whole_word = error == std::errc{} && end == word.data() + word.size();
+  if (!whole_word || !std::isfinite(value) || !range.contains(value)) refuse(name, word, range.text);
+  return value;
+}
+
+void OptionBlock::real(const std::string& name, double& value, const char* unit, const Range& range, const char* help) {
+  const auto given = ask(name, to_text(value), std::string(help) + " [" + unit + "]");
+  if (given) value = number(name, *given, range);
+}
+
+void OptionBlock::integer(const std::string& name, PetscInt& value, const Range& range, const char* help) {
+  const auto given = ask(name, std::to_string(value), std::string(help) + " [-]");
+  if (!given) return;
+  const double result = number(name, *given, range);
+  if (result != std::floor(result)) refuse(name, *given, range.text);
+  value = static_cast<PetscInt>(result);
+}
+
+void OptionBlock::boolean(const std::string& name, bool& value, const char* help) {
+  const auto given = ask(name, value ? "true" : "false", std::string(help) + " [true|false]");
+  if (!given) return;
+  const std::string& word = *given;
+  const bool yes = word.empty() || word == "true" || word == "1" || word == "yes";
+  if (!yes && word != "false" && word != "0" && word != "no") refuse(name, word, "true or false");
+  options_.values_[prefix_ + name] = yes ? "true" : "false";
+  value = yes;
+}
+
+void OptionBlock::text(const std::string& name, std::string& value, const char* help) {
+  const auto given = ask(name, value, help);
+  if (!given) return;
+  if (given->empty()) refuse(name, "", "a text");
+  value = *given;
+}
+
+void OptionBlock::choice(const std::string& name, std::string& value, const std::vector<std::string>& allowed,
+                         const char* help) {
+  const std::string list = join(allowed, "|");
+  const auto given = ask(name, value, std::string(help) + " [" + list + "]");
+  if (!given) return;
+  if (std::find(allowed.begin(), allowed.end(), *given) == allowed.end()) refuse(name, *given, "one of " + list);
+  value = *given;
+}
+
+void OptionBlock::names(const std::string& name, std::vector<std::string>& value, const char* help) {
+  const auto given = ask(name, join(value, ","), std::string(help) + " [names]");
+  if (!given) return;
+  value = split(*given, ',');
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    const bool valid = !value[i].empty() && std::isalpha(static_cast<unsigned char>(value[i][0])) &&
+                       std::all_of(value[i].begin(), value[i].end(),
+                                   [](unsigned char c) { return std::isalnum(c) || c == '_'; });
+    if (!valid || std::find(value.begin(), value.begin() + static_cast<std::ptrdiff_t>(i), value[i]) !=
+                      value.begin() + static_cast<std::ptrdiff_t>(i))
+      refuse(name, *given, "different names of letters, digits and _, separated by commas");
+  }
+}
+
+void OptionBlock::reals(const std::string& name, std::vector<double>& value, std::size_t fewest, std::size_t most,
+                        const char* unit, const char* help) {
+  std::vector<std::string> words;
+  for (const double v : value) words.push_back(to_text(v));
+  const auto given = ask(name, join(words, ","), std::string(help) + " [" + unit + "]");
+  if (!given) return;
+  words = split(*given, ',');
+  if (words.size() < fewest || words.size() > most) {
+    const std::string count = std::to_string(fewest) + (most > fewest ? " or " + std::to_string(most) : "");
+    refuse(name, *given, count + " numbers separated by commas (" + std::to_string(words.size()) + " given)");
+  }
+  value.clear();
+  for (const auto& word : words) value.push_back(number(name, word, any_number));
+}
+
+bool OptionBlock::given(const std::string& name) const {
+  PetscBool set = PETSC_FALSE;
+  WASH_PETSC(PetscOptionsHasName(nullptr, nullptr, ("-" + prefix_ + name).c_str(), &set));
+  return set == PETSC_TRUE;
+}
+
+void OptionBlock::require(const std::string& name, const char* meaning) const {
+  if (!given(name) && !options_.help()) throw InputError("-" + prefix_ + name + " is missing: " + meaning);
+}
+
+}  // namespace washfsi

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/support/petsc.hpp"
+
+namespace washfsi::petsc {
+
+void check(PetscErrorCode code, const char* call, const char* function, const char* file, int line) {
+  if (PetscLikely(code == 0)) return;
+  (void)PetscError(PETSC_COMM_SELF, line, function, file, code, PETSC_ERROR_REPEAT, " ");
+  throw Error(code, call, file, line);
+}
+
+Vector zeros_like(Vec vector) {
+  Vector result;
+  WASH_PETSC(VecDuplicate(vector, result.put()));
+  WASH_PETSC(VecZeroEntries(result));
+  return result;
+}
+
+PetscErrorCode MutedErrors::remember(MPI_Comm, int, const char*, const char*, PetscErrorCode code,
+                                     PetscErrorType, const char* text, void* self) {
+  auto& message = static_cast<MutedErrors*>(self)->message_;
+  if (message.empty() && text) message = text;
+  return code;
+}
+
+void set_default_option(const std::string& name, const std::string& value) {
+  PetscBool given = PETSC_FALSE;
+  WASH_PETSC(PetscOptionsHasName(nullptr, nullptr, name.c_str(), &given));
+  if (!given) WASH_PETSC(PetscOptionsSetValue(nullptr, name.c_str(), value.c_str()));
+}
+
+LogEvent::LogEvent(const char* name) {
+  WASH_PETSC(PetscLogEventGetId(name, &event_));
+  if (event_ < 0) {
+    PetscClassId class_id = 0;
+    WASH_PETSC(PetscClassIdRegister("washfsi", &class_id));
+    WASH_PETSC(PetscLogEventRegister(name, class_id, &event_));
+  }
+  WASH_PETSC(PetscLogEventBegin(event_, 0, 0, 0, 0));
+}
+
+}  // namespace washfsi::petsc

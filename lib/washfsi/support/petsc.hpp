@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <petscdmda.h>
+#include <petscksp.h>
+#include <petscsf.h>
+
+#include <concepts>
+#include <exception>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace washfsi::petsc {
+
+/// A PETSc call failed. Unless muted, PETSc has printed its own trace.
+class Error : public std::runtime_error {
+ public:
+  Error(PetscErrorCode code, const char* call, const char* file, int line)
+      : std::runtime_error(std::string(file) + ":" + std::to_string(line) + ": " + call +
+                           " returned PETSc error " + std::to_string(code)),
+        code_(code) {}
+  PetscErrorCode code() const noexcept { return code_; }
+
+ private:
+  PetscErrorCode code_;
+};
+
+/// Turns a PETSc return code into an exception.
+void check(PetscErrorCode code, const char* call, const char* function, const char* file, int line);
+
+/// Calls PETSc from C++ code. Not for use in `main` itself, where PETSc would abort.
+#define WASH_PETSC(call) ::washfsi::petsc::check((call), #call, __func__, __FILE__, __LINE__)
+
+/// Runs C++ code inside a callback that PETSc calls: no exception may cross C frames.
+template <std::invocable Body>
+PetscErrorCode guarded(Body&& body) noexcept {
+  try {
+    std::forward<Body>(body)();
+    return 0;
+  } catch (const Error& error) {
+    return error.code();
+  } catch (const std::exception& error) {
+    return PetscError(PETSC_COMM_SELF, __LINE__, "callback", __FILE__, PETSC_ERR_LIB, PETSC_ERROR_INITIAL,
+                      "%s", error.what());
+  }
+}
+
+/// Sole owner of one reference to a PETSc object. Destruction is collective on its communicator.
+template <class T, PetscErrorCode (*Destroy)(T*)>
+class Handle {
+ public:
+  Handle() = default;
+  Handle(Handle&& other) noexcept : object_(std::exchange(other.object_, nullptr)) {}
+  Handle& operator=(Handle&& other) noexcept {
+    std::swap(object_, other.object_);
+    return *this;
+  }
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  ~Handle() { reset(); }
+
+  /// The address to give to a PETSc function that creates the object.
+  [[nodiscard]] T* put() noexcept {
+    reset();
+    return &object_;
+  }
+  operator T() const noexcept { return object_; }
+
+  /// Destroys the object, unless an exception is unwinding: other ranks may not be here, so it leaks instead.
+  void reset() noexcept {
+    PetscBool finalized = PETSC_FALSE;
+    (void)PetscFinalized(&finalized);
+    if (object_ && !finalized && std::uncaught_exceptions() == 0) (void)Destroy(&object_);
+    object_ = nullptr;
+  }
+
+ private:
+  T object_ = nullptr;
+};
+
+using Dm = Handle<DM, DMDestroy>;
+using Vector = Handle<Vec, VecDestroy>;
+using Matrix = Handle<Mat, MatDestroy>;
+using Solver = Handle<KSP, KSPDestroy>;
+using StarForest = Handle<PetscSF, PetscSFDestroy>;
+using NullSpace = Handle<MatNullSpace, MatNullSpaceDestroy>;
+using Layout = Handle<PetscLayout, PetscLayoutDestroy>;
+
+/// A new vector of the same layout, set to zero.
+Vector zeros_like(Vec vector);
+
+/// A temporary local (ghosted) vector of a DM, given back at the end of the scope.
+class LocalVector {
+ public:
+  explicit LocalVector(DM dm) : dm_(dm) { WASH_PETSC(DMGetLocalVector(dm_, &vector_)); }
+  /// Starts as the ghosted copy of a global vector. Collective.
+  LocalVector(DM dm, Vec global) : LocalVector(dm) { WASH_PETSC(DMGlobalToLocal(dm_, global, INSERT_VALUES, vector_)); }
+  ~LocalVector() { (void)DMRestoreLocalVector(dm_, &vector_); }
+  LocalVector(const LocalVector&) = delete;
+  LocalVector& operator=(const LocalVector&) = delete;
+  operator Vec() const noexcept { return vector_; }
+
+ private:
+  DM dm_;
+  Vec vector_ = nullptr;
+};
+
+/// While it lives, a failing PETSc call prints nothing; `message` keeps the first thing PETSc said.
+class MutedErrors {
+ public:
+  MutedErrors() { (void)PetscPushErrorHandler(remember, this); }
+  ~MutedErrors() { (void)PetscPopErrorHandler(); }
+  MutedErrors(const MutedErrors&) = delete;
+  MutedErrors& operator=(const MutedErrors&) = delete;
+  const std::string& message() const noexcept { return message_; }
+
+ private:
+  static PetscErrorCode remember(MPI_Comm, int, const char*, const char*, PetscErrorCode code, PetscErrorType,
+                                 const char* text, void* self);
+  std::string message_;
+};
+
+/// Sets an option in the database unless the user has: how our solver defaults reach options-only settings.
+void set_default_option(const std::string& name, const std::string& value);
+
+/// Counts and times one part of the method in -log_view, from construction to the end of the scope.
+class LogEvent {
+ public:
+  explicit LogEvent(const char* name);
+  ~LogEvent() { (void)PetscLogEventEnd(event_, 0, 0, 0, 0); }
+  LogEvent(const LogEvent&) = delete;
+  LogEvent& operator=(const LogEvent&) = delete;
+
+ private:
+  PetscLogEvent event_ = 0;
+};
+
+}  // namespace washfsi::petsc

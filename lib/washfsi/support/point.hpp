@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace washfsi {
+
+/// A place, velocity or force in the plane or in space, in SI units.
+template <int Dim>
+using Point = Eigen::Matrix<double, Dim, 1>;
+
+/// One value per marker.
+template <int Dim>
+using Points = std::vector<Point<Dim>>;
+
+/// Components of a rotation vector: 1 in the plane (about z), 3 in space.
+template <int Dim>
+inline constexpr int rotation_components = Dim == 2 ? 1 : 3;
+
+/// A torque or angular velocity [N m, rad/s].
+template <int Dim>
+using Rotation = Eigen::Matrix<double, rotation_components<Dim>, 1>;
+
+/// arm x force: the torque of a force about the foot of its arm.
+template <int Dim>
+Rotation<Dim> cross(const Point<Dim>& arm, const Point<Dim>& force) {
+  if constexpr (Dim == 2)
+    return Rotation<2>(arm[0] * force[1] - arm[1] * force[0]);
+  else
+    return arm.cross(force);
+}
+
+}  // namespace washfsi

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "washfsi/fluid/diagnostics.hpp"
+#include "washfsi/fluid/fractional_step.hpp"
+#include "washfsi/support/errors.hpp"
+
+namespace washfsi::test {
+namespace {
+
+template <int Dim>
+GridShape<Dim> odd_shape() {
+  GridShape<Dim> shape;
+  for (std::size_t d = 0; d < Dim; ++d) shape.cells[d] = 13 + 4 * static_cast<PetscInt>(d);
+  for (int d = 0; d < Dim; ++d) shape.upper[d] = 1 + 0.5 * d;
+  return shape;
+}
+
+double wave(double x) { return std::sin(12.9898 * x) * 0.5; }
+
+/// An option that is set while the guard lives.
+class ScopedOption {
+ public:
+  ScopedOption(std::string name, const char* value) : name_(std::move(name)) {
+    if (value) WASH_PETSC(PetscOptionsSetValue(nullptr, name_.c_str(), value));
+  }
+  ~ScopedOption() { (void)PetscOptionsClearValue(nullptr, name_.c_str()); }
+  ScopedOption(const ScopedOption&) = delete;
+  ScopedOption& operator=(const ScopedOption&) = delete;
+
+ private:
+  std::string name_;
+};
+
+// One step from a rough state in a box with moving, slipping and fixed sides and an uneven density.
+template <int Dim>
+void expect_divergence_free(const char* preconditioner) {
+  const ScopedOption option("-pressure_pc_type", preconditioner);
+  GridShape<Dim> shape = odd_shape<Dim>();
+  if (preconditioner) shape.cells.fill(16);
+  const Grid<Dim> grid(PETSC_COMM_WORLD, shape);
+  typename Boundary<Dim>::Sides sides;
+  sides[1][1].velocity[0] = 1;
+  sides[0][0].kind = BoundaryKind::slip;
+  const Boundary<Dim> boundary(grid, sides);
+  FractionalStep<Dim> fluid(grid, boundary, {});
+  const petsc::Vector density = grid.face_vector(), force = grid.face_vector();
+  {
+    const FaceView<Dim> u(grid.face_dm(), fluid.velocity()), rho(grid.face_dm(), density);
+    for_each<Dim>(grid.owned(), [&](const Index<Dim>& cell) {
+      for (int c = 0; c < Dim; ++c) {
+        const Point<Dim> x = grid.face_center(cell, c);
+        u(cell, c) = wave(x.sum() + c) ;
+        rho(cell, c) = 1000 * (1.2 + wave(3 * x[0] - x[1]));
+      }
+    });
+  }
+  boundary.set_boundary_faces(fluid.velocity(), 0);
+  fluid.advance(1e-3, {density, force, {}});
+  const auto flow = FlowDiagnostics<Dim>::of(grid, boundary, fluid.velocity(), density, fluid.time(), 1e-3);
+  EXPECT_LT(flow.max_divergence, 1e-6 / grid.spacing().minCoeff()) << (preconditioner ? preconditioner : "default");
+  EXPECT_GT(flow.kinetic_energy, 0);
+}
+
+TEST(Projection, LeavesNoDivergenceInThePlane) { expect_divergence_free<2>(nullptr); }
+TEST(Projection, LeavesNoDivergenceInSpace) { expect_divergence_free<3>(nullptr); }
+TEST(Projection, WorksWithMultigrid) {
+  expect_divergence_free<2>("mg");
+  expect_divergence_free<3>("mg");
+}
+TEST(Projection, WorksWithAlgebraicMultigridOfPetsc) { expect_divergence_free<2>("gamg"); }
+
+// numerics: a relative tolerance with a warm start freezes a slow approach to the steady state.
+TEST(FractionalStep, ASlowApproachToSteadyStateDoesNotFreeze) {
+  GridShape<2> shape;
+  shape.cells = {8, 8};
+  shape.periodic = {true, false};
+  const Grid<2> grid(PETSC_COMM_WORLD, shape);
+  Boundary<2>::Sides sides;
+  sides[0][0].kind = sides[0][1].kind = BoundaryKind::periodic;
+  sides[1][1].velocity = {1, 0};
+  const Boundary<2> boundary(grid, sides);
+  FluidOptions<2> options;
+  options.density = 1;
+  options.viscosity = 0.1;
+  FractionalStep<2> fluid(grid, boundary, options);
+  const petsc::Vector density = grid.face_vector(), force = grid.face_vector();
+  WASH_PETSC(VecSet(density, 1));
+  for (int n = 0; n < 4000; ++n) fluid.advance(0.005, {density, force, {}});  // 2 diffusion times: e^(-20)
+  const ConstFaceView<2> u(grid.face_dm(), fluid.velocity());
+  for_each<2>(grid.owned(), [&](const Index<2>& face) {
+    EXPECT_NEAR(u(face, 0), grid.face_center(face, 0)[1], 1e-6);
+  });
+}
+
+TEST(FractionalStep, GivesTheSameFlowForMirroredWalls) {
+  // the lid at y = 1 moving right, against the lid at y = 0 moving right: mirror images in y
+  std::array<petsc::Vector, 2> velocity;
+  GridShape<2> shape;
+  shape.cells = {16, 16};
+  const Grid<2> grid(PETSC_COMM_SELF, shape);
+  for (std::size_t lid = 0; lid < 2; ++lid) {
+    Boundary<2>::Sides sides;
+    sides[1][lid].velocity = {1, 0};
+    const Boundary<2> boundary(grid, sides);
+    FluidOptions<2> options;
+    options.density = 1;
+    options.viscosity = 0.01;
+    options.momentum_tolerance = options.pressure_tolerance = 1e-13;
+    FractionalStep<2> fluid(grid, boundary, options);
+    const petsc::Vector density = grid.face_vector(), force = grid.face_vector();
+    WASH_PETSC(VecSet(density, 1));
+    for (int n = 0; n < 20; ++n) fluid.advance(0.02, {density, force, {}});
+    velocity[lid] = grid.face_vector();
+    WASH_PETSC(VecCopy(fluid.velocity(), velocity[lid]));
+  }
+  const ConstFaceView<2> low(grid.face_dm(), velocity[0]), high(grid.face_dm(), velocity[1]);
+  for_each<2>(grid.owned(), [&](const Index<2>& face) {
+    EXPECT_NEAR(low(face, 0), high({face[0], 15 - face[1]}, 0), 1e-11);
+    if (face[1] > 0) {
+      EXPECT_NEAR(low(face, 1), -high({face[0], 16 - face[1]}, 1), 1e-11);
+    }
+  });
+}
+
+TEST(Boundary, RefusesANetFlux) {
+  const Grid<2> grid(PETSC_COMM_WORLD, odd_shape<2>());
+  Boundary<2>::Sides sides;
+  sides[0][0].velocity = {1, 0};
+  EXPECT_THROW(Boundary<2>(grid, sides), InputError);
+}
+
+}  // namespace
+}  // namespace washfsi::test

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <functional>
+
+#include "washfsi/fluid/fractional_step.hpp"
+#include "washfsi/support/collective.hpp"
+
+namespace washfsi::test {
+
+/// A flow known in closed form: velocity [m/s] and pressure [Pa] at a place and time, and its liquid.
+template <int Dim>
+struct ExactFlow {
+  double density = 1, viscosity = 0.05;
+  std::function<Point<Dim>(const Point<Dim>&, double)> velocity;
+  std::function<double(const Point<Dim>&, double)> pressure;
+
+  /// The force density that makes it a solution: rho (du/dt + u.grad u) + grad p - mu lap u, by fourth-order differences.
+  Point<Dim> force(const Point<Dim>& x, double t) const {
+    constexpr double s = 1e-3;
+    const auto first = [&](auto&& f) { return ((8.0 * (f(s) - f(-s)) - (f(2 * s) - f(-2 * s))) / (12 * s)).eval(); };
+    Point<Dim> result = first([&](double e) { return velocity(x, t + e); });
+    const Point<Dim> u = velocity(x, t);
+    Point<Dim> laplacian = Point<Dim>::Zero(), gradient;
+    for (int d = 0; d < Dim; ++d) {
+      const Point<Dim> axis = Point<Dim>::Unit(d);
+      const auto along = [&](double e) { return velocity(x + e * axis, t); };
+      result += u[d] * first(along);
+      laplacian += (-along(2 * s) - along(-2 * s) + 16 * (along(s) + along(-s)) - 30 * u) / (12 * s * s);
+      gradient[d] = first([&](double e) { return Eigen::Matrix<double, 1, 1>(pressure(x + e * axis, t)); })[0];
+    }
+    return density * result + gradient - viscosity * laplacian;
+  }
+};
+
+/// Distance of a computed flow from the exact one: max and rms norms of velocity and pressure.
+struct FlowError {
+  double velocity_max = 0, velocity_rms = 0, pressure_max = 0, pressure_rms = 0;
+};
+
+inline double order(double coarse, double fine, double ratio = 2) { return std::log(coarse / fine) / std::log(ratio); }
+
+/// Advances an exact flow and compares at the end.
+template <int Dim>
+class ManufacturedRun {
+ public:
+  ManufacturedRun(ExactFlow<Dim> exact, const GridShape<Dim>& shape, typename Boundary<Dim>::Sides sides, bool forced)
+      : exact_(std::move(exact)), grid_(PETSC_COMM_WORLD, shape), boundary_(grid_, std::move(sides)),
+        fluid_(grid_, boundary_, options()), forced_(forced) {}
+
+  FlowError advance(double dt, int steps) {
+    set_exact_start(dt);
+    const petsc::Vector density = grid_.face_vector(), force = grid_.face_vector();
+    WASH_PETSC(VecSet(density, exact_.density));
+    for (int n = 0; n < steps; ++n) {
+      if (forced_) set_force(force, fluid_.time() + dt / 2);
+      fluid_.advance(dt, {density, force, {}});
+    }
+    return error(dt);
+  }
+
+  FractionalStep<Dim>& fluid() { return fluid_; }
+  const Grid<Dim>& grid() const { return grid_; }
+
+ private:
+  FluidOptions<Dim> options() const {
+    FluidOptions<Dim> options;
+    options.density = exact_.density;
+    options.viscosity = exact_.viscosity;
+    options.momentum_tolerance = 1e-12;
+    options.pressure_tolerance = 1e-10;
+    return options;
+  }
+
+  void set_exact_start(double dt) {
+    const FaceView<Dim> u(grid_.face_dm(), fluid_.velocity());
+    const CellView<Dim> p(grid_.cell_dm(), fluid_.pressure());
+    for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) {
+      for (int c = 0; c < Dim; ++c) u(cell, c) = exact_.velocity(grid_.face_center(cell, c), 0)[c];
+      p(cell) = exact_.pressure(grid_.cell_center(cell), -dt / 2);
+    });
+  }
+
+  void set_force(Vec force, double time) {
+    const FaceView<Dim> f(grid_.face_dm(), force);
+    for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) {
+      for (int c = 0; c < Dim; ++c) f(cell, c) = exact_.force(grid_.face_center(cell, c), time)[c];
+    });
+  }
+
+  FlowError error(double dt) {
+    const ConstFaceView<Dim> u(grid_.face_dm(), fluid_.velocity());
+    const ConstCellView<Dim> p(grid_.cell_dm(), fluid_.pressure());
+    const double time = fluid_.time(), count = grid_.cell_count();
+    double offset = 0;
+    for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) {
+      offset += p(cell) - exact_.pressure(grid_.cell_center(cell), time - dt / 2);
+    });
+    offset = ordered_sum(grid_.comm(), offset) / count;
+    FlowError error;
+    for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) {
+      for (int c = 0; c < Dim; ++c) {
+        const double e = u(cell, c) - exact_.velocity(grid_.face_center(cell, c), time)[c];
+        error.velocity_max = std::max(error.velocity_max, std::abs(e));
+        error.velocity_rms += e * e;
+      }
+      const double e = p(cell) - exact_.pressure(grid_.cell_center(cell), time - dt / 2) - offset;
+      error.pressure_max = std::max(error.pressure_max, std::abs(e));
+      error.pressure_rms += e * e;
+    });
+    error.velocity_max = largest(grid_.comm(), error.velocity_max);
+    error.pressure_max = largest(grid_.comm(), error.pressure_max);
+    error.velocity_rms = std::sqrt(ordered_sum(grid_.comm(), error.velocity_rms) / count);
+    error.pressure_rms = std::sqrt(ordered_sum(grid_.comm(), error.pressure_rms) / count);
+    return error;
+  }
+
+  ExactFlow<Dim> exact_;
+  Grid<Dim> grid_;
+  Boundary<Dim> boundary_;
+  FractionalStep<Dim> fluid_;
+  bool forced_;
+};
+
+}  // namespace washfsi::test
