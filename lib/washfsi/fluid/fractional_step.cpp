@@ -26,6 +26,7 @@ FractionalStep<Dim>::FractionalStep(const Grid<Dim>& grid, const Boundary<Dim>& 
       advection_(grid.face_vector()),
       advection_before_(grid.face_vector()),
       rhs_(grid.face_vector()),
+      constraint_force_(grid.face_vector()),
       pressure_(grid.cell_vector()),
       phi_(grid.cell_vector()),
       minus_divergence_(grid.cell_vector()) {
@@ -67,6 +68,7 @@ void FractionalStep<Dim>::predict(double dt, const StepFields& fields) {
   if (has_history_) WASH_PETSC(VecAXPBY(intermediate_, -1.0, 2.0, velocity_before_));
   momentum_.set_step(dt, fields.density, fields.constraint);
   counts_.momentum += static_cast<double>(momentum_.solve(rhs_, time_ + dt, intermediate_));
+  if (fields.constraint.fluid_fraction) momentum_.constraint_force(rhs_, time_ + dt, intermediate_, constraint_force_);
   poisson_.set_density(fields.density);
 }
 
@@ -120,11 +122,6 @@ void FractionalStep<Dim>::finish() {
   has_history_ = true;
   time_ += dt_;
   ++counts_.steps;
-}
-
-template <int Dim>
-void FractionalStep<Dim>::constraint_force(Vec force) const {
-  momentum_.constraint_force(rhs_, time_ + dt_, intermediate_, force);
 }
 
 template <int Dim>

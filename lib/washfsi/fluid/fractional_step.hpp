@@ -48,13 +48,12 @@ class FractionalStep {
   Vec pressure() const { return pressure_; }  ///< p^(n-1/2) [Pa]
   double time() const { return time_; }       ///< t^n [s]
   void set_time(double time) { time_ = time; }
-  /// Tells that the velocity at hand is the first one: the next step advects by forward Euler.
-  void forget_history() { has_history_ = false; }
+  /// Whether u^(n-1) and its advection are known; if not, the next step advects by forward Euler.
   bool has_history() const { return has_history_; }
-  void set_history(bool known) { has_history_ = known; }
+  void set_has_history(bool known) { has_history_ = known; }
 
-  /// Force density [N/m3] by which solids held the water in the last `predict`. Collective.
-  void constraint_force(Vec force) const;
+  /// Force density [N/m3] by which solids held the water in the last `predict`; zero in fluid.
+  Vec constraint_force() const { return constraint_force_; }
 
   /// All vectors that a restart needs, with their names: the face fields, then the cell fields.
   std::vector<std::pair<std::string, Vec>> face_state() const;
@@ -78,6 +77,7 @@ class FractionalStep {
   petsc::Vector intermediate_;                  ///< u*, then u^(n+1)
   petsc::Vector advection_, advection_before_;  ///< (u.grad u)^n, (u.grad u)^(n-1)
   petsc::Vector rhs_;                           ///< b of the last `predict`
+  petsc::Vector constraint_force_;
   petsc::Vector pressure_;                      ///< p^(n-1/2)
   petsc::Vector phi_;                           ///< dt q / rho_f of the last projection: the next one's guess
   petsc::Vector minus_divergence_;

@@ -151,7 +151,6 @@ PetscInt MomentumSolver<Dim>::solve(Vec rhs, double time, Vec velocity) {
 template <int Dim>
 void MomentumSolver<Dim>::constraint_force(Vec rhs, double time, Vec velocity, Vec force) const {
   WASH_PETSC(VecZeroEntries(force));
-  if (!constraint_.fluid_fraction) return;
   const petsc::LocalVector local(grid_.face_dm(), velocity);
   boundary_.fill(local, time);
   const ConstFaceView<Dim> u(grid_.face_dm(), local), rho(grid_.face_dm(), density_), b(grid_.face_dm(), rhs);

@@ -110,7 +110,8 @@ template <int Dim>
 void PressureSolver<Dim>::configure_multigrid() {
   PetscInt levels = 1;
   Index<Dim> cells = grid_.cells();
-  const auto even = [](PetscInt n) { return n % 2 == 0 && n >= 4; };
+  const PetscInt fewest = std::max<PetscInt>(4, ranks_of(grid_.comm()));  // per direction, on the coarsest level
+  const auto even = [fewest](PetscInt n) { return n % 2 == 0 && n / 2 >= fewest; };
   for (; std::all_of(cells.begin(), cells.end(), even); ++levels)
     for (auto& n : cells) n /= 2;
   double coarsest = 1;

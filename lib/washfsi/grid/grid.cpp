@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "washfsi/support/collective.hpp"
 #include "washfsi/support/errors.hpp"
 
 namespace washfsi {
@@ -21,25 +22,26 @@ void check_shape(const GridShape<Dim>& shape) {
     if (!(shape.upper[d] > shape.lower[d])) throw InputError("-grid_upper: must exceed -grid_lower in each direction");
 }
 
+// The narrow DM decides the partition; the others follow it.
 template <int Dim>
-petsc::Dm create_dm(MPI_Comm comm, const GridShape<Dim>& shape) {
+petsc::Dm create_stencil_dm(MPI_Comm comm, const GridShape<Dim>& shape) {
   std::array<DMBoundaryType, 3> ends{DM_BOUNDARY_NONE, DM_BOUNDARY_NONE, DM_BOUNDARY_NONE};
   for (std::size_t d = 0; d < Dim; ++d) ends[d] = shape.periodic[d] ? DM_BOUNDARY_PERIODIC : DM_BOUNDARY_GHOSTED;
   petsc::Dm dm;
   const auto& n = shape.cells;
   if constexpr (Dim == 2)
-    WASH_PETSC(DMDACreate2d(comm, ends[0], ends[1], DMDA_STENCIL_BOX, n[0], n[1], PETSC_DECIDE, PETSC_DECIDE, 1,
-                            shape.ghost_width, nullptr, nullptr, dm.put()));
+    WASH_PETSC(DMDACreate2d(comm, ends[0], ends[1], DMDA_STENCIL_STAR, n[0], n[1], PETSC_DECIDE, PETSC_DECIDE, 1, 1,
+                            nullptr, nullptr, dm.put()));
   else
-    WASH_PETSC(DMDACreate3d(comm, ends[0], ends[1], ends[2], DMDA_STENCIL_BOX, n[0], n[1], n[2], PETSC_DECIDE,
-                            PETSC_DECIDE, PETSC_DECIDE, 1, shape.ghost_width, nullptr, nullptr, nullptr, dm.put()));
+    WASH_PETSC(DMDACreate3d(comm, ends[0], ends[1], ends[2], DMDA_STENCIL_STAR, n[0], n[1], n[2], PETSC_DECIDE,
+                            PETSC_DECIDE, PETSC_DECIDE, 1, 1, nullptr, nullptr, nullptr, dm.put()));
   WASH_PETSC(DMSetUp(dm));
   return dm;
 }
 
 // A DM on the same partition with other components or stencil.
 template <int Dim>
-petsc::Dm create_sibling(DM dm, PetscInt components, PetscInt ghost_width, DMDAStencilType stencil) {
+petsc::Dm create_sibling(DM dm, PetscInt components, PetscInt ghost_width) {
   MPI_Comm comm = PetscObjectComm(reinterpret_cast<PetscObject>(dm));
   PetscInt m = 0, n = 0, p = 0;
   std::array<PetscInt, 3> cells{};
@@ -50,10 +52,10 @@ petsc::Dm create_sibling(DM dm, PetscInt components, PetscInt ghost_width, DMDAS
   WASH_PETSC(DMDAGetOwnershipRanges(dm, &lx, &ly, &lz));
   petsc::Dm sibling;
   if constexpr (Dim == 2)
-    WASH_PETSC(DMDACreate2d(comm, ends[0], ends[1], stencil, cells[0], cells[1], m, n, components, ghost_width, lx,
+    WASH_PETSC(DMDACreate2d(comm, ends[0], ends[1], DMDA_STENCIL_BOX, cells[0], cells[1], m, n, components, ghost_width, lx,
                             ly, sibling.put()));
   else
-    WASH_PETSC(DMDACreate3d(comm, ends[0], ends[1], ends[2], stencil, cells[0], cells[1], cells[2], m, n, p,
+    WASH_PETSC(DMDACreate3d(comm, ends[0], ends[1], ends[2], DMDA_STENCIL_BOX, cells[0], cells[1], cells[2], m, n, p,
                             components, ghost_width, lx, ly, lz, sibling.put()));
   WASH_PETSC(DMSetUp(sibling));
   return sibling;
@@ -72,32 +74,42 @@ Grid<Dim>::Grid(MPI_Comm comm, const GridShape<Dim>& shape) : comm_(comm), shape
   check_shape(shape_);
   for (int d = 0; d < Dim; ++d)
     spacing_[d] = (shape_.upper[d] - shape_.lower[d]) / static_cast<double>(shape_.cells[static_cast<std::size_t>(d)]);
-  {
-    const petsc::MutedErrors muted;
-    try {
-      cell_dm_ = create_dm(comm_, shape_);
-    } catch (const petsc::Error&) {
-      throw InputError("-grid_cells: too few cells for this number of ranks (" + muted.message() + ")");
-    }
-  }
-  face_dm_ = create_sibling<Dim>(cell_dm_, Dim, shape_.ghost_width, DMDA_STENCIL_BOX);
-  stencil_dm_ = create_sibling<Dim>(cell_dm_, 1, 1, DMDA_STENCIL_STAR);
-  WASH_PETSC(DMDASetInterpolationType(stencil_dm_, DMDA_Q0));  // cell-centred multigrid
+  create_partition();
+  cell_dm_ = create_sibling<Dim>(stencil_dm_, 1, shape_.ghost_width);
+  face_dm_ = create_sibling<Dim>(stencil_dm_, Dim, shape_.ghost_width);
 
   DMDALocalInfo info;
   WASH_PETSC(DMDAGetLocalInfo(cell_dm_, &info));
   const Index<3> start{info.xs, info.ys, info.zs}, count{info.xm, info.ym, info.zm};
   const Index<3> ghost_start{info.gxs, info.gys, info.gzs}, ghost_count{info.gxm, info.gym, info.gzm};
-  std::array<const PetscInt*, 3> lengths{};
-  std::array<PetscInt, 3> parts{};
-  WASH_PETSC(DMDAGetOwnershipRanges(cell_dm_, &lengths[0], &lengths[1], &lengths[2]));
-  WASH_PETSC(DMDAGetInfo(cell_dm_, nullptr, nullptr, nullptr, nullptr, &parts[0], &parts[1], &parts[2], nullptr,
-                         nullptr, nullptr, nullptr, nullptr, nullptr));
   for (std::size_t d = 0; d < Dim; ++d) {
     owned_.lower[d] = start[d];
     owned_.upper[d] = start[d] + count[d];
     local_.lower[d] = ghost_start[d];
     local_.upper[d] = ghost_start[d] + ghost_count[d];
+  }
+}
+
+template <int Dim>
+void Grid<Dim>::create_partition() {
+  const std::string too_few = "-grid_cells: too few cells for " + std::to_string(ranks_of(comm_)) + " ranks: ";
+  {
+    const petsc::MutedErrors muted;
+    try {
+      stencil_dm_ = create_stencil_dm(comm_, shape_);
+    } catch (const petsc::Error&) {
+      throw InputError(too_few + muted.message());
+    }
+  }
+  WASH_PETSC(DMDASetInterpolationType(stencil_dm_, DMDA_Q0));  // cell-centred multigrid
+  std::array<const PetscInt*, 3> lengths{};
+  std::array<PetscInt, 3> parts{};
+  WASH_PETSC(DMDAGetOwnershipRanges(stencil_dm_, &lengths[0], &lengths[1], &lengths[2]));
+  WASH_PETSC(DMDAGetInfo(stencil_dm_, nullptr, nullptr, nullptr, nullptr, &parts[0], &parts[1], &parts[2], nullptr,
+                         nullptr, nullptr, nullptr, nullptr, nullptr));
+  for (std::size_t d = 0; d < Dim; ++d) {
+    if (*std::min_element(lengths[d], lengths[d] + parts[d]) < shape_.ghost_width)
+      throw InputError(too_few + "each needs at least " + std::to_string(shape_.ghost_width) + " in each direction");
     part_ends_[d] = running_sum(lengths[d], parts[d]);
   }
 }

@@ -64,6 +64,8 @@ class Grid {
   petsc::Vector face_vector() const;  ///< zero, global
 
  private:
+  void create_partition();
+
   MPI_Comm comm_;
   GridShape<Dim> shape_;
   Point<Dim> spacing_;

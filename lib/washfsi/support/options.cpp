@@ -132,7 +132,7 @@ std::string Options::nearest(const std::string& name) const {
 void Options::reject_unread() const {
   for (const auto& [name, value] : database()) {
     PetscBool used = PETSC_FALSE;
-    WASH_PETSC(PetscOptionsUsed(nullptr, ("-" + name).c_str(), &used));
+    WASH_PETSC(PetscOptionsUsed(nullptr, name.c_str(), &used));
     if (used || values_.contains(name) || belongs_to_petsc(name)) continue;
     const std::string suggestion = nearest(name);
     throw InputError("-" + name + (value.empty() ? "" : " " + value) + ": no part of this run reads this option" +

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include "washfsi/simulation/simulation.hpp"
+#include "washfsi/support/collective.hpp"
+#include "washfsi/support/errors.hpp"
+
+namespace washfsi {
+namespace {
+
+constexpr const char* help_text =
+    "washfsi: cloth and water in a washing machine.\n"
+    "  mpirun -n 2 washfsi -options_file wash.opts [options]\n"
+    "Options of washfsi are listed below PETSc's own; SI units throughout.\n";
+
+// PETSc would answer a bad options file with a trace: look at it first.
+void check_options_file(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) throw InputError("-options_file " + path + ": this file cannot be read");
+  std::string line;
+  for (int number = 1; std::getline(file, line); ++number) {
+    const std::size_t start = line.find_first_not_of(" \t\r");
+    if (start == std::string::npos || line[start] == '#' || line[start] == '-') continue;
+    throw InputError("-options_file " + path + ", line " + std::to_string(number) +
+                     ": must begin with - (an option) or # (a comment)");
+  }
+}
+
+// Every rank looks at the arguments, rank 0's findings count. Returns the case's name.
+std::string case_from_arguments(int argc, char** argv) {
+  std::string name = "washfsi", problem;
+  for (int i = 1; i + 1 < argc; ++i) {
+    if (std::string(argv[i]) != "-options_file") continue;
+    name = std::filesystem::path(argv[i + 1]).stem().string();
+    if (rank_of(MPI_COMM_WORLD) != 0) continue;
+    try {
+      check_options_file(argv[i + 1]);
+    } catch (const InputError& error) {
+      problem = error.what();
+    }
+  }
+  problem = from_first_rank(MPI_COMM_WORLD, problem);
+  if (!problem.empty()) throw InputError(problem);
+  return name;
+}
+
+void simulate(const std::string& case_name) {
+  Options options(PETSC_COMM_WORLD);
+  if (dimension_from_options(options) == 2)
+    Simulation<2>(options, case_name).run();
+  else
+    Simulation<3>(options, case_name).run();
+}
+
+int report(const std::exception& error, int status) {
+  if (rank_of(MPI_COMM_WORLD) == 0) std::fprintf(stderr, "washfsi: %s\n", error.what());
+  return status;
+}
+
+// Runs the program between MPI's and PETSc's start and end; returns the exit status.
+int run_program(int argc, char** argv) {
+  try {
+    const std::string case_name = case_from_arguments(argc, argv);
+    WASH_PETSC(PetscInitialize(&argc, &argv, nullptr, help_text));
+    simulate(case_name);
+    return 0;
+  } catch (const InputError& error) {
+    return report(error, 2);
+  } catch (const DivergedError& error) {
+    return report(error, 3);
+  } catch (const FileError& error) {
+    return report(error, 4);
+  } catch (const std::exception& error) {  // on one rank alone, perhaps: the others cannot go on
+    std::fprintf(stderr, "washfsi: rank %d: %s\n", rank_of(MPI_COMM_WORLD), error.what());
+    MPI_Abort(MPI_COMM_WORLD, 1);
+    return 1;
+  }
+}
+
+}  // namespace
+}  // namespace washfsi
+
+int main(int argc, char** argv) {
+  MPI_Init(&argc, &argv);
+  const int status = washfsi::run_program(argc, argv);
+  PetscBool initialized = PETSC_FALSE;
+  (void)PetscInitialized(&initialized);
+  if (initialized) (void)PetscFinalize();
+  MPI_Finalize();
+  return status;
+}

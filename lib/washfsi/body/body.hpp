@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "washfsi/body/motion.hpp"
+#include "washfsi/body/shape.hpp"
+#include "washfsi/support/options.hpp"
+
+namespace washfsi {
+
+/// A named solid: a shape that moves rigidly.
+template <int Dim>
+struct Body {
+  std::string name;
+  ShapePtr<Dim> shape;
+  RigidMotion<Dim> motion;
+
+  /// Signed distance Phi [m]: negative in the solid.
+  double distance(const Point<Dim>& place, double time) const {
+    return shape->distance(motion.in_body_frame(place, time));
+  }
+
+  static Body from_options(Options& options, const std::string& name);
+};
+
+/// All bodies named by -bodies. Errors: InputError.
+template <int Dim>
+std::vector<Body<Dim>> bodies_from_options(Options& options);
+
+/// Distance to the nearest body [m]; very large without bodies.
+template <int Dim>
+double nearest_distance(const std::vector<Body<Dim>>& bodies, const Point<Dim>& place, double time);
+
+}  // namespace washfsi

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/body/body.hpp"
+#include "washfsi/grid/grid.hpp"
+
+namespace washfsi {
+
+/// Force and torque of the water and cloth ON a body; the torque is about the body's centre [N, N m; per unit depth in
+/// the plane].
+template <int Dim>
+struct Load {
+  Point<Dim> force = Point<Dim>::Zero();
+  Rotation<Dim> torque = Rotation<Dim>::Zero();
+};
+
+/// The bodies on the faces of a grid: the sharp mask H (0 in solid, 1/2 on its surface, 1 in fluid) and the velocity of
+/// the solid (4.2-6).
+template <int Dim>
+class Mask {
+ public:
+  Mask(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies);
+
+  /// Places the bodies as they are at `time`.
+  void update(double time);
+
+  Vec fluid_fraction() const { return fraction_; }        ///< H, on faces
+  Vec solid_velocity() const { return solid_velocity_; }  ///< on faces [m/s]
+  bool empty() const { return bodies_.empty(); }
+
+  /// velocity becomes H velocity + (1 - H) solid velocity: what moves the markers. Collective.
+  void hold(Vec velocity) const;
+
+  /// Load on each body from the force density by which the bodies held the water over a step that ended at `time`,
+  /// less the inertia of the water inside them. Collective.
+  std::vector<Load<Dim>> loads(Vec constraint_force, Vec density, double time) const;
+
+ private:
+  const Grid<Dim>& grid_;
+  const std::vector<Body<Dim>>& bodies_;
+  petsc::Vector fraction_, solid_velocity_;
+  petsc::Vector body_;  ///< number of the body that holds each face; -1 in fluid
+};
+
+extern template class Mask<2>;
+extern template class Mask<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/cloth/fibre.hpp"
+
+#include <cmath>
+
+namespace washfsi {
+
+namespace {
+
+template <int Dim>
+Point<Dim> second_difference(std::span<const Point<Dim>> x, std::size_t k, double ds) {
+  return (x[k + 1] - 2 * x[k] + x[k - 1]) / (ds * ds);
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<double> tensions(const Fibre& fibre, std::span<const Point<Dim>> positions) {
+  std::vector<double> result(positions.empty() ? 0 : positions.size() - 1);
+  for (std::size_t k = 0; k < result.size(); ++k) {
+    const double stretch = (positions[k + 1] - positions[k]).squaredNorm() / (fibre.spacing * fibre.spacing);
+    result[k] = fibre.ke * 0.5 * (stretch - 1);
+  }
+  return result;
+}
+
+template <int Dim>
+void add_energy_forces(const Fibre& fibre, std::span<const Point<Dim>> positions, std::span<Point<Dim>> forces) {
+  const auto& x = positions;
+  const double ds = fibre.spacing;
+  const std::vector<double> tension = tensions<Dim>(fibre, x);
+  for (std::size_t k = 0; k + 1 < x.size(); ++k) {
+    const Point<Dim> pull = tension[k] / ds * (x[k + 1] - x[k]);
+    forces[k] += pull;
+    forces[k + 1] -= pull;
+  }
+  for (std::size_t k = 1; k + 1 < x.size(); ++k) {
+    const Point<Dim> couple = fibre.kb / ds * second_difference<Dim>(x, k, ds);
+    forces[k - 1] -= couple;
+    forces[k] += 2 * couple;
+    forces[k + 1] -= couple;
+  }
+}
+
+template <int Dim>
+void add_damping_forces(const Fibre& fibre, std::span<const Point<Dim>> positions,
+                        std::span<const Point<Dim>> velocities, std::span<Point<Dim>> forces) {
+  const double factor = fibre.damping * fibre.ke / std::pow(fibre.spacing, 3);
+  for (std::size_t k = 0; k + 1 < positions.size(); ++k) {
+    const Point<Dim> edge = positions[k + 1] - positions[k];
+    const Point<Dim> drag = factor * edge.dot(velocities[k + 1] - velocities[k]) * edge;
+    forces[k] += drag;
+    forces[k + 1] -= drag;
+  }
+}
+
+template <int Dim>
+double elastic_energy(const Fibre& fibre, std::span<const Point<Dim>> positions, std::size_t first, std::size_t last) {
+  const std::vector<double> tension = tensions<Dim>(fibre, positions);
+  double energy = 0;
+  for (std::size_t k = first; k < last; ++k) {
+    if (k + 1 >= positions.size()) continue;
+    energy += 0.5 * fibre.spacing * tension[k] * tension[k] / fibre.ke;
+    if (k == 0) continue;
+    energy += 0.5 * fibre.kb * fibre.spacing * second_difference<Dim>(positions, k, fibre.spacing).squaredNorm();
+  }
+  return energy;
+}
+
+template <int Dim>
+std::vector<double> stresses(const Fibre& fibre, std::span<const Point<Dim>> positions) {
+  const auto& x = positions;
+  const double q = fibre.thickness;
+  const std::vector<double> tension = tensions<Dim>(fibre, x);
+  std::vector<double> result(x.size());
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    // tension and moment vanish at the free ends, half a spacing beyond the last markers
+    const double before = k > 0 ? tension[k - 1] : 0, after = k + 1 < x.size() ? tension[k] : 0;
+    const bool inner = k > 0 && k + 1 < x.size();
+    const double moment = inner ? fibre.kb * second_difference<Dim>(x, k, fibre.spacing).norm() : 0;
+    result[k] = 0.5 * std::abs(before + after) / q + 6 * moment / (q * q);
+  }
+  return result;
+}
+
+template std::vector<double> tensions<2>(const Fibre&, std::span<const Point<2>>);
+template std::vector<double> tensions<3>(const Fibre&, std::span<const Point<3>>);
+template void add_energy_forces<2>(const Fibre&, std::span<const Point<2>>, std::span<Point<2>>);
+template void add_energy_forces<3>(const Fibre&, std::span<const Point<3>>, std::span<Point<3>>);
+template void add_damping_forces<2>(const Fibre&, std::span<const Point<2>>, std::span<const Point<2>>,
+                                    std::span<Point<2>>);
+template void add_damping_forces<3>(const Fibre&, std::span<const Point<3>>, std::span<const Point<3>>,
+                                    std::span<Point<3>>);
+template double elastic_energy<2>(const Fibre&, std::span<const Point<2>>, std::size_t, std::size_t);
+template double elastic_energy<3>(const Fibre&, std::span<const Point<3>>, std::size_t, std::size_t);
+template std::vector<double> stresses<2>(const Fibre&, std::span<const Point<2>>);
+template std::vector<double> stresses<3>(const Fibre&, std::span<const Point<3>>);
+
+}  // namespace washfsi

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Elasticity of a fibre: a line of markers X_k, spacing ds on the undeformed cloth, ends half a spacing beyond the
+// first and last marker. Formulation 3.1, thesis 3.3.4.
+//
+// Energy form (default), forces F_k = -dE/dX_k, free ends without further conditions:
+//   E = sum over edges    1/2 Ke ds E11^2,   E11 = (|X_(k+1) - X_k|^2/ds^2 - 1)/2
+//     + sum over markers  1/2 Kb ds |D|^2,   D = (X_(k+1) - 2 X_k + X_(k-1))/ds^2   (inner markers)
+// It conserves linear and angular momentum to round-off and cannot create energy.
+#pragma once
+
+#include <span>
+
+#include "washfsi/support/point.hpp"
+
+namespace washfsi {
+
+/// Stiffness and lattice of a fibre, per unit depth in the plane.
+struct Fibre {
+  double spacing = 0;    ///< ds [m]
+  double ke = 0;         ///< extensional stiffness Ke [N/m]
+  double kb = 0;         ///< bending stiffness Kb [N m]
+  double damping = 0;    ///< Kelvin-Voigt time beta of the edges [s]
+  double thickness = 1;  ///< q [m], for stresses only
+};
+
+/// The functions below act on neighbouring markers of one fibre. Given only a part of a fibre, they are exact for
+/// all markers that are at least this far from the part's cut ends.
+inline constexpr int fibre_reach = 3;
+
+/// Green strain E11 of each edge times Ke: the tension T (second Piola) [N/m]; one value fewer than markers.
+template <int Dim>
+std::vector<double> tensions(const Fibre& fibre, std::span<const Point<Dim>> positions);
+
+/// Adds -dE/dX of stretching and bending [N; per unit depth in the plane].
+template <int Dim>
+void add_energy_forces(const Fibre& fibre, std::span<const Point<Dim>> positions, std::span<Point<Dim>> forces);
+
+/// Adds the Kelvin-Voigt damping of the edges, beta Ke d (d . dU)/ds^3 with d the edge vector.
+template <int Dim>
+void add_damping_forces(const Fibre& fibre, std::span<const Point<Dim>> positions,
+                        std::span<const Point<Dim>> velocities, std::span<Point<Dim>> forces);
+
+/// Adds the thesis's strong form (3.3.4, 3.4.1) in the plane: F ds with
+///   F = d/ds (T X_s) + d/ds (Q e3),  T = Ke E11,  M = Kb kappa,  Q = -(1/K) dM/ds,
+/// T, M and Q zero at the ends. A baseline: it does not conserve angular momentum.
+void add_love_forces(const Fibre& fibre, std::span<const Point<2>> positions, std::span<Point<2>> forces);
+
+/// Elastic energy of the edges and bends that belong to markers first..last-1 (an edge to its first marker).
+template <int Dim>
+double elastic_energy(const Fibre& fibre, std::span<const Point<Dim>> positions, std::size_t first, std::size_t last);
+
+/// |T|/q + 6 |M|/q^2 at each marker [Pa]: membrane stress plus the bending stress at the surface (5.2-2).
+template <int Dim>
+std::vector<double> stresses(const Fibre& fibre, std::span<const Point<Dim>> positions);
+
+}  // namespace washfsi

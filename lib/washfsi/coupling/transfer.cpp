@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/coupling/transfer.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "washfsi/support/collective.hpp"
+#include "washfsi/support/errors.hpp"
+
+namespace washfsi {
+
+template <int Dim>
+Transfer<Dim>::Transfer(const Grid<Dim>& grid, const Boundary<Dim>& boundary, const DeltaOptions& delta)
+    : grid_(grid), boundary_(boundary), delta_(delta), exchange_(grid) {}
+
+template <int Dim>
+void Transfer<Dim>::check_inside(const Points<Dim>& positions) const {
+  Located outside;
+  for (const auto& position : positions)
+    if (!position.allFinite() || !grid_.contains(position)) {
+      outside.value = 1;
+      std::copy_n(position.data(), Dim, outside.place);
+    }
+  outside = largest(grid_.comm(), outside);
+  if (outside.value == 0) return;
+  std::string place;
+  for (int d = 0; d < Dim; ++d) place += (d ? ", " : "") + to_text(outside.place[d]);
+  throw DivergedError("cloth: a marker has left the grid at (" + place + ") m");
+}
+
+template <int Dim>
+void Transfer<Dim>::locate(const Points<Dim>& positions) {
+  check_inside(positions);
+  exchange_.update(positions);
+  here_ = exchange_.to_cells(positions);
+  for (auto& position : here_)
+    for (int d = 0; d < Dim; ++d) {
+      if (!grid_.periodic(d)) continue;
+      const double length = grid_.upper()[d] - grid_.lower()[d];
+      position[d] -= length * std::floor((position[d] - grid_.lower()[d]) / length);
+    }
+}
+
+// Calls visit(face, weight) for the faces of one component within the delta; the weights sum to 1.
+template <int Dim>
+template <class Visit>
+void Transfer<Dim>::visit_stencil(const Point<Dim>& position, int component, double width, Visit&& visit) const {
+  std::array<AxisStencil, Dim> axes;
+  Box<Dim> box;
+  for (int d = 0; d < Dim; ++d) {
+    const auto axis = static_cast<std::size_t>(d);
+    const double first_point = d == component ? 0.0 : 0.5;
+    axes[axis] = axis_stencil((position[d] - grid_.lower()[d]) / grid_.spacing()[d] - first_point, width);
+    box.lower[axis] = axes[axis].first;
+    box.upper[axis] = axes[axis].first + axes[axis].count;
+  }
+  for_each<Dim>(box, [&](const Index<Dim>& face) {
+    double weight = 1;
+    for (std::size_t d = 0; d < Dim; ++d) weight *= axes[d].weight[static_cast<std::size_t>(face[d] - axes[d].first)];
+    visit(face, weight);
+  });
+}
+
+template <int Dim>
+void Transfer<Dim>::add_to_local(const Points<Dim>& values, Vec local) const {
+  WASH_PETSC(VecZeroEntries(local));
+  const FaceView<Dim> field(grid_.face_dm(), local);
+  const double per_volume = 1 / grid_.cell_volume();
+  for (std::size_t m = 0; m < here_.size(); ++m)
+    for (int c = 0; c < Dim; ++c)
+      visit_stencil(here_[m], c, delta_.spread_width, [&](const Index<Dim>& face, double weight) {
+        field(face, c) += per_volume * weight * values[m][c];
+      });
+}
+
+template <int Dim>
+Point<Dim> Transfer<Dim>::spread(const Points<Dim>& forces, Vec force) const {
+  const petsc::LogEvent event("spread");
+  const petsc::LocalVector local(grid_.face_dm());
+  add_to_local(exchange_.to_cells(forces), local);
+  const Point<Dim> kept = grid_.cell_volume() * boundary_.fold(local);
+  WASH_PETSC(DMLocalToGlobal(grid_.face_dm(), local, ADD_VALUES, force));
+  const std::vector<double> reaction = ordered_sum(grid_.comm(), std::vector<double>(kept.data(), kept.data() + Dim));
+  return Point<Dim>(reaction.data());
+}
+
+template <int Dim>
+void Transfer<Dim>::spread_mass(const std::vector<double>& masses, Vec density) const {
+  const petsc::LogEvent event("spread");
+  const petsc::LocalVector local(grid_.face_dm());
+  Points<Dim> values;
+  for (const double mass : exchange_.to_cells(masses)) values.push_back(Point<Dim>::Constant(mass));
+  add_to_local(values, local);
+  boundary_.fold_mass(local);
+  WASH_PETSC(DMLocalToGlobal(grid_.face_dm(), local, ADD_VALUES, density));
+}
+
+template <int Dim>
+Points<Dim> Transfer<Dim>::interpolate(Vec local_velocity) const {
+  const petsc::LogEvent event("interpolate");
+  const ConstFaceView<Dim> u(grid_.face_dm(), local_velocity);
+  Points<Dim> velocities(here_.size(), Point<Dim>::Zero());
+  for (std::size_t m = 0; m < here_.size(); ++m)
+    for (int c = 0; c < Dim; ++c)
+      visit_stencil(here_[m], c, delta_.interpolate_width, [&](const Index<Dim>& face, double weight) {
+        velocities[m][c] += weight * u(face, c);
+      });
+  return exchange_.to_owners(velocities);
+}
+
+template <int Dim>
+std::vector<double> row_sum_mobility(const Transfer<Dim>& transfer, const Grid<Dim>& grid, const Boundary<Dim>& boundary,
+                                     Vec density, const std::vector<double>& lengths) {
+  Points<Dim> forces;
+  for (const double length : lengths) forces.push_back(Point<Dim>::Constant(length));
+  const petsc::Vector acceleration = petsc::zeros_like(density);
+  (void)transfer.spread(forces, acceleration);
+  WASH_PETSC(VecPointwiseDivide(acceleration, acceleration, density));
+  const petsc::LocalVector local(grid.face_dm(), acceleration);
+  boundary.fill_homogeneous(local);
+  std::vector<double> mobility;
+  for (const auto& velocity : transfer.interpolate(local)) mobility.push_back(velocity.maxCoeff());
+  return mobility;
+}
+
+template class Transfer<2>;
+template class Transfer<3>;
+template std::vector<double> row_sum_mobility<2>(const Transfer<2>&, const Grid<2>&, const Boundary<2>&, Vec,
+                                                 const std::vector<double>&);
+template std::vector<double> row_sum_mobility<3>(const Transfer<3>&, const Grid<3>&, const Boundary<3>&, Vec,
+                                                 const std::vector<double>&);
+
+}  // namespace washfsi

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Spread and interpolate, thesis (3.2-11 .. 3.2-14), on the faces of the staggered grid:
+//   f(x) = sum_k F_k delta(x - X_k)                 spread S
+//   U_k  = sum_x u(x) delta(x - X_k) h^Dim          interpolate J
+// With equal widths each is the other's adjoint, at walls too: J reads ghosts that mirror the interior, S adds what
+// falls on ghosts back with the same signs; the rest is the wall's reaction.
+#pragma once
+
+#include <array>
+
+#include "washfsi/coupling/delta.hpp"
+#include "washfsi/coupling/marker_exchange.hpp"
+#include "washfsi/grid/boundary.hpp"
+
+namespace washfsi {
+
+template <int Dim>
+class Transfer {
+ public:
+  Transfer(const Grid<Dim>& grid, const Boundary<Dim>& boundary, const DeltaOptions& delta);
+
+  /// Fixes S and J at these marker positions (this rank's markers). Collective.
+  /// Errors: DivergedError if a marker has left the box.
+  void locate(const Points<Dim>& positions);
+
+  /// force += S F with nodal forces F [N; per unit depth in the plane]; a face vector [N/m3]. Returns the walls'
+  /// reaction [N], summed over all ranks. Collective.
+  Point<Dim> spread(const Points<Dim>& forces, Vec force) const;
+
+  /// density += S m with nodal masses m [kg], for each component's faces; mass beyond walls is folded back. Collective.
+  void spread_mass(const std::vector<double>& masses, Vec density) const;
+
+  /// U = J u for a local velocity whose ghosts are filled. Collective.
+  Points<Dim> interpolate(Vec local_velocity) const;
+
+ private:
+  template <class Visit>
+  void visit_stencil(const Point<Dim>& position, int component, double width, Visit&& visit) const;
+  void add_to_local(const Points<Dim>& values, Vec local) const;
+  void check_inside(const Points<Dim>& positions) const;
+
+  const Grid<Dim>& grid_;
+  const Boundary<Dim>& boundary_;
+  DeltaOptions delta_;
+  MarkerExchange<Dim> exchange_;
+  Points<Dim> here_;  ///< positions of the markers in this rank's cells, folded into the box
+};
+
+/// The mobility m_k [m2/kg; m/kg per unit depth]: velocity of each marker per unit force density on all cloths and unit
+/// time, the row sums of (1/rho) J S with the markers' lengths as weights. Bounds the explicit step. Collective.
+template <int Dim>
+std::vector<double> row_sum_mobility(const Transfer<Dim>& transfer, const Grid<Dim>& grid, const Boundary<Dim>& boundary,
+                                     Vec density, const std::vector<double>& lengths);
+
+extern template class Transfer<2>;
+extern template class Transfer<3>;
+
+}  // namespace washfsi

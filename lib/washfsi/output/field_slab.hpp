@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/grid/grid.hpp"
+#include "washfsi/support/hdf5_file.hpp"
+
+namespace washfsi {
+
+/// This rank's part of a field with `components` values per cell in a dataset of shape [nz,] ny, nx [, components]. The
+/// order is that of a DMDA's global vector. No last dimension for a single component.
+template <int Dim>
+Slab field_slab(const Grid<Dim>& grid, int components) {
+  Slab slab;
+  for (std::size_t d = Dim; d-- > 0;) {
+    slab.shape.push_back(static_cast<hsize_t>(grid.cells()[d]));
+    slab.offset.push_back(static_cast<hsize_t>(grid.owned().lower[d]));
+    slab.count.push_back(static_cast<hsize_t>(grid.owned().upper[d] - grid.owned().lower[d]));
+  }
+  if (components > 1) {
+    slab.shape.push_back(static_cast<hsize_t>(components));
+    slab.offset.push_back(0);
+    slab.count.push_back(static_cast<hsize_t>(components));
+  }
+  return slab;
+}
+
+/// This rank's part of an array over markers with `components` values each.
+inline Slab marker_slab(PetscInt total, PetscInt begin, PetscInt end, int components) {
+  Slab slab{{static_cast<hsize_t>(total)}, {static_cast<hsize_t>(begin)}, {static_cast<hsize_t>(end - begin)}};
+  if (components > 1) {
+    slab.shape.push_back(static_cast<hsize_t>(components));
+    slab.offset.push_back(0);
+    slab.count.push_back(static_cast<hsize_t>(components));
+  }
+  return slab;
+}
+
+/// Flat values of points, padded with zeros to `components` each.
+template <int Dim>
+std::vector<double> flattened(const Points<Dim>& points, int components = Dim) {
+  std::vector<double> values;
+  values.reserve(points.size() * static_cast<std::size_t>(components));
+  for (const auto& point : points)
+    for (int c = 0; c < components; ++c) values.push_back(c < Dim ? point[c] : 0.0);
+  return values;
+}
+
+}  // namespace washfsi

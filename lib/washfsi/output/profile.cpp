@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/output/profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "washfsi/output/history.hpp"
+#include "washfsi/support/collective.hpp"
+#include "washfsi/support/errors.hpp"
+#include "washfsi/support/hdf5_file.hpp"
+
+namespace washfsi {
+
+namespace {
+
+/// Linear interpolation of value(index) given on points at lower + (i + offset_d) h_d.
+template <int Dim, class Value>
+double interpolate_linearly(const Grid<Dim>& grid, const Point<Dim>& place, const Point<Dim>& offset, const Value& value) {
+  Index<Dim> base;
+  Point<Dim> fraction;
+  for (int d = 0; d < Dim; ++d) {
+    const double coordinate = (place[d] - grid.lower()[d]) / grid.spacing()[d] - offset[d];
+    const double floor = std::floor(coordinate);
+    base[static_cast<std::size_t>(d)] = static_cast<PetscInt>(floor);
+    fraction[d] = coordinate - floor;
+  }
+  double sum = 0;
+  for (unsigned corner = 0; corner < (1U << Dim); ++corner) {
+    Index<Dim> index = base;
+    double weight = 1;
+    for (int d = 0; d < Dim; ++d) {
+      const bool upper = (corner >> d) & 1U;
+      if (upper) ++index[static_cast<std::size_t>(d)];
+      weight *= upper ? fraction[d] : 1 - fraction[d];
+    }
+    if (weight != 0) sum += weight * value(index);
+  }
+  return sum;
+}
+
+}  // namespace
+
+template <int Dim>
+void Profile<Dim>::write(const Grid<Dim>& grid, const Boundary<Dim>& boundary, Vec velocity, Vec pressure, double time,
+                         const std::string& folder) const {
+  const petsc::LocalVector local_u(grid.face_dm(), velocity), local_p(grid.cell_dm(), pressure);
+  boundary.fill(local_u, time);
+  const ConstFaceView<Dim> u(grid.face_dm(), local_u);
+  const ConstCellView<Dim> p(grid.cell_dm(), local_p);
+  const auto n = static_cast<std::size_t>(points);
+  std::vector<double> samples(n * (Dim + 1), 0.0);  // the rank that owns a point's cell fills it in
+  const auto place_of = [&](std::size_t i) -> Point<Dim> {
+    return from + (n > 1 ? static_cast<double>(i) / static_cast<double>(n - 1) : 0.0) * (to - from);
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point<Dim> place = place_of(i);
+    if (grid.owner(grid.cell_of(place)) != rank_of(grid.comm())) continue;
+    for (int c = 0; c < Dim; ++c) {
+      Point<Dim> offset = Point<Dim>::Constant(0.5);
+      offset[c] = 0;
+      samples[i * (Dim + 1) + static_cast<std::size_t>(c)] =
+          interpolate_linearly<Dim>(grid, place, offset, [&](const Index<Dim>& index) { return u(index, c); });
+    }
+    samples[i * (Dim + 1) + Dim] =
+        interpolate_linearly<Dim>(grid, place, Point<Dim>::Constant(0.5), [&](Index<Dim> index) {
+          for (std::size_t d = 0; d < Dim; ++d)  // no pressure beyond walls: the nearest cell's
+            if (!grid.periodic(static_cast<int>(d))) index[d] = std::clamp<PetscInt>(index[d], 0, grid.cells()[d] - 1);
+          return p(index);
+        });
+  }
+  samples = ordered_sum(grid.comm(), samples);
+
+  std::vector<Column> columns;
+  for (int d = 0; d < Dim; ++d) columns.push_back({std::string(1, "xyz"[d]), "m"});
+  for (int d = 0; d < Dim; ++d) columns.push_back({std::string(1, "uvw"[d]), "m/s"});
+  columns.push_back({"p", "Pa"});
+  std::vector<std::vector<double>> rows;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point<Dim> place = place_of(i);
+    std::vector<double> row(place.data(), place.data() + Dim);
+    row.insert(row.end(), &samples[i * (Dim + 1)], &samples[i * (Dim + 1)] + Dim + 1);
+    rows.push_back(row);
+  }
+  make_writable_folder(grid.comm(), folder + "/profiles");
+  write_table(grid.comm(), folder + "/profiles/" + name + ".csv", columns, rows);
+}
+
+template <int Dim>
+std::vector<Profile<Dim>> profiles_from_options(Options& options, const Point<Dim>& lower, const Point<Dim>& upper) {
+  std::vector<std::string> names;
+  options.block("", "Profiles", [&](OptionBlock& block) {
+    block.names("profiles", names, "names of the lines sampled at the end");
+  });
+  if (options.help() && names.empty()) names = {"line"};
+  std::vector<Profile<Dim>> profiles;
+  for (const auto& name : names) {
+    Profile<Dim> profile;
+    profile.name = name;
+    options.block(name + "_", "Profile " + name, [&](OptionBlock& block) {
+      block.require("from", "the first point of the line");
+      block.require("to", "the last point of the line");
+      block.template point<Dim>("from", profile.from, "m", "first point of the line");
+      block.template point<Dim>("to", profile.to, "m", "last point of the line");
+      block.integer("points", profile.points, at_least_one, "number of points on the line");
+    });
+    for (const auto& end : {profile.from, profile.to})
+      if (((end - lower).minCoeff() < 0 || (upper - end).minCoeff() < 0) && !options.help())
+        throw InputError("-" + name + "_from, -" + name + "_to: the line leaves the grid");
+    profiles.push_back(profile);
+  }
+  return profiles;
+}
+
+template struct Profile<2>;
+template struct Profile<3>;
+template std::vector<Profile<2>> profiles_from_options<2>(Options&, const Point<2>&, const Point<2>&);
+template std::vector<Profile<3>> profiles_from_options<3>(Options&, const Point<3>&, const Point<3>&);
+
+}  // namespace washfsi

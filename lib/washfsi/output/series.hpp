@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/body/body.hpp"
+#include "washfsi/cloth/cloths.hpp"
+#include "washfsi/grid/boundary.hpp"
+#include "washfsi/output/frame_file.hpp"
+
+namespace washfsi {
+
+/// flow.h5, flow.xdmf: velocity, pressure and vorticity at cell centres.
+template <int Dim>
+class FlowSeries {
+ public:
+  FlowSeries(const Grid<Dim>& grid, const Boundary<Dim>& boundary, const std::string& folder, long restart_step);
+  /// Collective.
+  void write(double time, long step, Vec velocity, Vec pressure);
+
+ private:
+  const Grid<Dim>& grid_;
+  const Boundary<Dim>& boundary_;
+  FrameFile file_;
+};
+
+/// bodies.h5, bodies.xdmf: the signed distance [m] of each body at cell centres; its zero contour is the surface.
+template <int Dim>
+class BodySeries {
+ public:
+  BodySeries(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies, const std::string& folder, long restart_step);
+  /// Collective.
+  void write(double time, long step);
+
+ private:
+  const Grid<Dim>& grid_;
+  const std::vector<Body<Dim>>& bodies_;
+  FrameFile file_;
+};
+
+/// cloth.h5, cloth.xdmf: markers joined to cloths, with velocity, stress, group and cloth numbers.
+template <int Dim>
+class ClothSeries {
+ public:
+  ClothSeries(MPI_Comm comm, const Cloths<Dim>& cloths, const std::string& folder, long restart_step);
+  /// Collective.
+  void write(double time, long step, const Points<Dim>& positions, const Points<Dim>& velocities);
+
+ private:
+  void write_topology();
+  std::vector<long long> topology() const;
+
+  MPI_Comm comm_;
+  const Cloths<Dim>& cloths_;
+  FrameFile file_;
+};
+
+}  // namespace washfsi

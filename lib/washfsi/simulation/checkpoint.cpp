@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/simulation/checkpoint.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "washfsi/output/field_slab.hpp"
+#include "washfsi/support/errors.hpp"
+#include "washfsi/support/options.hpp"
+
+namespace washfsi {
+
+namespace {
+
+void write_vector(Hdf5File& file, const std::string& name, const Slab& slab, Vec vector) {
+  const double* values = nullptr;
+  PetscInt size = 0;
+  WASH_PETSC(VecGetLocalSize(vector, &size));
+  WASH_PETSC(VecGetArrayRead(vector, &values));
+  const std::vector<double> copy(values, values + size);
+  WASH_PETSC(VecRestoreArrayRead(vector, &values));
+  file.write(name, slab, copy);
+}
+
+void read_vector(Hdf5File& file, const std::string& name, const Slab& slab, Vec vector) {
+  const std::vector<double> copy = file.read(name, slab);
+  double* values = nullptr;
+  WASH_PETSC(VecGetArray(vector, &values));
+  std::copy(copy.begin(), copy.end(), values);
+  WASH_PETSC(VecRestoreArray(vector, &values));
+}
+
+template <int Dim>
+Slab slab_of_markers(const Cloths<Dim>& cloths, int components) {
+  return marker_slab(cloths.marker_count(), cloths.begin(), cloths.end(), components);
+}
+
+template <int Dim>
+Points<Dim> read_points(Hdf5File& file, const std::string& name, const Cloths<Dim>& cloths) {
+  const std::vector<double> flat = file.read(name, slab_of_markers(cloths, Dim));
+  Points<Dim> points(cloths.owned());
+  for (std::size_t m = 0; m < points.size(); ++m) points[m] = Point<Dim>(&flat[m * Dim]);
+  return points;
+}
+
+// A short array that all ranks hold; rank 0 writes it.
+Slab shared_slab(MPI_Comm comm, std::size_t size, bool writing) {
+  const bool silent = writing && rank_of(comm) != 0;
+  return {{size}, {0}, {silent ? hsize_t{0} : size}};
+}
+
+}  // namespace
+
+template <int Dim>
+void write_checkpoint(const std::string& folder, const System<Dim>& system, Measures<Dim>& measures, const RunState& state) {
+  const petsc::LogEvent event("output");
+  const std::string path = folder + "/checkpoint.h5", temporary = path + ".part";
+  const MPI_Comm comm = system.grid.comm();
+  Hdf5File file(comm, temporary, Hdf5File::Mode::create);
+  file.set_attribute("/", "step", static_cast<double>(state.step));
+  file.set_attribute("/", "time", system.fluid.time());
+  file.set_attribute("/", "time_step", state.dt);
+  file.set_attribute("/", "has_history", system.fluid.has_history() ? 1 : 0);
+  const SolverCounts& counts = system.fluid.counts();
+  file.set_attribute("/", "momentum_iterations", counts.momentum);
+  file.set_attribute("/", "pressure_iterations", counts.pressure);
+  file.set_attribute("/", "solved_steps", counts.steps);
+  for (const auto& [name, vector] : system.fluid.face_state())
+    write_vector(file, "/fluid/" + name, field_slab(system.grid, Dim), vector);
+  for (const auto& [name, vector] : system.fluid.cell_state())
+    write_vector(file, "/fluid/" + name, field_slab(system.grid, 1), vector);
+  if (system.cloths.marker_count() > 0) {
+    file.write("/cloth/position", slab_of_markers(system.cloths, Dim), flattened<Dim>(system.positions));
+    file.write("/cloth/velocity", slab_of_markers(system.cloths, Dim), flattened<Dim>(system.velocities));
+    file.write("/cloth/stress_time", slab_of_markers(system.cloths, 1), measures.stress_time());
+  }
+  file.write("/totals", shared_slab(comm, measures.totals_count(), true), measures.totals());
+  file.close();
+  bool renamed = true;
+  if (rank_of(comm) == 0) {
+    std::error_code error;
+    std::filesystem::rename(temporary, path, error);
+    renamed = !error;
+  }
+  if (any_rank(comm, !renamed)) throw FileError(path + ": cannot be written");
+}
+
+template <int Dim>
+RunState read_checkpoint(const std::string& path, System<Dim>& system, Measures<Dim>& measures) {
+  const MPI_Comm comm = system.grid.comm();
+  try {
+    Hdf5File file(comm, path, Hdf5File::Mode::read);
+    for (const auto& [name, vector] : system.fluid.face_state())
+      read_vector(file, "/fluid/" + name, field_slab(system.grid, Dim), vector);
+    for (const auto& [name, vector] : system.fluid.cell_state())
+      read_vector(file, "/fluid/" + name, field_slab(system.grid, 1), vector);
+    if (system.cloths.marker_count() > 0) {
+      system.positions = read_points(file, "/cloth/position", system.cloths);
+      system.velocities = read_points(file, "/cloth/velocity", system.cloths);
+      measures.stress_time() = file.read("/cloth/stress_time", slab_of_markers(system.cloths, 1));
+    }
+    measures.set_totals(file.read("/totals", shared_slab(comm, measures.totals_count(), false)));
+    system.fluid.set_time(file.attribute("/", "time"));
+    system.fluid.set_has_history(file.attribute("/", "has_history") != 0);
+    system.fluid.set_counts({.momentum = file.attribute("/", "momentum_iterations"),
+                             .pressure = file.attribute("/", "pressure_iterations"),
+                             .steps = file.attribute("/", "solved_steps")});
+    return {static_cast<long>(file.attribute("/", "step")), file.attribute("/", "time_step")};
+  } catch (const InputError& error) {
+    throw InputError(std::string("-restart ") + error.what() + "; it must be a checkpoint of this grid and these cloths");
+  }
+}
+
+template void write_checkpoint<2>(const std::string&, const System<2>&, Measures<2>&, const RunState&);
+template void write_checkpoint<3>(const std::string&, const System<3>&, Measures<3>&, const RunState&);
+template RunState read_checkpoint<2>(const std::string&, System<2>&, Measures<2>&);
+template RunState read_checkpoint<3>(const std::string&, System<3>&, Measures<3>&);
+
+}  // namespace washfsi

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "washfsi/simulation/measures.hpp"
+
+namespace washfsi {
+
+/// Where a run stands.
+struct RunState {
+  long step = 0;
+  double dt = 0;  ///< [s]
+};
+
+/// Writes the complete state to FOLDER/checkpoint.h5, under another name first, so that the last good one is never
+/// lost. Collective. Errors: FileError.
+template <int Dim>
+void write_checkpoint(const std::string& folder, const System<Dim>& system, Measures<Dim>& measures, const RunState& state);
+
+/// Takes the state from a checkpoint, written on any number of ranks. Collective.
+/// Errors: InputError naming -restart if the file is unreadable or of another grid or cloth.
+template <int Dim>
+RunState read_checkpoint(const std::string& path, System<Dim>& system, Measures<Dim>& measures);
+
+}  // namespace washfsi

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/simulation/explicit_coupling.hpp"
+
+namespace washfsi {
+
+namespace {
+
+template <int Dim>
+void add_weight(const System<Dim>& system, Points<Dim>& forces) {
+  const std::vector<double> masses = system.cloths.marker_masses();
+  for (std::size_t m = 0; m < forces.size(); ++m) forces[m] += masses[m] * system.gravity;
+}
+
+}  // namespace
+
+template <int Dim>
+Points<Dim> marker_velocities(const System<Dim>& system) {
+  const petsc::Vector masked = petsc::zeros_like(system.fluid.velocity());
+  WASH_PETSC(VecCopy(system.fluid.velocity(), masked));
+  system.mask.hold(masked);
+  const petsc::LocalVector local(system.grid.face_dm(), masked);
+  system.boundary.fill(local, system.fluid.time());
+  return system.transfer.interpolate(local);
+}
+
+template <int Dim>
+void ExplicitCoupling<Dim>::advance(System<Dim>& system, double dt) {
+  Points<Dim> forces = system.cloths.elastic_forces(system.positions, system.velocities);
+  add_weight(system, forces);
+
+  system.transfer.locate(system.positions);
+  system.spread_density();
+  WASH_PETSC(VecZeroEntries(system.force));
+  system.wall_reaction = system.transfer.spread(forces, system.force);
+
+  system.mask.update(system.fluid.time() + dt);
+  const Constraint constraint = system.mask.empty()
+                                    ? Constraint{}
+                                    : Constraint{system.mask.fluid_fraction(), system.mask.solid_velocity()};
+  system.fluid.advance(dt, {system.density, system.force, constraint});
+
+  system.velocities = marker_velocities(system);
+  for (std::size_t m = 0; m < system.positions.size(); ++m) system.positions[m] += dt * system.velocities[m];
+}
+
+template class ExplicitCoupling<2>;
+template class ExplicitCoupling<3>;
+template Points<2> marker_velocities<2>(const System<2>&);
+template Points<3> marker_velocities<3>(const System<3>&);
+
+}  // namespace washfsi

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/simulation/measures.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace washfsi {
+
+template <int Dim>
+Measures<Dim>::Measures(const System<Dim>& system)
+    : system_(system),
+      loads_(system.bodies.size()),
+      groups_(system.cloths.groups().size()),
+      centers_(groups_.size(), Point<Dim>::Zero()),
+      stress_time_(system.cloths.owned(), 0.0) {
+  for (const std::size_t piece : system.cloths.piece_of_marker())
+    group_of_.push_back(system.cloths.pieces()[piece].group);
+  counts_ = group_sums(std::vector<double>(group_of_.size(), 1.0));
+}
+
+template <int Dim>
+std::vector<double> Measures<Dim>::group_sums(const std::vector<double>& marker_values) const {
+  std::vector<double> sums(groups_.size(), 0.0);
+  for (std::size_t m = 0; m < marker_values.size(); ++m) sums[group_of_[m]] += marker_values[m];
+  return ordered_sum(system_.grid.comm(), sums);
+}
+
+template <int Dim>
+void Measures<Dim>::observe_start(double dt) {
+  flow_ = FlowDiagnostics<Dim>::of(system_.grid, system_.boundary, system_.fluid.velocity(), system_.density,
+                                   system_.fluid.time(), dt);
+  measure_cloth(dt, false);
+}
+
+template <int Dim>
+void Measures<Dim>::observe(double dt) {
+  flow_ = FlowDiagnostics<Dim>::of(system_.grid, system_.boundary, system_.fluid.velocity(), system_.density,
+                                   system_.fluid.time(), dt);
+  largest_divergence_ = std::max(largest_divergence_, flow_.max_divergence);
+  loads_ = system_.mask.loads(system_.fluid.constraint_force(), system_.density, system_.fluid.time());
+  measure_cloth(dt, true);
+}
+
+template <int Dim>
+void Measures<Dim>::measure_cloth(double dt, bool accumulate) {
+  if (groups_.empty()) return;
+  const std::vector<double> stress = system_.cloths.stresses(system_.positions);
+  if (accumulate) {
+    averaged_time_ += dt;
+    for (std::size_t m = 0; m < stress.size(); ++m) stress_time_[m] += dt * stress[m];
+  }
+  const double time = averaged_time_ > 0 ? averaged_time_ : 1;
+  std::vector<double> mean(stress.size()), square(stress.size());
+  for (std::size_t m = 0; m < stress.size(); ++m) {
+    mean[m] = stress_time_[m] / time;
+    square[m] = mean[m] * mean[m];
+  }
+  const std::vector<double> now = group_sums(stress), means = group_sums(mean), squares = group_sums(square);
+  const std::vector<double> energies = system_.cloths.elastic_energies(system_.positions);
+  const std::vector<double> stretches = system_.cloths.largest_stretches(system_.positions);
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    GroupMeasures& group = groups_[g];
+    group.elastic_energy = energies[g];
+    group.stress_now = now[g] / counts_[g];
+    group.stress_mean = means[g] / counts_[g];
+    group.stress_std = std::sqrt(std::max(0.0, squares[g] / counts_[g] - group.stress_mean * group.stress_mean));
+    group.max_stretch = std::max(group.max_stretch, stretches[g]);
+  }
+  for (int d = 0; d < Dim; ++d) {
+    std::vector<double> coordinate;
+    for (const auto& position : system_.positions) coordinate.push_back(position[d]);
+    const std::vector<double> sums = group_sums(coordinate);
+    for (std::size_t g = 0; g < groups_.size(); ++g) centers_[g][d] = sums[g] / counts_[g];
+  }
+}
+
+template <int Dim>
+std::vector<Column> Measures<Dim>::columns() const {
+  const bool plane = Dim == 2;
+  const char* force = plane ? "N/m" : "N";
+  const char* torque = plane ? "N" : "N m";
+  const char* energy = plane ? "J/m" : "J";
+  std::vector<Column> columns{{"step", "-"}, {"time", "s"}, {"dt", "s"}, {"cfl", "-"}, {"kinetic_energy", energy},
+                              {"max_divergence", "1/s"}};
+  for (const auto& body : system_.bodies) {
+    for (int d = 0; d < Dim; ++d) columns.push_back({body.name + "_force_" + "xyz"[d], force});
+    if (plane) columns.push_back({body.name + "_torque", torque});
+    for (int d = 0; d < Dim && !plane; ++d) columns.push_back({body.name + "_torque_" + "xyz"[d], torque});
+  }
+  for (const auto& group : system_.cloths.groups()) {
+    columns.push_back({group.name + "_elastic_energy", energy});
+    columns.push_back({group.name + "_stress_mean", "Pa"});
+    columns.push_back({group.name + "_max_stretch", "-"});
+    for (int d = 0; d < Dim; ++d) columns.push_back({group.name + "_center_" + "xyz"[d], "m"});
+  }
+  return columns;
+}
+
+template <int Dim>
+std::vector<double> Measures<Dim>::row(double dt) const {
+  std::vector<double> row{system_.fluid.time(), dt, flow_.courant.value, flow_.kinetic_energy, flow_.max_divergence};
+  for (const Load<Dim>& load : loads_) {
+    row.insert(row.end(), load.force.data(), load.force.data() + Dim);
+    row.insert(row.end(), load.torque.data(), load.torque.data() + rotation_components<Dim>);
+  }
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    row.insert(row.end(), {groups_[g].elastic_energy, groups_[g].stress_now, groups_[g].max_stretch});
+    row.insert(row.end(), centers_[g].data(), centers_[g].data() + Dim);
+  }
+  return row;
+}
+
+template <int Dim>
+std::vector<double> Measures<Dim>::totals() const {
+  std::vector<double> totals{averaged_time_, largest_divergence_};
+  for (const GroupMeasures& group : groups_) totals.push_back(group.max_stretch);
+  return totals;
+}
+
+template <int Dim>
+void Measures<Dim>::set_totals(const std::vector<double>& totals) {
+  averaged_time_ = totals[0];
+  largest_divergence_ = totals[1];
+  for (std::size_t g = 0; g < groups_.size(); ++g) groups_[g].max_stretch = totals[2 + g];
+}
+
+template class Measures<2>;
+template class Measures<3>;
+
+}  // namespace washfsi

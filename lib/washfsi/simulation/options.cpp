@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/simulation/options.hpp"
+
+namespace washfsi {
+
+RunOptions RunOptions::from_options(Options& options) {
+  RunOptions run;
+  options.block("", "Run", [&](OptionBlock& block) {
+    block.require("time_end", "the time at which the run ends, in s");
+    block.real("time_step", run.time_step, "s", non_negative, "length of a step; 0: half of the automatic bound");
+    block.real("time_end", run.time_end, "s", positive, "time at which the run ends");
+    block.integer("max_steps", run.max_steps, non_negative_integer, "stop after so many steps; 0: no limit");
+    block.real("time_max_cfl", run.max_courant, "-", positive, "a run whose CFL number exceeds this has diverged");
+    block.choice("cloth_coupling", run.coupling, {"explicit"}, "how cloth and water are coupled in a step");
+    block.text("output_dir", run.output_dir, "folder for the results");
+    block.real("output_interval", run.output_interval, "s", non_negative, "between frames of the series; 0: a twentieth of the run");
+    block.real("checkpoint_interval", run.checkpoint_interval, "s", non_negative, "between checkpoints; 0: a tenth of the run");
+    block.text("restart", run.restart, "checkpoint file to go on from");
+    block.boolean("check", run.check, "only check: set everything up, write it at t = 0 and tell its cost");
+  });
+  if (run.output_interval == 0) run.output_interval = run.time_end / 20;
+  if (run.checkpoint_interval == 0) run.checkpoint_interval = run.time_end / 10;
+  return run;
+}
+
+}  // namespace washfsi

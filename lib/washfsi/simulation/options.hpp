@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "washfsi/support/options.hpp"
+
+namespace washfsi {
+
+/// The run itself: time, output folder, intervals, restart.
+struct RunOptions {
+  double time_step = 0;            ///< [s]; 0: the program's choice
+  double time_end = 1;             ///< [s]
+  PetscInt max_steps = 0;          ///< 0: no limit
+  double max_courant = 1;          ///< a run beyond it has diverged
+  std::string coupling = "explicit";
+  std::string output_dir = "out";
+  double output_interval = 0;      ///< [s]; 0: a twentieth of the run
+  double checkpoint_interval = 0;  ///< [s]; 0: a tenth of the run
+  std::string restart;             ///< checkpoint file; empty: from the start
+  bool check = false;              ///< dry run
+
+  static RunOptions from_options(Options& options);
+};
+
+}  // namespace washfsi

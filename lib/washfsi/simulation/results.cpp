@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/simulation/results.hpp"
+
+#include <sys/resource.h>
+
+#include <nlohmann/json.hpp>
+
+#include "washfsi/output/marker_table.hpp"
+#include "washfsi/simulation/version.hpp"
+#include "washfsi/support/hdf5_file.hpp"
+
+namespace washfsi {
+
+double peak_memory(MPI_Comm comm) {
+  rusage usage{};
+  (void)getrusage(RUSAGE_SELF, &usage);
+  return ordered_sum(comm, 1024.0 * static_cast<double>(usage.ru_maxrss));
+}
+
+template <int Dim>
+Results<Dim>::Results(const System<Dim>& system, const Measures<Dim>& measures, std::vector<Profile<Dim>> profiles,
+                      std::string folder, long restart_step)
+    : system_(system),
+      measures_(measures),
+      profiles_(std::move(profiles)),
+      folder_(std::move(folder)),
+      flow_(system.grid, system.boundary, folder_, restart_step) {
+  if (!system.bodies.empty()) bodies_.emplace(system.grid, system.bodies, folder_, restart_step);
+  if (system.cloths.marker_count() > 0) cloth_.emplace(system.grid.comm(), system.cloths, folder_, restart_step);
+  history_.emplace(system.grid.comm(), folder_ + "/history.csv", measures.columns(), restart_step);
+  last_frame_ = restart_step;
+}
+
+template <int Dim>
+void Results<Dim>::write_frame(long step) {
+  if (step == last_frame_) return;
+  last_frame_ = step;
+  const double time = system_.fluid.time();
+  flow_.write(time, step, system_.fluid.velocity(), system_.fluid.pressure());
+  if (bodies_) bodies_->write(time, step);
+  if (cloth_) cloth_->write(time, step, system_.positions, system_.velocities);
+}
+
+template <int Dim>
+void Results<Dim>::write_row(long step, double dt) {
+  history_->append(step, measures_.row(dt));
+}
+
+template <int Dim>
+void Results<Dim>::write_final() const {
+  for (const auto& profile : profiles_)
+    profile.write(system_.grid, system_.boundary, system_.fluid.velocity(), system_.fluid.pressure(), system_.fluid.time(),
+                  folder_);
+  if (cloth_)
+    write_marker_table<Dim>(system_.grid.comm(), folder_ + "/cloth_final.csv", system_.cloths, system_.positions,
+                            system_.velocities);
+}
+
+template <int Dim>
+void Results<Dim>::write_summary(const RunSummary& summary) const {
+  const SolverCounts& counts = system_.fluid.counts();
+  const double steps = counts.steps > 0 ? counts.steps : 1;
+  nlohmann::ordered_json json;
+  json["program"] = "washfsi";
+  json["version"] = version_text;
+  json["git"] = git_text;
+  json["case"] = summary.case_name;
+  json["status"] = summary.status;
+  json["ranks"] = ranks_of(system_.grid.comm());
+  json["steps"] = summary.steps;
+  json["time"] = summary.time;
+  json["wall_seconds"] = summary.wall_seconds;
+  json["seconds_per_step"] = summary.seconds_per_step;
+  json["iterations"] = {{"momentum", counts.momentum / steps}, {"pressure", counts.pressure / steps}, {"cloth", 0}};
+  json["max_divergence"] = measures_.largest_divergence();
+  json["peak_memory_bytes"] = peak_memory(system_.grid.comm());
+  json["bodies"] = nlohmann::ordered_json::object();
+  for (std::size_t b = 0; b < system_.bodies.size(); ++b) {
+    const Load<Dim>& load = measures_.loads()[b];
+    auto& body = json["bodies"][system_.bodies[b].name];
+    body["force"] = std::vector<double>(load.force.data(), load.force.data() + Dim);
+    if (Dim == 2)
+      body["torque"] = load.torque[0];
+    else
+      body["torque"] = std::vector<double>(load.torque.data(), load.torque.data() + rotation_components<Dim>);
+  }
+  json["cloths"] = nlohmann::ordered_json::object();
+  for (std::size_t g = 0; g < measures_.groups().size(); ++g) {
+    const GroupMeasures& group = measures_.groups()[g];
+    json["cloths"][system_.cloths.groups()[g].name] = {{"stress_mean", group.stress_mean},
+                                                       {"stress_std", group.stress_std},
+                                                       {"max_stretch", group.max_stretch},
+                                                       {"tumbles", nullptr}};  // a turn needs three dimensions
+  }
+  write_text_file(system_.grid.comm(), folder_ + "/summary.json", json.dump(2) + "\n");
+}
+
+template class Results<2>;
+template class Results<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "washfsi/output/profile.hpp"
+#include "washfsi/output/series.hpp"
+#include "washfsi/simulation/measures.hpp"
+
+namespace washfsi {
+
+/// How a run ended, for summary.json.
+struct RunSummary {
+  std::string case_name, status;
+  long steps = 0;
+  double time = 0;                ///< simulated [s]
+  double wall_seconds = 0;        ///< of this start of the program
+  double seconds_per_step = 0;
+};
+
+/// Everything that a run leaves in its output folder.
+template <int Dim>
+class Results {
+ public:
+  /// Collective. Errors: FileError. `restart_step` < 0: a new run.
+  Results(const System<Dim>& system, const Measures<Dim>& measures, std::vector<Profile<Dim>> profiles, std::string folder,
+          long restart_step);
+
+  /// A frame of each series.
+  void write_frame(long step);
+  /// A row of history.csv.
+  void write_row(long step, double dt);
+  /// Profiles and the final marker table.
+  void write_final() const;
+  void write_summary(const RunSummary& summary) const;
+
+ private:
+  const System<Dim>& system_;
+  const Measures<Dim>& measures_;
+  std::vector<Profile<Dim>> profiles_;
+  std::string folder_;
+  FlowSeries<Dim> flow_;
+  std::optional<BodySeries<Dim>> bodies_;
+  std::optional<ClothSeries<Dim>> cloth_;
+  std::optional<History> history_;
+  long last_frame_ = -1;
+};
+
+/// Largest resident memory of all ranks together [bytes]. Collective.
+double peak_memory(MPI_Comm comm);
+
+extern template class Results<2>;
+extern template class Results<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/simulation/simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "washfsi/simulation/step_bound.hpp"
+#include "washfsi/support/errors.hpp"
+#include "washfsi/support/hdf5_file.hpp"
+
+namespace washfsi {
+
+namespace {
+
+template <class... Arguments>
+std::string format(const char* pattern, Arguments... arguments) {
+  std::array<char, 512> text{};
+  (void)std::snprintf(text.data(), text.size(), pattern, arguments...);
+  return text.data();
+}
+
+template <int Dim>
+std::string grid_text(const Grid<Dim>& grid) {
+  std::vector<std::string> counts, spacings;
+  for (std::size_t d = 0; d < Dim; ++d) {
+    counts.push_back(std::to_string(grid.cells()[d]));
+    spacings.push_back(format("%.4g", grid.spacing()[static_cast<int>(d)]));
+  }
+  return join(counts, " x ") + " cells of " + join(spacings, " x ") + " m";
+}
+
+std::string chosen_type(const char* option, const char* otherwise) {
+  std::array<char, 64> value{};
+  PetscBool given = PETSC_FALSE;
+  WASH_PETSC(PetscOptionsGetString(nullptr, nullptr, option, value.data(), value.size(), &given));
+  return given ? value.data() : otherwise;
+}
+
+}  // namespace
+
+template <int Dim>
+Simulation<Dim>::Simulation(Options& options, std::string case_name)
+    : case_name_(std::move(case_name)), progress_(options.comm()) {
+  run_ = RunOptions::from_options(options);
+  const SystemOptions<Dim> system = SystemOptions<Dim>::from_options(options);
+  std::vector<Body<Dim>> bodies = bodies_from_options<Dim>(options);
+  profiles_ = profiles_from_options<Dim>(options, system.grid.shape.lower, system.grid.shape.upper);
+  if (options.help()) return;
+
+  system_ = std::make_unique<System<Dim>>(options.comm(), system, std::move(bodies));
+  scheme_ = make_coupling_scheme<Dim>(run_.coupling);
+  measures_ = std::make_unique<Measures<Dim>>(*system_);
+  choose_time_step(options);
+  if (!run_.restart.empty()) {
+    const RunState restarted = read_checkpoint<Dim>(run_.restart, *system_, *measures_);
+    state_.step = first_step_ = restarted.step;
+    if (run_.time_step == 0) state_.dt = restarted.dt;
+  }
+  options.record("time_step", state_.dt);
+  options.reject_unread();
+  start_results(options);
+}
+
+template <int Dim>
+void Simulation<Dim>::choose_time_step(Options&) {
+  state_.dt = run_.time_step;
+  if (state_.dt > 0) return;
+  state_.dt = std::min(0.5 * cloth_step_bound<Dim>(*system_), flow_step_bound<Dim>(*system_));
+  if (!std::isfinite(state_.dt))
+    throw InputError("-time_step is missing: nothing moves at the start from which it could be chosen");
+}
+
+template <int Dim>
+void Simulation<Dim>::start_results(Options& options) {
+  make_writable_folder(options.comm(), run_.output_dir);
+  write_text_file(options.comm(), run_.output_dir + "/resolved.opts", options.resolved());
+  results_ = std::make_unique<Results<Dim>>(*system_, *measures_, profiles_, run_.output_dir,
+                                            run_.restart.empty() ? -1 : state_.step);
+  measures_->observe_start(state_.dt);
+  results_->write_frame(state_.step);
+}
+
+template <int Dim>
+void Simulation<Dim>::run() {
+  if (!system_) return;  // -help
+  print_banner();
+  if (run_.check) return check_only();
+  const StopSignals signals;
+  try {
+    bool stopped = false;
+    while (!finished() && !stopped) {
+      step();
+      stopped = signals.requested(system_->grid.comm());
+    }
+    write_checkpoint<Dim>(run_.output_dir, *system_, *measures_, state_);
+    end(stopped ? "stopped" : "finished");
+  } catch (const DivergedError& error) {
+    end("failed");
+    throw DivergedError("diverged in step " + std::to_string(state_.step) + " at t = " +
+                        format("%.6g", system_->fluid.time()) + " s: " + error.what());
+  }
+}
+
+template <int Dim>
+void Simulation<Dim>::step() {
+  ++state_.step;
+  scheme_->advance(*system_, state_.dt);
+  measures_->observe(state_.dt);
+  check_health();
+  results_->write_row(state_.step, state_.dt);
+  if (due(run_.output_interval)) results_->write_frame(state_.step);
+  if (due(run_.checkpoint_interval)) write_checkpoint<Dim>(run_.output_dir, *system_, *measures_, state_);
+  if (state_.step % 50 == 0) watch_step_bound();
+  progress_.show({.step = state_.step,
+                  .time = system_->fluid.time(),
+                  .end = run_.time_end,
+                  .courant = measures_->flow().courant.value,
+                  .momentum_iterations = system_->fluid.counts().momentum / system_->fluid.counts().steps,
+                  .pressure_iterations = system_->fluid.counts().pressure / system_->fluid.counts().steps});
+}
+
+template <int Dim>
+bool Simulation<Dim>::due(double interval) const {
+  const double now = system_->fluid.time() / interval, before = (system_->fluid.time() - state_.dt) / interval;
+  return std::floor(now + 1e-6) > std::floor(before + 1e-6);
+}
+
+template <int Dim>
+bool Simulation<Dim>::finished() const {
+  const bool enough_steps = run_.max_steps > 0 && state_.step - first_step_ >= run_.max_steps;
+  return enough_steps || system_->fluid.time() >= run_.time_end - 1e-6 * state_.dt;
+}
+
+template <int Dim>
+void Simulation<Dim>::check_health() const {
+  const Located& worst = measures_->flow().courant;
+  if (worst.value <= run_.max_courant) return;
+  std::vector<std::string> place;
+  for (int d = 0; d < Dim; ++d) place.push_back(format("%.4g", worst.place[d]));
+  const std::string what = std::isfinite(worst.value)
+                               ? format("velocity: CFL number %.3g exceeds -time_max_cfl %.3g", worst.value, run_.max_courant)
+                               : std::string("velocity: not finite");
+  throw DivergedError(what + " at (" + join(place, ", ") + ") m; a smaller -time_step may help");
+}
+
+template <int Dim>
+void Simulation<Dim>::watch_step_bound() {
+  if (warned_of_step_) return;
+  const double bound = cloth_step_bound<Dim>(*system_);
+  if (state_.dt <= bound) return;
+  warned_of_step_ = true;
+  progress_.note(format("warning: -time_step %.3g s exceeds the bound %.3g s of the explicit coupling for the cloth as it"
+                        " lies at t = %.4g s", state_.dt, bound, system_->fluid.time()));
+}
+
+template <int Dim>
+void Simulation<Dim>::print_banner() {
+  const System<Dim>& system = *system_;
+  progress_.note(format("washfsi: case %s, %d rank%s", case_name_.c_str(), ranks_of(system.grid.comm()),
+                        ranks_of(system.grid.comm()) == 1 ? "" : "s"));
+  progress_.note("  grid      " + grid_text(system.grid));
+  std::vector<std::string> bodies, groups;
+  for (const auto& body : system.bodies) bodies.push_back(body.name);
+  for (const auto& group : system.cloths.groups())
+    groups.push_back(std::to_string(group.count) + " " + group.name + " of " + std::to_string(group.markers) + " markers");
+  if (!bodies.empty()) progress_.note("  bodies    " + join(bodies, ", "));
+  if (!groups.empty())
+    progress_.note("  cloth     " + join(groups, ", ") + " (" + std::to_string(system.cloths.marker_count()) + " markers)");
+  progress_.note("  solvers   momentum " + chosen_type("-momentum_ksp_type", "gmres") + "/" +
+                 chosen_type("-momentum_pc_type", "jacobi") + ", pressure " + chosen_type("-pressure_ksp_type", "cg") + "/" +
+                 chosen_type("-pressure_pc_type", "hypre"));
+  const double bound = cloth_step_bound<Dim>(system);
+  progress_.note(format("  time      step %.4g s, end %.4g s", state_.dt, run_.time_end) +
+                 (std::isfinite(bound) ? format(", bound of the explicit coupling %.4g s", bound) : ""));
+  watch_step_bound();
+}
+
+template <int Dim>
+void Simulation<Dim>::check_only() {
+  const double memory = peak_memory(system_->grid.comm());
+  const double before = progress_.wall_seconds();
+  constexpr int trial_steps = 3;
+  for (int n = 0; n < trial_steps; ++n) scheme_->advance(*system_, state_.dt);  // only to time them
+  const double per_step = (progress_.wall_seconds() - before) / trial_steps;
+  const double steps = std::ceil((run_.time_end - system_->fluid.time()) / state_.dt);
+  progress_.note(format("  memory    about %.0f MB", memory / 1e6));
+  progress_.note(format("  duration  about %.0f s: %.0f steps of %.1f ms", steps * per_step, steps, 1e3 * per_step));
+  progress_.note("check passed; the state at t = 0 is in " + run_.output_dir);
+}
+
+template <int Dim>
+void Simulation<Dim>::end(const std::string& status) {
+  progress_.finish();
+  RunSummary summary;
+  summary.case_name = case_name_;
+  summary.status = status;
+  summary.steps = state_.step;
+  summary.time = system_->fluid.time();
+  summary.wall_seconds = progress_.wall_seconds();
+  summary.seconds_per_step = summary.wall_seconds / static_cast<double>(std::max(1L, state_.step - first_step_));
+  if (status != "failed") {
+    results_->write_frame(state_.step);
+    results_->write_final();
+  }
+  results_->write_summary(summary);
+  print_summary(summary);
+}
+
+template <int Dim>
+void Simulation<Dim>::print_summary(const RunSummary& summary) {
+  const SolverCounts& counts = system_->fluid.counts();
+  const double steps = std::max(1.0, counts.steps);
+  progress_.note(summary.status + " after " + std::to_string(summary.steps) + " steps at t = " + format("%.6g", summary.time) + " s");
+  progress_.note(format("  wall time          %.2f s, %.3f ms a step", summary.wall_seconds, 1e3 * summary.seconds_per_step));
+  progress_.note(format("  iterations a step  momentum %.2f, pressure %.2f", counts.momentum / steps, counts.pressure / steps));
+  progress_.note(format("  max divergence     %.3e 1/s", measures_->largest_divergence()));
+  for (std::size_t b = 0; b < system_->bodies.size(); ++b)
+    progress_.note(format("  %-18s torque %.4g", system_->bodies[b].name.c_str(),
+                          measures_->loads()[b].torque[rotation_components<Dim> - 1]) + (Dim == 2 ? " N (per metre: N m/m)" : " N m"));
+  for (std::size_t g = 0; g < measures_->groups().size(); ++g)
+    progress_.note(format("  %-18s mean stress %.4g Pa (+- %.3g), largest stretch %.3g %%",
+                          system_->cloths.groups()[g].name.c_str(), measures_->groups()[g].stress_mean,
+                          measures_->groups()[g].stress_std, 100 * measures_->groups()[g].max_stretch));
+  progress_.note("  results            " + run_.output_dir);
+}
+
+template class Simulation<2>;
+template class Simulation<3>;
+
+}  // namespace washfsi

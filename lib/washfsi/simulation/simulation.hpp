@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "washfsi/output/progress.hpp"
+#include "washfsi/simulation/checkpoint.hpp"
+#include "washfsi/simulation/coupling_scheme.hpp"
+#include "washfsi/simulation/options.hpp"
+#include "washfsi/simulation/results.hpp"
+#include "washfsi/simulation/stop_signals.hpp"
+
+namespace washfsi {
+
+/// A run from options to results.
+template <int Dim>
+class Simulation {
+ public:
+  /// Reads all options and sets everything up. Collective. Errors: InputError, FileError.
+  Simulation(Options& options, std::string case_name);
+
+  /// Runs to the end, to a stop signal, or (-check) not at all. Collective. Errors: DivergedError, FileError.
+  void run();
+
+ private:
+  void choose_time_step(Options& options);
+  void start_results(Options& options);
+  void print_banner();
+  void check_only();
+  void step();
+  void watch_step_bound();
+  void check_health() const;
+  bool due(double interval) const;
+  bool finished() const;
+  void end(const std::string& status);
+  void print_summary(const RunSummary& summary);
+
+  RunOptions run_;
+  std::string case_name_;
+  std::vector<Profile<Dim>> profiles_;
+  std::unique_ptr<System<Dim>> system_;
+  std::unique_ptr<CouplingScheme<Dim>> scheme_;
+  std::unique_ptr<Measures<Dim>> measures_;
+  std::unique_ptr<Results<Dim>> results_;
+  Progress progress_;
+  RunState state_;
+  long first_step_ = 0;
+  bool warned_of_step_ = false;
+};
+
+extern template class Simulation<2>;
+extern template class Simulation<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/simulation/step_bound.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "washfsi/support/collective.hpp"
+
+namespace washfsi {
+
+template <int Dim>
+double cloth_step_bound(const System<Dim>& system) {
+  const Cloths<Dim>& cloths = system.cloths;
+  if (cloths.marker_count() == 0) return std::numeric_limits<double>::infinity();
+  const std::vector<double> mobility = row_sum_mobility<Dim>(system.transfer, system.grid, system.boundary,
+                                                             system.density, cloths.marker_lengths());
+  const std::vector<std::size_t> piece_of = cloths.piece_of_marker();
+  double shortest = std::numeric_limits<double>::infinity();
+  for (std::size_t m = 0; m < mobility.size(); ++m) {
+    const Fibre& fibre = cloths.groups()[cloths.pieces()[piece_of[m]].group].fibre;
+    const double ds2 = fibre.spacing * fibre.spacing;
+    const double undamped2 = 1 / (mobility[m] * (fibre.ke / ds2 + 4 * fibre.kb / (ds2 * ds2)));  // (2/w)^2
+    shortest = std::min(shortest, std::sqrt(fibre.damping * fibre.damping + undamped2) - fibre.damping);
+  }
+  return -largest(system.grid.comm(), -shortest);
+}
+
+template <int Dim>
+double flow_step_bound(const System<Dim>& system) {
+  double speed = 0;
+  WASH_PETSC(VecNorm(system.fluid.velocity(), NORM_INFINITY, &speed));
+  speed = std::max(speed, system.boundary.largest_speed(0));
+  for_each<Dim>(system.grid.owned(), [&](const Index<Dim>& cell) {
+    const Point<Dim> place = system.grid.cell_center(cell);
+    for (const auto& body : system.bodies)
+      if (body.distance(place, 0) <= 0)
+        speed = std::max(speed, std::abs(body.motion.angular_speed) * (place - body.motion.center).norm());
+  });
+  speed = largest(system.grid.comm(), speed);
+  return speed > 0 ? 0.3 * system.grid.spacing().minCoeff() / speed
+                   : std::numeric_limits<double>::infinity();
+}
+
+template double cloth_step_bound<2>(const System<2>&);
+template double cloth_step_bound<3>(const System<3>&);
+template double flow_step_bound<2>(const System<2>&);
+template double flow_step_bound<3>(const System<3>&);
+
+}  // namespace washfsi

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/body/mask.hpp"
+#include "washfsi/cloth/cloths.hpp"
+#include "washfsi/coupling/transfer.hpp"
+#include "washfsi/fluid/fractional_step.hpp"
+#include "washfsi/grid/options.hpp"
+#include "washfsi/machine/placement.hpp"
+
+namespace washfsi {
+
+/// All options that describe what is simulated.
+template <int Dim>
+struct SystemOptions {
+  GridOptions<Dim> grid;
+  FluidOptions<Dim> fluid;
+  Point<Dim> gravity = Point<Dim>::Zero();  ///< acts on the cloths' excess mass: p is measured from hydrostatic [m/s2]
+  std::vector<ClothGroup> cloths;
+  std::vector<PlacementOptions<Dim>> placements;
+  DeltaOptions delta;
+
+  static SystemOptions from_options(Options& options);
+};
+
+/// Water, bodies and cloth together: everything that has a state, and the operators between them.
+template <int Dim>
+struct System {
+  /// Sets up and places everything at t = 0. Collective. Errors: InputError.
+  System(MPI_Comm comm, const SystemOptions<Dim>& options, std::vector<Body<Dim>> rigid_bodies);
+  System(const System&) = delete;
+  System& operator=(const System&) = delete;
+
+  /// Density of water and cloth at the markers' present places, on faces [kg/m3]. Needs `transfer.locate`. Collective.
+  void spread_density();
+
+  Grid<Dim> grid;
+  Boundary<Dim> boundary;
+  std::vector<Body<Dim>> bodies;
+  Mask<Dim> mask;
+  FractionalStep<Dim> fluid;
+  Cloths<Dim> cloths;
+  Transfer<Dim> transfer;
+
+  double fluid_density;       ///< [kg/m3]
+  Point<Dim> gravity;         ///< [m/s2]
+  petsc::Vector density;      ///< of the last step, on faces [kg/m3]
+  petsc::Vector force;        ///< of cloth on water in the last step, on faces [N/m3]
+  Points<Dim> positions;      ///< X^n of this rank's markers [m]
+  Points<Dim> velocities;     ///< U^n [m/s]
+  Point<Dim> wall_reaction = Point<Dim>::Zero();  ///< part of the cloth's force that walls took in the last step [N]
+};
+
+extern template struct SystemOptions<2>;
+extern template struct SystemOptions<3>;
+extern template struct System<2>;
+extern template struct System<3>;
+
+}  // namespace washfsi
