@@ -44,33 +44,70 @@ void Mask<Dim>::hold(Vec velocity) const {
   });
 }
 
+/// Force and torque of each body, one after another in a flat list.
 template <int Dim>
-std::vector<Load<Dim>> Mask<Dim>::loads(Vec constraint_force, Vec density, double time) const {
-  constexpr std::size_t width = Dim + rotation_components<Dim>;
-  std::vector<double> sums(width * bodies_.size(), 0.0);
-  {
-    const ConstFaceView<Dim> f(grid_.face_dm(), constraint_force), rho(grid_.face_dm(), density);
-    const ConstFaceView<Dim> holder(grid_.face_dm(), body_), fraction(grid_.face_dm(), fraction_);
-    for (int c = 0; c < Dim; ++c)
-      for_each<Dim>(grid_.inner_faces(c), [&](const Index<Dim>& face) {
-        if (holder(face, c) < 0) return;
-        const auto b = static_cast<std::size_t>(holder(face, c));
-        const Point<Dim> place = grid_.face_center(face, c);
-        const RigidMotion<Dim>& motion = bodies_[b].motion;
-        const double inertia = (1 - fraction(face, c)) * rho(face, c) * motion.acceleration(place, time)[c];
-        Point<Dim> force = Point<Dim>::Zero();
-        force[c] = grid_.cell_volume() * (inertia - f(face, c));
-        const Rotation<Dim> torque = cross<Dim>(place - motion.center, force);
-        double* sum = &sums[width * b];
-        sum[c] += force[c];
-        for (int r = 0; r < rotation_components<Dim>; ++r) sum[Dim + r] += torque[r];
-      });
+struct Mask<Dim>::Sums {
+  static constexpr std::size_t width = Dim + rotation_components<Dim>;
+  std::vector<double> values;
+
+  void add(std::size_t body, const Point<Dim>& arm, const Point<Dim>& force) {
+    const Rotation<Dim> torque = cross<Dim>(arm, force);
+    for (std::size_t c = 0; c < Dim; ++c) values[width * body + c] += force[static_cast<int>(c)];
+    for (std::size_t r = Dim; r < width; ++r) values[width * body + r] += torque[static_cast<int>(r - Dim)];
   }
-  sums = ordered_sum(grid_.comm(), sums);
+};
+
+template <int Dim>
+void Mask<Dim>::add_constraint_force(Vec constraint_force, Vec density, double time, Sums& sums) const {
+  const ConstFaceView<Dim> f(grid_.face_dm(), constraint_force), rho(grid_.face_dm(), density);
+  const ConstFaceView<Dim> holder(grid_.face_dm(), body_), fraction(grid_.face_dm(), fraction_);
+  for (int c = 0; c < Dim; ++c)
+    for_each<Dim>(grid_.inner_faces(c), [&](const Index<Dim>& face) {
+      if (holder(face, c) < 0) return;
+      const auto b = static_cast<std::size_t>(holder(face, c));
+      const Point<Dim> place = grid_.face_center(face, c);
+      const RigidMotion<Dim>& motion = bodies_[b].motion;
+      const double inertia = (1 - fraction(face, c)) * rho(face, c) * motion.acceleration(place, time)[c];
+      Point<Dim> force = Point<Dim>::Zero();
+      force[c] = grid_.cell_volume() * (inertia - f(face, c));
+      sums.add(b, place - motion.center, force);
+    });
+}
+
+// A drum reaches to the box, whose walls take a part of what the water does to it: the pressure of their cells.
+template <int Dim>
+void Mask<Dim>::add_wall_pressure(Vec pressure, double time, Sums& sums) const {
+  const ConstCellView<Dim> p(grid_.cell_dm(), pressure);
+  for (int d = 0; d < Dim; ++d) {
+    if (grid_.periodic(d)) continue;
+    const auto axis = static_cast<std::size_t>(d);
+    const double area = grid_.cell_volume() / grid_.spacing()[d];
+    for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) {
+      const bool at_lower = cell[axis] == 0, at_upper = cell[axis] == grid_.cells()[axis] - 1;
+      if (!at_lower && !at_upper) return;
+      const Point<Dim> place = grid_.cell_center(cell);
+      for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        if (bodies_[b].distance(place, time) > 0) continue;
+        Point<Dim> force = Point<Dim>::Zero();
+        force[d] = (at_upper ? area : 0) * p(cell) - (at_lower ? area : 0) * p(cell);
+        sums.add(b, place - bodies_[b].motion.center, force);
+        break;
+      }
+    });
+  }
+}
+
+template <int Dim>
+std::vector<Load<Dim>> Mask<Dim>::loads(Vec constraint_force, Vec density, Vec pressure, double time) const {
+  Sums sums{std::vector<double>(Sums::width * bodies_.size(), 0.0)};
+  add_constraint_force(constraint_force, density, time, sums);
+  add_wall_pressure(pressure, time, sums);
+  sums.values = ordered_sum(grid_.comm(), sums.values);
   std::vector<Load<Dim>> loads(bodies_.size());
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    loads[b].force = Point<Dim>(&sums[width * b]);
-    loads[b].torque = Eigen::Map<const Rotation<Dim>>(&sums[width * b + Dim]);
+    const double* values = &sums.values[Sums::width * b];
+    loads[b].force = Point<Dim>(values);
+    loads[b].torque = Eigen::Map<const Rotation<Dim>>(values + Dim);
   }
   return loads;
 }

@@ -32,10 +32,14 @@ class Mask {
   void hold(Vec velocity) const;
 
   /// Load on each body from the force density by which the bodies held the water over a step that ended at `time`,
-  /// less the inertia of the water inside them. Collective.
-  std::vector<Load<Dim>> loads(Vec constraint_force, Vec density, double time) const;
+  /// less the inertia of the water inside them and what the walls of the box held for them. Collective.
+  std::vector<Load<Dim>> loads(Vec constraint_force, Vec density, Vec pressure, double time) const;
 
  private:
+  struct Sums;
+  void add_constraint_force(Vec constraint_force, Vec density, double time, Sums& sums) const;
+  void add_wall_pressure(Vec pressure, double time, Sums& sums) const;
+
   const Grid<Dim>& grid_;
   const std::vector<Body<Dim>>& bodies_;
   petsc::Vector fraction_, solid_velocity_;

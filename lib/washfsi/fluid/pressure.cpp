@@ -81,7 +81,8 @@ PressureSolver<Dim>::PressureSolver(const Grid<Dim>& grid, double reference_dens
   WASH_PETSC(KSPSetType(solver_, KSPCG));
   WASH_PETSC(KSPSetNormType(solver_, KSP_NORM_UNPRECONDITIONED));
   WASH_PETSC(KSPSetInitialGuessNonzero(solver_, PETSC_TRUE));
-  WASH_PETSC(KSPSetTolerances(solver_, 1e-50, PETSC_DEFAULT, PETSC_DEFAULT, 1000));
+  // no divergence test against the right side: with a good guess it may be far smaller than the first residual
+  WASH_PETSC(KSPSetTolerances(solver_, 1e-50, PETSC_DEFAULT, 1e50, 1000));
   PC pc = nullptr;
   WASH_PETSC(KSPGetPC(solver_, &pc));
   WASH_PETSC(PCSetType(pc, PCHYPRE));

@@ -37,7 +37,8 @@ void Measures<Dim>::observe(double dt) {
   flow_ = FlowDiagnostics<Dim>::of(system_.grid, system_.boundary, system_.fluid.velocity(), system_.density,
                                    system_.fluid.time(), dt);
   largest_divergence_ = std::max(largest_divergence_, flow_.max_divergence);
-  loads_ = system_.mask.loads(system_.fluid.constraint_force(), system_.density, system_.fluid.time());
+  loads_ = system_.mask.loads(system_.fluid.constraint_force(), system_.density, system_.fluid.pressure(),
+                              system_.fluid.time());
   measure_cloth(dt, true);
 }
 
@@ -78,7 +79,7 @@ template <int Dim>
 std::vector<Column> Measures<Dim>::columns() const {
   const bool plane = Dim == 2;
   const char* force = plane ? "N/m" : "N";
-  const char* torque = plane ? "N" : "N m";
+  const char* torque = plane ? "N m/m" : "N m";
   const char* energy = plane ? "J/m" : "J";
   std::vector<Column> columns{{"step", "-"}, {"time", "s"}, {"dt", "s"}, {"cfl", "-"}, {"kinetic_energy", energy},
                               {"max_divergence", "1/s"}};
