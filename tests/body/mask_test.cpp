@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/body/mask.hpp"
 
-#include <gtest/gtest.h>
-
 #include <numbers>
+
+#include <gtest/gtest.h>
 
 #include "washfsi/fluid/diagnostics.hpp"
 #include "washfsi/fluid/fractional_step.hpp"
@@ -27,8 +27,13 @@ std::vector<Body<2>> cylinders(double inner_speed, double frequency) {
 /// Water between two cylinders on a square grid of n x n cells.
 struct Couette {
   explicit Couette(PetscInt n, double speed, double frequency, double viscosity)
-      : bodies(cylinders(speed, frequency)), grid(PETSC_COMM_WORLD, shape(n)), boundary(grid, {}),
-        fluid(grid, boundary, liquid(viscosity)), mask(grid, bodies), density(grid.face_vector()), force(grid.face_vector()) {
+      : bodies(cylinders(speed, frequency)),
+        grid(PETSC_COMM_WORLD, shape(n)),
+        boundary(grid, {}),
+        fluid(grid, boundary, liquid(viscosity)),
+        mask(grid, bodies),
+        density(grid.face_vector()),
+        force(grid.face_vector()) {
     WASH_PETSC(VecSet(density, 1.0));
   }
   static GridShape<2> shape(PetscInt n) {
@@ -79,7 +84,8 @@ TEST(Loads, BalanceTheAngularMomentumOfTheWater) {
   const auto momentum = [&] {
     const petsc::Vector held = petsc::zeros_like(couette.fluid.velocity());
     WASH_PETSC(VecCopy(couette.fluid.velocity(), held));
-    const ConstFaceView<2> u(couette.grid.face_dm(), held), fraction(couette.grid.face_dm(), couette.mask.fluid_fraction());
+    const ConstFaceView<2> u(couette.grid.face_dm(), held),
+        fraction(couette.grid.face_dm(), couette.mask.fluid_fraction());
     double sum = 0;
     for (int c = 0; c < 2; ++c)
       for_each<2>(couette.grid.inner_faces(c), [&](const Index<2>& face) {

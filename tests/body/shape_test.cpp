@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/body/shape.hpp"
 
-#include <gtest/gtest.h>
-
 #include <numbers>
+
+#include <gtest/gtest.h>
 
 #include "support/random_points.hpp"
 #include "washfsi/body/motion.hpp"
@@ -68,7 +68,8 @@ TEST(RigidMotion, FrameVelocityAndAccelerationAgree) {
 }
 
 TEST(RigidMotion, TheWashTurnsOneRevolutionEachWay) {
-  const RigidMotion<2> motion{.center = Point<2>::Zero(), .angular_speed = 4 * std::numbers::pi, .frequency = 2 / std::numbers::pi};
+  const RigidMotion<2> motion{
+      .center = Point<2>::Zero(), .angular_speed = 4 * std::numbers::pi, .frequency = 2 / std::numbers::pi};
   EXPECT_NEAR(motion.angle(0.5 / motion.frequency), 2 * std::numbers::pi, 1e-12);
   EXPECT_NEAR(motion.angle(1 / motion.frequency), 0, 1e-12);
 }

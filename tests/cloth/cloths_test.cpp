@@ -27,7 +27,9 @@ void expect_same_as_undistributed(const std::string& model) {
   const Cloths<2> all(PETSC_COMM_SELF, two_groups(model)), mine(PETSC_COMM_WORLD, two_groups(model));
   ASSERT_EQ(all.marker_count(), 34);
   const Points<2> x = crumpled_fibre<2>(34, 0.1, 11), u = random_points<2>(34, 12);
-  const auto part = [&](const Points<2>& values) { return Points<2>(values.begin() + mine.begin(), values.begin() + mine.end()); };
+  const auto part = [&](const Points<2>& values) {
+    return Points<2>(values.begin() + mine.begin(), values.begin() + mine.end());
+  };
   const Points<2> whole = all.elastic_forces(x, u), forces = mine.elastic_forces(part(x), part(u));
   const std::vector<double> whole_stress = all.stresses(x), stress = mine.stresses(part(x));
   for (std::size_t m = 0; m < mine.owned(); ++m) {
@@ -39,8 +41,12 @@ void expect_same_as_undistributed(const std::string& model) {
   for (std::size_t g = 0; g < 2; ++g) EXPECT_NEAR(energies[g], whole_energies[g], 1e-12 * whole_energies[g]);
 }
 
-TEST(Cloths, EnergyFormDoesNotDependOnTheDistribution) { expect_same_as_undistributed("energy"); }
-TEST(Cloths, LoveFormDoesNotDependOnTheDistribution) { expect_same_as_undistributed("love"); }
+TEST(Cloths, EnergyFormDoesNotDependOnTheDistribution) {
+  expect_same_as_undistributed("energy");
+}
+TEST(Cloths, LoveFormDoesNotDependOnTheDistribution) {
+  expect_same_as_undistributed("love");
+}
 
 TEST(Cloths, MassesAndLengthsAddUp) {
   const Cloths<2> cloths(PETSC_COMM_WORLD, two_groups("energy"));

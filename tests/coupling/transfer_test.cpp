@@ -35,8 +35,10 @@ struct Tank {
     sides[1][1].kind = BoundaryKind::slip;
     return sides;
   }
-  explicit Tank(const Points<Dim>& all) : grid(PETSC_COMM_WORLD, shape()), boundary(grid, sides()), transfer(grid, boundary, {}) {
-    const std::size_t rank = static_cast<std::size_t>(rank_of(grid.comm())), ranks = static_cast<std::size_t>(ranks_of(grid.comm()));
+  explicit Tank(const Points<Dim>& all)
+      : grid(PETSC_COMM_WORLD, shape()), boundary(grid, sides()), transfer(grid, boundary, {}) {
+    const std::size_t rank = static_cast<std::size_t>(rank_of(grid.comm())),
+                      ranks = static_cast<std::size_t>(ranks_of(grid.comm()));
     for (std::size_t m = all.size() * rank / ranks; m < all.size() * (rank + 1) / ranks; ++m) {
       positions.push_back(all[m]);
       numbers.push_back(m);
@@ -49,7 +51,6 @@ struct Tank {
     return part;
   }
   Point<Dim> integral(Vec field) const {
-
     const ConstFaceView<Dim> view(grid.face_dm(), field);
     std::vector<double> sums(Dim, 0.0);
     for_each<Dim>(grid.owned(), [&](const Index<Dim>& face) {
@@ -104,8 +105,12 @@ void expect_adjoint() {
   EXPECT_NEAR(on_grid * tank.grid.cell_volume(), on_cloth, 1e-12 * std::max(1.0, std::abs(on_cloth)));
 }
 
-TEST(Transfer, SpreadIsTheAdjointOfInterpolateInThePlane) { expect_adjoint<2>(); }
-TEST(Transfer, SpreadIsTheAdjointOfInterpolateInSpace) { expect_adjoint<3>(); }
+TEST(Transfer, SpreadIsTheAdjointOfInterpolateInThePlane) {
+  expect_adjoint<2>();
+}
+TEST(Transfer, SpreadIsTheAdjointOfInterpolateInSpace) {
+  expect_adjoint<3>();
+}
 
 template <int Dim>
 void expect_forces_balance() {
@@ -127,8 +132,12 @@ void expect_forces_balance() {
   EXPECT_GT(held.norm(), 0.1 * total<Dim>(forces).norm());
 }
 
-TEST(Transfer, FluidForceAndWallReactionMakeUpTheElasticForceInThePlane) { expect_forces_balance<2>(); }
-TEST(Transfer, FluidForceAndWallReactionMakeUpTheElasticForceInSpace) { expect_forces_balance<3>(); }
+TEST(Transfer, FluidForceAndWallReactionMakeUpTheElasticForceInThePlane) {
+  expect_forces_balance<2>();
+}
+TEST(Transfer, FluidForceAndWallReactionMakeUpTheElasticForceInSpace) {
+  expect_forces_balance<3>();
+}
 
 TEST(Transfer, AMarkerNearAWallMovesWithTheShear) {
   GridShape<2> shape;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
 #include <numbers>
+
+#include <gtest/gtest.h>
 
 #include "support/manufactured_flow.hpp"
 
@@ -10,16 +10,21 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-double beat(double t) { return std::cos(2 * t) + 0.5; }
+double beat(double t) {
+  return std::cos(2 * t) + 0.5;
+}
 
 // No slip on y = 0, 1 and periodic in x; the pressure has a normal gradient at the walls.
 ExactFlow<2> channel_flow() {
   ExactFlow<2> flow;
   flow.velocity = [](const Point<2>& x, double t) -> Point<2> {
     return Point<2>(std::sin(2 * pi * x[0]) * std::sin(2 * pi * x[1]),
-                    -2 * std::cos(2 * pi * x[0]) * std::pow(std::sin(pi * x[1]), 2)) * beat(t);
+                    -2 * std::cos(2 * pi * x[0]) * std::pow(std::sin(pi * x[1]), 2)) *
+           beat(t);
   };
-  flow.pressure = [](const Point<2>& x, double t) { return std::cos(2 * pi * x[0]) * std::sin(pi * x[1] + 0.4) * beat(t); };
+  flow.pressure = [](const Point<2>& x, double t) {
+    return std::cos(2 * pi * x[0]) * std::sin(pi * x[1] + 0.4) * beat(t);
+  };
   return flow;
 }
 
@@ -28,9 +33,12 @@ ExactFlow<2> box_flow() {
   ExactFlow<2> flow;
   flow.velocity = [](const Point<2>& x, double t) -> Point<2> {
     return Point<2>(std::pow(std::sin(pi * x[0]), 2) * std::sin(2 * pi * x[1]),
-                    -std::sin(2 * pi * x[0]) * std::pow(std::sin(pi * x[1]), 2)) * beat(t);
+                    -std::sin(2 * pi * x[0]) * std::pow(std::sin(pi * x[1]), 2)) *
+           beat(t);
   };
-  flow.pressure = [](const Point<2>& x, double t) { return std::cos(pi * x[0] + 0.3) * std::sin(pi * x[1] + 0.4) * beat(t); };
+  flow.pressure = [](const Point<2>& x, double t) {
+    return std::cos(pi * x[0] + 0.3) * std::sin(pi * x[1] + 0.4) * beat(t);
+  };
   return flow;
 }
 

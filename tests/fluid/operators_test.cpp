@@ -16,7 +16,9 @@ GridShape<Dim> odd_shape() {
   return shape;
 }
 
-double wave(double x) { return std::sin(12.9898 * x) * 0.5; }
+double wave(double x) {
+  return std::sin(12.9898 * x) * 0.5;
+}
 
 /// An option that is set while the guard lives.
 class ScopedOption {
@@ -50,7 +52,7 @@ void expect_divergence_free(const char* preconditioner) {
     for_each<Dim>(grid.owned(), [&](const Index<Dim>& cell) {
       for (int c = 0; c < Dim; ++c) {
         const Point<Dim> x = grid.face_center(cell, c);
-        u(cell, c) = wave(x.sum() + c) ;
+        u(cell, c) = wave(x.sum() + c);
         rho(cell, c) = 1000 * (1.2 + wave(3 * x[0] - x[1]));
       }
     });
@@ -62,8 +64,12 @@ void expect_divergence_free(const char* preconditioner) {
   EXPECT_GT(flow.kinetic_energy, 0);
 }
 
-TEST(Projection, LeavesNoDivergenceInThePlane) { expect_divergence_free<2>(nullptr); }
-TEST(Projection, LeavesNoDivergenceInSpace) { expect_divergence_free<3>(nullptr); }
+TEST(Projection, LeavesNoDivergenceInThePlane) {
+  expect_divergence_free<2>(nullptr);
+}
+TEST(Projection, LeavesNoDivergenceInSpace) {
+  expect_divergence_free<3>(nullptr);
+}
 TEST(Projection, WorksWithMultigrid) {
   expect_divergence_free<2>("mg");
   expect_divergence_free<3>("mg");
@@ -87,9 +93,7 @@ TEST(FractionalStep, ASlowApproachToSteadyStateDoesNotFreeze) {
   WASH_PETSC(VecSet(density, 1));
   for (int n = 0; n < 4000; ++n) fluid.advance(0.005, {density, force, {}});  // 2 diffusion times: e^(-20)
   const ConstFaceView<2> u(grid.face_dm(), fluid.velocity());
-  for_each<2>(grid.owned(), [&](const Index<2>& face) {
-    EXPECT_NEAR(u(face, 0), grid.face_center(face, 0)[1], 1e-6);
-  });
+  for_each<2>(grid.owned(), [&](const Index<2>& face) { EXPECT_NEAR(u(face, 0), grid.face_center(face, 0)[1], 1e-6); });
 }
 
 TEST(FractionalStep, GivesTheSameFlowForMirroredWalls) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
 #include <numbers>
+
+#include <gtest/gtest.h>
 
 #include "support/manufactured_flow.hpp"
 
@@ -52,16 +52,23 @@ FlowError run_periodic(const ExactFlow<Dim>& flow, PetscInt n, double dt, int st
 
 template <int Dim>
 void expect_second_order(const ExactFlow<Dim>& flow, PetscInt n, double dt, int steps) {
-  const FlowError coarse = run_periodic<Dim>(flow, n, dt, steps), fine = run_periodic<Dim>(flow, 2 * n, dt / 2, 2 * steps);
+  const FlowError coarse = run_periodic<Dim>(flow, n, dt, steps),
+                  fine = run_periodic<Dim>(flow, 2 * n, dt / 2, 2 * steps);
   EXPECT_GE(order(coarse.velocity_max, fine.velocity_max), 1.9) << coarse.velocity_max << " " << fine.velocity_max;
   EXPECT_GE(order(coarse.pressure_max, fine.pressure_max), 1.9) << coarse.pressure_max << " " << fine.pressure_max;
 }
 
-TEST(TaylorGreen, SecondOrderInSpaceAndTimeInThePlane) { expect_second_order<2>(taylor_green<2>(), 32, 0.01, 20); }
+TEST(TaylorGreen, SecondOrderInSpaceAndTimeInThePlane) {
+  expect_second_order<2>(taylor_green<2>(), 32, 0.01, 20);
+}
 
-TEST(TaylorGreen, SecondOrderInSpaceAndTimeInSpace) { expect_second_order<3>(taylor_green<3>(), 16, 0.02, 6); }
+TEST(TaylorGreen, SecondOrderInSpaceAndTimeInSpace) {
+  expect_second_order<3>(taylor_green<3>(), 16, 0.02, 6);
+}
 
-TEST(TaylorGreen, BeltramiFlowSecondOrderInSpace) { expect_second_order<3>(beltrami(), 16, 0.01, 10); }
+TEST(TaylorGreen, BeltramiFlowSecondOrderInSpace) {
+  expect_second_order<3>(beltrami(), 16, 0.01, 10);
+}
 
 // The spatial error is the same for all steps, so it leaves the differences between steps.
 TEST(TaylorGreen, SecondOrderInTimeAlone) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/grid/boundary.hpp"
 
-#include <gtest/gtest.h>
-
 #include <numeric>
+
+#include <gtest/gtest.h>
 
 #include "washfsi/support/collective.hpp"
 
@@ -34,7 +34,8 @@ void expect_linear_fields_extended() {
   {
     const FaceView<Dim> u(grid.face_dm(), velocity);
     for (int c = 0; c < Dim; ++c)
-      for_each<Dim>(grid.owned(), [&](const Index<Dim>& face) { u(face, c) = linear(grid.face_center(face, c), 2.0)[c]; });
+      for_each<Dim>(grid.owned(),
+                    [&](const Index<Dim>& face) { u(face, c) = linear(grid.face_center(face, c), 2.0)[c]; });
   }
   const petsc::LocalVector local(grid.face_dm(), velocity);
   boundary.fill(local, 2.0);
@@ -49,8 +50,12 @@ void expect_linear_fields_extended() {
     });
 }
 
-TEST(Boundary, ExtendsLinearFieldsThroughMovingWallsInThePlane) { expect_linear_fields_extended<2>(); }
-TEST(Boundary, ExtendsLinearFieldsThroughMovingWallsInSpace) { expect_linear_fields_extended<3>(); }
+TEST(Boundary, ExtendsLinearFieldsThroughMovingWallsInThePlane) {
+  expect_linear_fields_extended<2>();
+}
+TEST(Boundary, ExtendsLinearFieldsThroughMovingWallsInSpace) {
+  expect_linear_fields_extended<3>();
+}
 
 // <fill_homogeneous u, f> = <u, fold f>, through the exchange between ranks too.
 template <int Dim>

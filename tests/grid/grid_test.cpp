@@ -29,8 +29,12 @@ void expect_consistent_ownership() {
   EXPECT_EQ(ordered_sum(PETSC_COMM_WORLD, cells), grid.cell_count());
 }
 
-TEST(Grid, EachCellHasOneOwnerInThePlane) { expect_consistent_ownership<2>(); }
-TEST(Grid, EachCellHasOneOwnerInSpace) { expect_consistent_ownership<3>(); }
+TEST(Grid, EachCellHasOneOwnerInThePlane) {
+  expect_consistent_ownership<2>();
+}
+TEST(Grid, EachCellHasOneOwnerInSpace) {
+  expect_consistent_ownership<3>();
+}
 
 TEST(Grid, PeriodicImagesFoldIntoTheBox) {
   const Grid<2> grid(PETSC_COMM_WORLD, shape_of<2>(10, true));

@@ -50,7 +50,8 @@ TEST(RandomPlacement, KeepsClearOfBodiesAndOfEachOther) {
       double nearest = 1;
       for (PetscInt i = a.first; i < a.first + a.count; ++i)
         for (PetscInt j = b.first; j < b.first + b.count; ++j)
-          nearest = std::min(nearest, (places[static_cast<std::size_t>(i)] - places[static_cast<std::size_t>(j)]).norm());
+          nearest =
+              std::min(nearest, (places[static_cast<std::size_t>(i)] - places[static_cast<std::size_t>(j)]).norm());
       EXPECT_GE(nearest, 0.012 - 1e-12);
     }
 }
@@ -67,7 +68,8 @@ TEST(Placement, StartsAllClothsUnstretched) {
   const Cloths<2> cloths(PETSC_COMM_WORLD, {group("towel", 4, 0.08, 8)});
   for (const char* rule : {"line", "stack", "radial", "random"}) {
     PlacementOptions<2> options = placed(rule);
-    options.center = std::string(rule) == "radial" || std::string(rule) == "random" ? Point<2>(0, 0) : Point<2>(-0.15, 0);
+    options.center =
+        std::string(rule) == "radial" || std::string(rule) == "random" ? Point<2>(0, 0) : Point<2>(-0.15, 0);
     const Points<2> places = place_cloths<2>(cloths, {options}, {}, lower, upper);
     for (std::size_t k = 1; k < 8; ++k) EXPECT_NEAR((places[k] - places[k - 1]).norm(), 0.01, 1e-15) << rule;
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cstdio>
+
 #include <gtest/gtest.h>
 #include <petscsys.h>
-
-#include <cstdio>
 
 namespace {
 

@@ -16,7 +16,8 @@ struct ExactFlow {
   std::function<Point<Dim>(const Point<Dim>&, double)> velocity;
   std::function<double(const Point<Dim>&, double)> pressure;
 
-  /// The force density that makes it a solution: rho (du/dt + u.grad u) + grad p - mu lap u, by fourth-order differences.
+  /// The force density that makes it a solution: rho (du/dt + u.grad u) + grad p - mu lap u, by fourth-order
+  /// differences.
   Point<Dim> force(const Point<Dim>& x, double t) const {
     constexpr double s = 1e-3;
     const auto first = [&](auto&& f) { return ((8.0 * (f(s) - f(-s)) - (f(2 * s) - f(-2 * s))) / (12 * s)).eval(); };
@@ -39,15 +40,20 @@ struct FlowError {
   double velocity_max = 0, velocity_rms = 0, pressure_max = 0, pressure_rms = 0;
 };
 
-inline double order(double coarse, double fine, double ratio = 2) { return std::log(coarse / fine) / std::log(ratio); }
+inline double order(double coarse, double fine, double ratio = 2) {
+  return std::log(coarse / fine) / std::log(ratio);
+}
 
 /// Advances an exact flow and compares at the end.
 template <int Dim>
 class ManufacturedRun {
  public:
   ManufacturedRun(ExactFlow<Dim> exact, const GridShape<Dim>& shape, typename Boundary<Dim>::Sides sides, bool forced)
-      : exact_(std::move(exact)), grid_(PETSC_COMM_WORLD, shape), boundary_(grid_, std::move(sides)),
-        fluid_(grid_, boundary_, options()), forced_(forced) {}
+      : exact_(std::move(exact)),
+        grid_(PETSC_COMM_WORLD, shape),
+        boundary_(grid_, std::move(sides)),
+        fluid_(grid_, boundary_, options()),
+        forced_(forced) {}
 
   FlowError advance(double dt, int steps) {
     set_exact_start(dt);

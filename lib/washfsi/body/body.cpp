@@ -38,7 +38,8 @@ Body<Dim> Body<Dim>::from_options(Options& options, const std::string& name) {
     block.choice("shape", kind, kinds, "shape of the body; sphere is a circle in the plane");
     block.template point<Dim>("center", body.motion.center, "m", "place of the body's centre, about which it turns");
     block.boolean("inverted", inverted, "the solid is outside the shape (a drum)");
-    block.real("angular_speed", body.motion.angular_speed, "rad/s", any_number, "speed of rotation, or its largest value");
+    block.real("angular_speed", body.motion.angular_speed, "rad/s", any_number,
+               "speed of rotation, or its largest value");
     block.real("frequency", body.motion.frequency, "Hz", non_negative, "of an oscillating rotation; 0: steady");
     if (kind == "sphere" || options.help()) {
       double radius = 0.1;

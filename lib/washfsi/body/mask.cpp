@@ -7,7 +7,10 @@ namespace washfsi {
 
 template <int Dim>
 Mask<Dim>::Mask(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies)
-    : grid_(grid), bodies_(bodies), fraction_(grid.face_vector()), solid_velocity_(grid.face_vector()),
+    : grid_(grid),
+      bodies_(bodies),
+      fraction_(grid.face_vector()),
+      solid_velocity_(grid.face_vector()),
       body_(grid.face_vector()) {
   update(0);
 }
@@ -40,7 +43,8 @@ void Mask<Dim>::hold(Vec velocity) const {
   const FaceView<Dim> u(grid_.face_dm(), velocity);
   const ConstFaceView<Dim> fraction(grid_.face_dm(), fraction_), solid(grid_.face_dm(), solid_velocity_);
   for_each<Dim>(grid_.owned(), [&](const Index<Dim>& face) {
-    for (int c = 0; c < Dim; ++c) u(face, c) = fraction(face, c) * u(face, c) + (1 - fraction(face, c)) * solid(face, c);
+    for (int c = 0; c < Dim; ++c)
+      u(face, c) = fraction(face, c) * u(face, c) + (1 - fraction(face, c)) * solid(face, c);
   });
 }
 

@@ -8,7 +8,9 @@ namespace washfsi {
 
 namespace {
 
-Point<2> turned_left(const Point<2>& v) { return {-v[1], v[0]}; }
+Point<2> turned_left(const Point<2>& v) {
+  return {-v[1], v[0]};
+}
 
 /// Staggered values: index j + 1 is the point between markers j and j + 1; 0 and n are the ends (n markers).
 using Staggered = std::vector<double>;
@@ -44,7 +46,8 @@ void add_love_forces(const Fibre& fibre, std::span<const Point<2>> positions, st
   for (std::size_t j = 1; j < n; ++j) shear[j] = 0.5 * (shear_at_marker[j - 1] + shear_at_marker[j]);
 
   for (std::size_t k = 0; k < n; ++k)  // ds times the force per length
-    forces[k] += tension[k + 1] * slope[k + 1] - tension[k] * slope[k] + shear[k + 1] * normal[k + 1] - shear[k] * normal[k];
+    forces[k] +=
+        tension[k + 1] * slope[k + 1] - tension[k] * slope[k] + shear[k + 1] * normal[k + 1] - shear[k] * normal[k];
 }
 
 }  // namespace washfsi

@@ -17,7 +17,8 @@ ClothGroup ClothGroup::from_options(Options& options, const std::string& name) {
     block.real("excess_mass", group.excess_mass, "kg/m2", non_negative, "mass over that of the water displaced");
     block.real("thickness", group.fibre.thickness, "m", positive, "thickness, for stresses");
     block.real("damping", group.fibre.damping, "s", non_negative, "Kelvin-Voigt time of the edges");
-    block.choice("model", group.model, {"energy", "love"}, "elastic model: discrete energy, or the thesis's strong form");
+    block.choice("model", group.model, {"energy", "love"},
+                 "elastic model: discrete energy, or the thesis's strong form");
   });
   group.fibre.spacing = group.size / static_cast<double>(group.markers);
   return group;
@@ -25,7 +26,8 @@ ClothGroup ClothGroup::from_options(Options& options, const std::string& name) {
 
 std::vector<ClothGroup> cloth_groups_from_options(Options& options) {
   std::vector<std::string> names;
-  options.block("", "Cloth", [&](OptionBlock& block) { block.names("cloths", names, "names of the groups of cloths"); });
+  options.block("", "Cloth",
+                [&](OptionBlock& block) { block.names("cloths", names, "names of the groups of cloths"); });
   if (options.help() && names.empty()) names = {"towel"};  // so that -help shows a group's options
   std::vector<ClothGroup> groups;
   for (const auto& name : names) groups.push_back(ClothGroup::from_options(options, name));

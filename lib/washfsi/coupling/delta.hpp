@@ -35,8 +35,10 @@ struct AxisStencil {
 inline AxisStencil axis_stencil(double coordinate, double width) {
   AxisStencil stencil;
   stencil.first = static_cast<PetscInt>(std::floor(coordinate - width)) + 1;
-  for (PetscInt i = stencil.first; static_cast<double>(i) < coordinate + width && stencil.count < AxisStencil::most; ++i)
-    stencil.weight[static_cast<std::size_t>(stencil.count++)] = cosine_delta(static_cast<double>(i) - coordinate, width);
+  for (PetscInt i = stencil.first; static_cast<double>(i) < coordinate + width && stencil.count < AxisStencil::most;
+       ++i)
+    stencil.weight[static_cast<std::size_t>(stencil.count++)] =
+        cosine_delta(static_cast<double>(i) - coordinate, width);
   return stencil;
 }
 

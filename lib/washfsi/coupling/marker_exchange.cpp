@@ -27,8 +27,11 @@ void MarkerExchange<Dim>::rebuild() {
   std::exclusive_scan(received.begin(), received.end(), received_start.begin(), 0);
 
   std::vector<int> outgoing(cell_owner_.size()), next = sent_start;
-  for (std::size_t m = 0; m < cell_owner_.size(); ++m)
-    outgoing[static_cast<std::size_t>(next[static_cast<std::size_t>(cell_owner_[m])]++)] = static_cast<int>(m);
+  for (std::size_t m = 0; m < cell_owner_.size(); ++m) {
+    int& slot = next[static_cast<std::size_t>(cell_owner_[m])];
+    outgoing[static_cast<std::size_t>(slot)] = static_cast<int>(m);
+    ++slot;
+  }
   here_ = static_cast<std::size_t>(std::accumulate(received.begin(), received.end(), 0));
   std::vector<int> incoming(here_);
   MPI_Alltoallv(outgoing.data(), sent.data(), sent_start.data(), MPI_INT, incoming.data(), received.data(),
@@ -38,8 +41,8 @@ void MarkerExchange<Dim>::rebuild() {
   std::vector<PetscSFNode> sources;
   sources.reserve(here_);
   for (std::size_t rank = 0; rank < ranks; ++rank)
-    for (int i = 0; i < received[rank]; ++i)
-      sources.push_back({static_cast<PetscInt>(rank), incoming[static_cast<std::size_t>(received_start[rank] + i)]});
+    for (int i = received_start[rank]; i < received_start[rank] + received[rank]; ++i)
+      sources.push_back({static_cast<PetscInt>(rank), incoming[static_cast<std::size_t>(i)]});
   WASH_PETSC(PetscSFCreate(grid_.comm(), forest_.put()));
   WASH_PETSC(PetscSFSetGraph(forest_, static_cast<PetscInt>(cell_owner_.size()), static_cast<PetscInt>(here_), nullptr,
                              PETSC_COPY_VALUES, sources.data(), PETSC_COPY_VALUES));

@@ -102,15 +102,14 @@ Points<Dim> Transfer<Dim>::interpolate(Vec local_velocity) const {
   Points<Dim> velocities(here_.size(), Point<Dim>::Zero());
   for (std::size_t m = 0; m < here_.size(); ++m)
     for (int c = 0; c < Dim; ++c)
-      visit_stencil(here_[m], c, delta_.interpolate_width, [&](const Index<Dim>& face, double weight) {
-        velocities[m][c] += weight * u(face, c);
-      });
+      visit_stencil(here_[m], c, delta_.interpolate_width,
+                    [&](const Index<Dim>& face, double weight) { velocities[m][c] += weight * u(face, c); });
   return exchange_.to_owners(velocities);
 }
 
 template <int Dim>
-std::vector<double> row_sum_mobility(const Transfer<Dim>& transfer, const Grid<Dim>& grid, const Boundary<Dim>& boundary,
-                                     Vec density, const std::vector<double>& lengths) {
+std::vector<double> row_sum_mobility(const Transfer<Dim>& transfer, const Grid<Dim>& grid,
+                                     const Boundary<Dim>& boundary, Vec density, const std::vector<double>& lengths) {
   Points<Dim> forces;
   for (const double length : lengths) forces.push_back(Point<Dim>::Constant(length));
   const petsc::Vector acceleration = petsc::zeros_like(density);

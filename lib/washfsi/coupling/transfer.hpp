@@ -50,8 +50,8 @@ class Transfer {
 /// The mobility m_k [m2/kg; m/kg per unit depth]: velocity of each marker per unit force density on all cloths and unit
 /// time, the row sums of (1/rho) J S with the markers' lengths as weights. Bounds the explicit step. Collective.
 template <int Dim>
-std::vector<double> row_sum_mobility(const Transfer<Dim>& transfer, const Grid<Dim>& grid, const Boundary<Dim>& boundary,
-                                     Vec density, const std::vector<double>& lengths);
+std::vector<double> row_sum_mobility(const Transfer<Dim>& transfer, const Grid<Dim>& grid,
+                                     const Boundary<Dim>& boundary, Vec density, const std::vector<double>& lengths);
 
 extern template class Transfer<2>;
 extern template class Transfer<3>;

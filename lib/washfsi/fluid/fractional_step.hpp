@@ -78,8 +78,8 @@ class FractionalStep {
   petsc::Vector advection_, advection_before_;  ///< (u.grad u)^n, (u.grad u)^(n-1)
   petsc::Vector rhs_;                           ///< b of the last `predict`
   petsc::Vector constraint_force_;
-  petsc::Vector pressure_;                      ///< p^(n-1/2)
-  petsc::Vector phi_;                           ///< dt q / rho_f of the last projection: the next one's guess
+  petsc::Vector pressure_;  ///< p^(n-1/2)
+  petsc::Vector phi_;       ///< dt q / rho_f of the last projection: the next one's guess
   petsc::Vector minus_divergence_;
   double time_ = 0, dt_ = 0;
   bool has_history_ = false;

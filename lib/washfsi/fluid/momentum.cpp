@@ -13,13 +13,18 @@ namespace washfsi {
 template <int Dim>
 MomentumSolver<Dim>::MomentumSolver(const Grid<Dim>& grid, const Boundary<Dim>& boundary, double viscosity,
                                     double tolerance)
-    : grid_(grid), boundary_(boundary), viscosity_(viscosity), tolerance_(tolerance), residual_(grid.face_vector()),
+    : grid_(grid),
+      boundary_(boundary),
+      viscosity_(viscosity),
+      tolerance_(tolerance),
+      residual_(grid.face_vector()),
       correction_(grid.face_vector()) {
   PetscInt size = 0;
   WASH_PETSC(VecGetLocalSize(residual_, &size));
   WASH_PETSC(MatCreateShell(grid.comm(), size, size, PETSC_DETERMINE, PETSC_DETERMINE, this, matrix_.put()));
   WASH_PETSC(MatShellSetOperation(matrix_, MATOP_MULT, reinterpret_cast<void (*)()>(&MomentumSolver::multiply)));
-  WASH_PETSC(MatShellSetOperation(matrix_, MATOP_GET_DIAGONAL, reinterpret_cast<void (*)()>(&MomentumSolver::get_diagonal)));
+  WASH_PETSC(
+      MatShellSetOperation(matrix_, MATOP_GET_DIAGONAL, reinterpret_cast<void (*)()>(&MomentumSolver::get_diagonal)));
 
   WASH_PETSC(KSPCreate(grid.comm(), solver_.put()));
   WASH_PETSC(KSPSetOptionsPrefix(solver_, "momentum_"));
@@ -121,8 +126,8 @@ void MomentumSolver<Dim>::residual(Vec rhs, double time, Vec velocity, Vec resul
       const double a = viscosity_ * dt_ / (2 * rho(face, c));
       const double fluid_row = b(face, c) - u(face, c) + a * laplacian<Dim>(u, face, c, grid_.spacing());
       const double H = fraction ? (*fraction)(face, c) : 1;
-      r(face, c) = H == 1 ? fluid_row
-                          : H * fluid_row + (1 - H) * diagonal(face, c, a) * ((*solid)(face, c) - u(face, c));
+      r(face, c) =
+          H == 1 ? fluid_row : H * fluid_row + (1 - H) * diagonal(face, c, a) * ((*solid)(face, c) - u(face, c));
     });
 }
 

@@ -11,7 +11,8 @@ FluidOptions<Dim> FluidOptions<Dim>::from_options(Options& options) {
     block.real("fluid_density", fluid.density, "kg/m3", positive, "density of the water");
     block.real("fluid_viscosity", fluid.viscosity, "Pa s", non_negative, "dynamic viscosity of the water");
     block.choice("fluid_initial", fluid.initial, {"rest", "taylor_green", "uniform"}, "velocity at the start");
-    block.template point<Dim>("fluid_initial_velocity", fluid.initial_velocity, "m/s", "velocity of -fluid_initial uniform");
+    block.template point<Dim>("fluid_initial_velocity", fluid.initial_velocity, "m/s",
+                              "velocity of -fluid_initial uniform");
     block.boolean("fluid_projection", fluid.projection, "make the velocity divergence free");
     block.choice("advection", fluid.advection, {"central"}, "scheme of the advection term");
     block.real("momentum_tolerance", fluid.momentum_tolerance, "-", tolerance,

@@ -118,8 +118,10 @@ void PressureSolver<Dim>::configure_multigrid() {
   double coarsest = 1;
   for (const PetscInt n : cells) coarsest *= static_cast<double>(n);
   if (coarsest > 512)
-    throw InputError("-pressure_pc_type mg: the cell counts in -grid_cells must be divisible by a power of 2 that leaves"
-                     " at most 512 cells; this grid leaves " + std::to_string(static_cast<int>(coarsest)));
+    throw InputError(
+        "-pressure_pc_type mg: the cell counts in -grid_cells must be divisible by a power of 2 that leaves"
+        " at most 512 cells; this grid leaves " +
+        std::to_string(static_cast<int>(coarsest)));
   petsc::set_default_option("-pressure_pc_mg_levels", std::to_string(levels));
   petsc::set_default_option("-pressure_mg_coarse_pc_type", "redundant");
   petsc::set_default_option("-pressure_mg_coarse_redundant_pc_type", "svd");  // the coarse matrix is singular too
@@ -137,11 +139,12 @@ PetscErrorCode PressureSolver<Dim>::assemble_coarse(KSP solver, Mat, Mat precond
     DMDALocalInfo info;
     WASH_PETSC(DMDAGetLocalInfo(dm, &info));
     const Index<3> cells{info.mx, info.my, info.mz};
-    assemble_laplacian<Dim>(dm, self.grid_.upper() - self.grid_.lower(), preconditioner, [&](const Index<Dim>& face, int d) {
-      const auto axis = static_cast<std::size_t>(d);
-      const bool in_boundary = !self.grid_.periodic(d) && (face[axis] == 0 || face[axis] == cells[axis]);
-      return in_boundary ? 0.0 : 1.0;
-    });
+    assemble_laplacian<Dim>(
+        dm, self.grid_.upper() - self.grid_.lower(), preconditioner, [&](const Index<Dim>& face, int d) {
+          const auto axis = static_cast<std::size_t>(d);
+          const bool in_boundary = !self.grid_.periodic(d) && (face[axis] == 0 || face[axis] == cells[axis]);
+          return in_boundary ? 0.0 : 1.0;
+        });
     WASH_PETSC(MatSetNullSpace(preconditioner, self.constants_));
   });
 }
@@ -204,8 +207,8 @@ void PressureSolver<Dim>::apply(Vec x, Vec y) {
     double sum = 0;
     for (int d = 0; d < Dim; ++d) {
       const Index<Dim> next = shifted<Dim>(cell, d, 1);
-      sum += weight[d] * (ratio(cell, d) * (phi(cell) - phi(shifted<Dim>(cell, d, -1))) -
-                          ratio(next, d) * (phi(next) - phi(cell)));
+      sum += weight[d] *
+             (ratio(cell, d) * (phi(cell) - phi(shifted<Dim>(cell, d, -1))) - ratio(next, d) * (phi(next) - phi(cell)));
     }
     result(cell) = sum;
   });

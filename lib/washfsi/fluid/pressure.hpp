@@ -36,8 +36,8 @@ class PressureSolver {
 
   const Grid<Dim>& grid_;
   double reference_density_;
-  petsc::Vector ratio_;       ///< rho_f/rho on faces, local, 0 on boundary faces
-  petsc::Vector local_phi_;   ///< ghosted; ghosts beyond the boundary stay 0
+  petsc::Vector ratio_;      ///< rho_f/rho on faces, local, 0 on boundary faces
+  petsc::Vector local_phi_;  ///< ghosted; ghosts beyond the boundary stay 0
   petsc::Matrix matrix_, assembled_;
   petsc::NullSpace constants_;
   petsc::Solver solver_;

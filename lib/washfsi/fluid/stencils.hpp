@@ -38,8 +38,8 @@ double advection(const Velocity& u, const Index<Dim>& face, int c, const Point<D
     const Index<Dim> next = shifted<Dim>(face, d, 1), previous = shifted<Dim>(face, d, -1);
     // carrier u_d at the two ends of the momentum cell: a mean along c of the d-faces there
     const double upper_carrier = 0.5 * (u(next, d) + u(shifted<Dim>(next, c, -1), d));
-    const double lower_carrier = d == c ? 0.5 * (u(face, d) + u(previous, d))
-                                        : 0.5 * (u(face, d) + u(shifted<Dim>(face, c, -1), d));
+    const double lower_carrier =
+        d == c ? 0.5 * (u(face, d) + u(previous, d)) : 0.5 * (u(face, d) + u(shifted<Dim>(face, c, -1), d));
     sum += (upper_carrier * (u(next, c) + u(face, c)) - lower_carrier * (u(face, c) + u(previous, c))) / (2 * h[d]);
   }
   return sum;

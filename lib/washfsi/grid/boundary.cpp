@@ -142,9 +142,8 @@ void Boundary<Dim>::fill_homogeneous(Vec local_velocity) const {
       visit_boundary_faces(axis, end, [&](const Index<Dim>& face) { u(face, axis) = 0; });
       for (int c = 0; c < Dim; ++c) {
         const double sign = mirror_sign(axis, end, c);
-        visit_ghosts(axis, end, c, [&](const Index<Dim>& ghost, const Index<Dim>& mirror) {
-          u(ghost, c) = sign * u(mirror, c);
-        });
+        visit_ghosts(axis, end, c,
+                     [&](const Index<Dim>& ghost, const Index<Dim>& mirror) { u(ghost, c) = sign * u(mirror, c); });
       }
     }
 }

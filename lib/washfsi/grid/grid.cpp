@@ -46,14 +46,14 @@ petsc::Dm create_sibling(DM dm, PetscInt components, PetscInt ghost_width) {
   PetscInt m = 0, n = 0, p = 0;
   std::array<PetscInt, 3> cells{};
   std::array<DMBoundaryType, 3> ends{};
-  WASH_PETSC(DMDAGetInfo(dm, nullptr, &cells[0], &cells[1], &cells[2], &m, &n, &p, nullptr, nullptr, &ends[0],
-                         &ends[1], &ends[2], nullptr));
+  WASH_PETSC(DMDAGetInfo(dm, nullptr, &cells[0], &cells[1], &cells[2], &m, &n, &p, nullptr, nullptr, &ends[0], &ends[1],
+                         &ends[2], nullptr));
   const PetscInt *lx = nullptr, *ly = nullptr, *lz = nullptr;
   WASH_PETSC(DMDAGetOwnershipRanges(dm, &lx, &ly, &lz));
   petsc::Dm sibling;
   if constexpr (Dim == 2)
-    WASH_PETSC(DMDACreate2d(comm, ends[0], ends[1], DMDA_STENCIL_BOX, cells[0], cells[1], m, n, components, ghost_width, lx,
-                            ly, sibling.put()));
+    WASH_PETSC(DMDACreate2d(comm, ends[0], ends[1], DMDA_STENCIL_BOX, cells[0], cells[1], m, n, components, ghost_width,
+                            lx, ly, sibling.put()));
   else
     WASH_PETSC(DMDACreate3d(comm, ends[0], ends[1], ends[2], DMDA_STENCIL_BOX, cells[0], cells[1], cells[2], m, n, p,
                             components, ghost_width, lx, ly, lz, sibling.put()));

@@ -14,7 +14,7 @@ namespace washfsi {
 /// What a grid is made from.
 template <int Dim>
 struct GridShape {
-  Index<Dim> cells{};                  ///< number of cells in each direction
+  Index<Dim> cells{};                     ///< number of cells in each direction
   Point<Dim> lower = Point<Dim>::Zero();  ///< [m]
   Point<Dim> upper = Point<Dim>::Ones();  ///< [m]
   std::array<bool, Dim> periodic{};

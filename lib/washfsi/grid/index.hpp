@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <petscsys.h>
-
 #include <array>
+
+#include <petscsys.h>
 
 namespace washfsi {
 

@@ -30,8 +30,8 @@ double segment_distance(const Segment<2>& a, const Segment<2>& b) {
   const auto side = [](const Segment<2>& s, const Point<2>& p) { return cross<2>(s.to - s.from, p - s.from)[0]; };
   const bool crossing = side(a, b.from) * side(a, b.to) < 0 && side(b, a.from) * side(b, a.to) < 0;
   if (crossing) return 0;
-  return std::min({point_to_segment(a.from, b), point_to_segment(a.to, b), point_to_segment(b.from, a),
-                   point_to_segment(b.to, a)});
+  return std::min(
+      {point_to_segment(a.from, b), point_to_segment(a.to, b), point_to_segment(b.from, a), point_to_segment(b.to, a)});
 }
 
 /// Uniform numbers in [0, 1), the same with every standard library.
@@ -63,7 +63,8 @@ class Placer {
       const Point<Dim> along = options.direction.normalized();
       const bool stacked = options.rule == "stack";
       const double pitch = stacked ? options.distance : group.size + options.distance;
-      const Point<Dim> middle = options.center + static_cast<double>(number) * pitch * (stacked ? turned(along) : along);
+      const Point<Dim> middle =
+          options.center + static_cast<double>(number) * pitch * (stacked ? turned(along) : along);
       segment = {middle - 0.5 * group.size * along, middle + 0.5 * group.size * along};
     }
     placed_.push_back(segment);
@@ -88,7 +89,7 @@ class Placer {
       const double radius = options.radius * std::sqrt(uniform());
       const Point<Dim> middle = options.center + radius * unit(2 * std::numbers::pi * uniform());
       const Point<Dim> half = 0.5 * group.size * unit(std::numbers::pi * uniform());
-      const Segment<Dim> segment{middle - half, middle + half};
+      Segment<Dim> segment{middle - half, middle + half};
       if (is_free(segment, options)) return segment;
     }
     throw InputError("-" + group.name + "_placement random: no free place for a cloth after " +
@@ -118,8 +119,8 @@ class Placer {
 };
 
 template <int Dim>
-void check_start(const ClothGroup& group, const std::vector<Body<Dim>>& bodies,
-                 const Point<Dim>& place, const Point<Dim>& lower, const Point<Dim>& upper) {
+void check_start(const ClothGroup& group, const std::vector<Body<Dim>>& bodies, const Point<Dim>& place,
+                 const Point<Dim>& lower, const Point<Dim>& upper) {
   std::string where = "outside the grid";
   bool bad = !((place - lower).minCoeff() > 0 && (upper - place).minCoeff() > 0);
   for (const auto& body : bodies)
@@ -140,7 +141,8 @@ template <int Dim>
 PlacementOptions<Dim> PlacementOptions<Dim>::from_options(Options& options, const std::string& group) {
   PlacementOptions<Dim> placement;
   options.block(group + "_", "Placement of " + group, [&](OptionBlock& block) {
-    block.choice("placement", placement.rule, {"line", "stack", "radial", "random"}, "rule by which the cloths are placed");
+    block.choice("placement", placement.rule, {"line", "stack", "radial", "random"},
+                 "rule by which the cloths are placed");
     block.template point<Dim>("center", placement.center, "m",
                               "centre of the first cloth (line, stack), of the fan (radial), of the disc (random)");
     block.template point<Dim>("direction", placement.direction, "-", "direction of the cloths (line, stack)");
@@ -176,9 +178,9 @@ Points<Dim> place_cloths(const Cloths<Dim>& cloths, const std::vector<PlacementO
 
 template struct PlacementOptions<2>;
 template struct PlacementOptions<3>;
-template Points<2> place_cloths<2>(const Cloths<2>&, const std::vector<PlacementOptions<2>>&, const std::vector<Body<2>>&,
-                                   const Point<2>&, const Point<2>&);
-template Points<3> place_cloths<3>(const Cloths<3>&, const std::vector<PlacementOptions<3>>&, const std::vector<Body<3>>&,
-                                   const Point<3>&, const Point<3>&);
+template Points<2> place_cloths<2>(const Cloths<2>&, const std::vector<PlacementOptions<2>>&,
+                                   const std::vector<Body<2>>&, const Point<2>&, const Point<2>&);
+template Points<3> place_cloths<3>(const Cloths<3>&, const std::vector<PlacementOptions<3>>&,
+                                   const std::vector<Body<3>>&, const Point<3>&, const Point<3>&);
 
 }  // namespace washfsi

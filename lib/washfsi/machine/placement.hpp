@@ -10,12 +10,13 @@ namespace washfsi {
 template <int Dim>
 struct PlacementOptions {
   std::string rule = "line";  ///< line | stack | radial | random
-  Point<Dim> center = Point<Dim>::Zero();     ///< of the first cloth (line, stack), of the fan (radial), of the disc (random)
+  Point<Dim> center =
+      Point<Dim>::Zero();  ///< of the first cloth (line, stack), of the fan (radial), of the disc (random)
   Point<Dim> direction = Point<Dim>::UnitX();  ///< of the cloths (line, stack)
-  double distance = 0.02;   ///< between neighbours (line: along the cloth; stack: across it)
-  double inner_radius = 0.1;   ///< where the cloths begin (radial)
-  double radius = 0.3;      ///< of the disc that holds the cloths (random)
-  double clearance = 0.01;  ///< least distance from bodies and other cloths (random)
+  double distance = 0.02;                      ///< between neighbours (line: along the cloth; stack: across it)
+  double inner_radius = 0.1;                   ///< where the cloths begin (radial)
+  double radius = 0.3;                         ///< of the disc that holds the cloths (random)
+  double clearance = 0.01;                     ///< least distance from bodies and other cloths (random)
   PetscInt seed = 1;
 
   static PlacementOptions from_options(Options& options, const std::string& group);

@@ -32,7 +32,8 @@ std::string row_text(const std::vector<double>& values) {
 std::string earlier_rows(const std::string& path, const std::string& wanted_header, long last_step) {
   std::ifstream file(path);
   std::string names, units, rows;
-  if (!std::getline(file, names) || !std::getline(file, units) || names + "\n" + units + "\n" != wanted_header) return {};
+  if (!std::getline(file, names) || !std::getline(file, units) || names + "\n" + units + "\n" != wanted_header)
+    return {};
   for (std::string line; std::getline(file, line);)
     if (std::atol(line.c_str()) <= last_step) rows += line + "\n";
   return rows;

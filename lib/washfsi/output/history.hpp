@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <mpi.h>
-
 #include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
+
+#include <mpi.h>
 
 namespace washfsi {
 

@@ -15,7 +15,8 @@ namespace {
 
 /// Linear interpolation of value(index) given on points at lower + (i + offset_d) h_d.
 template <int Dim, class Value>
-double interpolate_linearly(const Grid<Dim>& grid, const Point<Dim>& place, const Point<Dim>& offset, const Value& value) {
+double interpolate_linearly(const Grid<Dim>& grid, const Point<Dim>& place, const Point<Dim>& offset,
+                            const Value& value) {
   Index<Dim> base;
   Point<Dim> fraction;
   for (int d = 0; d < Dim; ++d) {
@@ -88,9 +89,8 @@ void Profile<Dim>::write(const Grid<Dim>& grid, const Boundary<Dim>& boundary, V
 template <int Dim>
 std::vector<Profile<Dim>> profiles_from_options(Options& options, const Point<Dim>& lower, const Point<Dim>& upper) {
   std::vector<std::string> names;
-  options.block("", "Profiles", [&](OptionBlock& block) {
-    block.names("profiles", names, "names of the lines sampled at the end");
-  });
+  options.block("", "Profiles",
+                [&](OptionBlock& block) { block.names("profiles", names, "names of the lines sampled at the end"); });
   if (options.help() && names.empty()) names = {"line"};
   std::vector<Profile<Dim>> profiles;
   for (const auto& name : names) {

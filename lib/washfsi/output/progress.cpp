@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/output/progress.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+
+#include <fcntl.h>
+#include <unistd.h>
 
 #include "washfsi/support/collective.hpp"
 
@@ -32,7 +32,9 @@ bool user_sees_a_terminal() {
 Progress::Progress(MPI_Comm comm)
     : speaks_(rank_of(comm) == 0), on_terminal_(user_sees_a_terminal()), start_(Clock::now()), shown_(start_) {}
 
-double Progress::wall_seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+double Progress::wall_seconds() const {
+  return std::chrono::duration<double>(Clock::now() - start_).count();
+}
 
 void Progress::show(const ProgressState& state) {
   if (first_step_ < 0) first_step_ = state.step - 1;
@@ -44,10 +46,11 @@ void Progress::show(const ProgressState& state) {
   const double dt = state.time / static_cast<double>(state.step);
   const double left = per_step * (state.end - state.time) / dt;
   std::array<char, 256> line{};
-  (void)std::snprintf(line.data(), line.size(),
-                      "step %ld  t %.4g of %.4g s  %5.1f %%  CFL %.3f  iterations %.0f + %.0f  %.2f ms/step  %.0f s left",
-                      state.step, state.time, state.end, 100 * state.time / state.end, state.courant,
-                      state.momentum_iterations, state.pressure_iterations, 1e3 * per_step, left);
+  (void)std::snprintf(
+      line.data(), line.size(),
+      "step %ld  t %.4g of %.4g s  %5.1f %%  CFL %.3f  iterations %.0f + %.0f  %.2f ms/step  %.0f s left", state.step,
+      state.time, state.end, 100 * state.time / state.end, state.courant, state.momentum_iterations,
+      state.pressure_iterations, 1e3 * per_step, left);
   (void)std::printf(on_terminal_ ? "\r%s\033[K" : "%s\n", line.data());
   (void)std::fflush(stdout);
   line_open_ = on_terminal_;

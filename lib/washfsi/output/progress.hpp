@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <mpi.h>
-
 #include <chrono>
 #include <string>
+
+#include <mpi.h>
 
 namespace washfsi {
 

@@ -21,20 +21,20 @@ void write_grid_attributes(const Grid<Dim>& grid, const FrameFile& frames) {
   file.close();
 }
 
-// XDMF text of the grid of cells: counts of nodes, origin and spacing, slowest axis first.
+// XDMF text of the grid of cells: counts of nodes, origin and spacing, slowest axis first. A plane is one layer of
+// nodes in three dimensions: ParaView puts two-dimensional meshes into the y,z plane.
 template <int Dim>
 std::string xdmf_mesh(const Grid<Dim>& grid) {
   std::vector<std::string> nodes, origin, spacing;
-  for (int d = Dim; d-- > 0;) {
-    nodes.push_back(std::to_string(grid.cells()[static_cast<std::size_t>(d)] + 1));
-    origin.push_back(to_text(grid.lower()[d]));
-    spacing.push_back(to_text(grid.spacing()[d]));
+  for (int d = 3; d-- > 0;) {
+    nodes.push_back(std::to_string(d < Dim ? grid.cells()[static_cast<std::size_t>(d)] + 1 : 1));
+    origin.push_back(d < Dim ? to_text(grid.lower()[d]) : "0");
+    spacing.push_back(d < Dim ? to_text(grid.spacing()[d]) : "1");
   }
-  const std::string dims = std::to_string(Dim);
-  const std::string item = "<DataItem Format=\"XML\" NumberType=\"Float\" Precision=\"8\" Dimensions=\"" + dims + "\">";
-  return "<Topology TopologyType=\"" + dims + "DCoRectMesh\" Dimensions=\"" + join(nodes, " ") + "\"/>\n" +
-         "<Geometry GeometryType=\"" + (Dim == 2 ? "ORIGIN_DXDY" : "ORIGIN_DXDYDZ") + "\">\n" + item +
-         join(origin, " ") + "</DataItem>\n" + item + join(spacing, " ") + "</DataItem>\n</Geometry>\n";
+  const std::string item = "<DataItem Format=\"XML\" NumberType=\"Float\" Precision=\"8\" Dimensions=\"3\">";
+  return "<Topology TopologyType=\"3DCoRectMesh\" Dimensions=\"" + join(nodes, " ") + "\"/>\n" +
+         "<Geometry GeometryType=\"ORIGIN_DXDYDZ\">\n" + item + join(origin, " ") + "</DataItem>\n" + item +
+         join(spacing, " ") + "</DataItem>\n</Geometry>\n";
 }
 
 /// Velocity at cell centres with three components, and the curl of it by central differences.
@@ -46,7 +46,9 @@ struct CentredFlow {
     const petsc::LocalVector local(grid.face_dm(), face_velocity);
     boundary.fill(local, time);
     const ConstFaceView<Dim> u(grid.face_dm(), local);
-    const auto centred = [&](const Index<Dim>& cell, int c) { return 0.5 * (u(cell, c) + u(shifted<Dim>(cell, c, 1), c)); };
+    const auto centred = [&](const Index<Dim>& cell, int c) {
+      return 0.5 * (u(cell, c) + u(shifted<Dim>(cell, c, 1), c));
+    };
     const auto slope = [&](const Index<Dim>& cell, int c, int d) {
       return (centred(shifted<Dim>(cell, d, 1), c) - centred(shifted<Dim>(cell, d, -1), c)) / (2 * grid.spacing()[d]);
     };
@@ -182,7 +184,8 @@ void ClothSeries<Dim>::write(double time, long step, const Points<Dim>& position
         const auto item = [&](const std::string& dataset, const Slab& slab) {
           return xdmf_data_item("cloth", dataset, slab.shape);
         };
-        return "<Topology TopologyType=\"Mixed\" NumberOfElements=\"" + std::to_string(cloths_.pieces().size()) + "\">\n" +
+        return "<Topology TopologyType=\"Mixed\" NumberOfElements=\"" + std::to_string(cloths_.pieces().size()) +
+               "\">\n" +
                xdmf_data_item("cloth", "/topology", {topology().size()}, "NumberType=\"Int\" Precision=\"8\"") +
                "</Topology>\n<Geometry GeometryType=\"XYZ\">\n" + item(frame.group + "/position", vector) +
                "</Geometry>\n" + xdmf_attribute("velocity", "Vector", "Node", item(frame.group + "/velocity", vector)) +

@@ -52,7 +52,8 @@ Slab shared_slab(MPI_Comm comm, std::size_t size, bool writing) {
 }  // namespace
 
 template <int Dim>
-void write_checkpoint(const std::string& folder, const System<Dim>& system, Measures<Dim>& measures, const RunState& state) {
+void write_checkpoint(const std::string& folder, const System<Dim>& system, Measures<Dim>& measures,
+                      const RunState& state) {
   const petsc::LogEvent event("output");
   const std::string path = folder + "/checkpoint.h5", temporary = path + ".part";
   const MPI_Comm comm = system.grid.comm();
@@ -107,7 +108,8 @@ RunState read_checkpoint(const std::string& path, System<Dim>& system, Measures<
                              .steps = file.attribute("/", "solved_steps")});
     return {static_cast<long>(file.attribute("/", "step")), file.attribute("/", "time_step")};
   } catch (const InputError& error) {
-    throw InputError(std::string("-restart ") + error.what() + "; it must be a checkpoint of this grid and these cloths");
+    throw InputError(std::string("-restart ") + error.what() +
+                     "; it must be a checkpoint of this grid and these cloths");
   }
 }
 

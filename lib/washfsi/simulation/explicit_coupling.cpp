@@ -5,10 +5,14 @@ namespace washfsi {
 
 namespace {
 
+// Weight of the excess mass, and contact with the bodies as they are now.
 template <int Dim>
-void add_weight(const System<Dim>& system, Points<Dim>& forces) {
+void add_external_forces(System<Dim>& system, Points<Dim>& forces) {
   const std::vector<double> masses = system.cloths.marker_masses();
-  for (std::size_t m = 0; m < forces.size(); ++m) forces[m] += masses[m] * system.gravity;
+  system.contact_loads.assign(system.bodies.size(), {});
+  const Points<Dim> contact = contact_forces<Dim>(system.contact, system.bodies, system.cloths, system.positions,
+                                                  system.fluid.time(), system.contact_loads);
+  for (std::size_t m = 0; m < forces.size(); ++m) forces[m] += masses[m] * system.gravity + contact[m];
 }
 
 }  // namespace
@@ -26,7 +30,7 @@ Points<Dim> marker_velocities(const System<Dim>& system) {
 template <int Dim>
 void ExplicitCoupling<Dim>::advance(System<Dim>& system, double dt) {
   Points<Dim> forces = system.cloths.elastic_forces(system.positions, system.velocities);
-  add_weight(system, forces);
+  add_external_forces(system, forces);
 
   system.transfer.locate(system.positions);
   system.spread_density();
@@ -34,9 +38,8 @@ void ExplicitCoupling<Dim>::advance(System<Dim>& system, double dt) {
   system.wall_reaction = system.transfer.spread(forces, system.force);
 
   system.mask.update(system.fluid.time() + dt);
-  const Constraint constraint = system.mask.empty()
-                                    ? Constraint{}
-                                    : Constraint{system.mask.fluid_fraction(), system.mask.solid_velocity()};
+  const Constraint constraint =
+      system.mask.empty() ? Constraint{} : Constraint{system.mask.fluid_fraction(), system.mask.solid_velocity()};
   system.fluid.advance(dt, {system.density, system.force, constraint});
 
   system.velocities = marker_velocities(system);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The explicit step, thesis 3.4 for three dimensions:
-//   1. forces       F^n = elastic and damping forces at X^n, U^n, and excess weight
+//   1. forces       F^n = elastic and damping forces at X^n, U^n, excess weight, contact with bodies
 //   2. spread       rho = rho_f + S(X^n) m,    f = S(X^n) F^n
 //   3. bodies       mask H and solid velocity at t^(n+1)
 //   4. fluid        u^(n+1), p^(n+1/2) by the fractional step

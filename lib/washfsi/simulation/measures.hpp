@@ -14,6 +14,7 @@ struct GroupMeasures {
   double stress_mean = 0;     ///< (5.2-5): of the time averages at the markers [Pa]
   double stress_std = 0;      ///< of the same over the markers [Pa]
   double max_stretch = 0;     ///< largest |X_s| - 1 so far
+  double depth = 0;           ///< of the deepest marker in any body now [m]; 0 if none is inside
 };
 
 /// What is measured after each step, and what accumulates over a run.
@@ -43,7 +44,10 @@ class Measures {
   std::size_t totals_count() const { return 2 + groups_.size(); }
 
  private:
+  void measure_loads();
   void measure_cloth(double dt, bool accumulate);
+  void measure_stress(double dt, bool accumulate);
+  void measure_places();
   std::vector<double> group_sums(const std::vector<double>& marker_values) const;
 
   const System<Dim>& system_;

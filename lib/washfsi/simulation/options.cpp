@@ -13,8 +13,10 @@ RunOptions RunOptions::from_options(Options& options) {
     block.real("time_max_cfl", run.max_courant, "-", positive, "a run whose CFL number exceeds this has diverged");
     block.choice("cloth_coupling", run.coupling, {"explicit"}, "how cloth and water are coupled in a step");
     block.text("output_dir", run.output_dir, "folder for the results");
-    block.real("output_interval", run.output_interval, "s", non_negative, "between frames of the series; 0: a twentieth of the run");
-    block.real("checkpoint_interval", run.checkpoint_interval, "s", non_negative, "between checkpoints; 0: a tenth of the run");
+    block.real("output_interval", run.output_interval, "s", non_negative,
+               "between frames of the series; 0: a twentieth of the run");
+    block.real("checkpoint_interval", run.checkpoint_interval, "s", non_negative,
+               "between checkpoints; 0: a tenth of the run");
     block.text("restart", run.restart, "checkpoint file to go on from");
     block.boolean("check", run.check, "only check: set everything up, write it at t = 0 and tell its cost");
   });

@@ -9,10 +9,10 @@ namespace washfsi {
 
 /// The run itself: time, output folder, intervals, restart.
 struct RunOptions {
-  double time_step = 0;            ///< [s]; 0: the program's choice
-  double time_end = 1;             ///< [s]
-  PetscInt max_steps = 0;          ///< 0: no limit
-  double max_courant = 1;          ///< a run beyond it has diverged
+  double time_step = 0;    ///< [s]; 0: the program's choice
+  double time_end = 1;     ///< [s]
+  PetscInt max_steps = 0;  ///< 0: no limit
+  double max_courant = 1;  ///< a run beyond it has diverged
   std::string coupling = "explicit";
   std::string output_dir = "out";
   double output_interval = 0;      ///< [s]; 0: a twentieth of the run

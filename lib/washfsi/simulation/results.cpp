@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/simulation/results.hpp"
 
-#include <sys/resource.h>
-
 #include <nlohmann/json.hpp>
+#include <sys/resource.h>
 
 #include "washfsi/output/marker_table.hpp"
 #include "washfsi/simulation/version.hpp"
@@ -49,8 +48,8 @@ void Results<Dim>::write_row(long step, double dt) {
 template <int Dim>
 void Results<Dim>::write_final() const {
   for (const auto& profile : profiles_)
-    profile.write(system_.grid, system_.boundary, system_.fluid.velocity(), system_.fluid.pressure(), system_.fluid.time(),
-                  folder_);
+    profile.write(system_.grid, system_.boundary, system_.fluid.velocity(), system_.fluid.pressure(),
+                  system_.fluid.time(), folder_);
   if (cloth_)
     write_marker_table<Dim>(system_.grid.comm(), folder_ + "/cloth_final.csv", system_.cloths, system_.positions,
                             system_.velocities);

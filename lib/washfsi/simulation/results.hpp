@@ -14,8 +14,8 @@ namespace washfsi {
 struct RunSummary {
   std::string case_name, status;
   long steps = 0;
-  double time = 0;                ///< simulated [s]
-  double wall_seconds = 0;        ///< of this start of the program
+  double time = 0;          ///< simulated [s]
+  double wall_seconds = 0;  ///< of this start of the program
   double seconds_per_step = 0;
 };
 
@@ -24,8 +24,8 @@ template <int Dim>
 class Results {
  public:
   /// Collective. Errors: FileError. `restart_step` < 0: a new run.
-  Results(const System<Dim>& system, const Measures<Dim>& measures, std::vector<Profile<Dim>> profiles, std::string folder,
-          long restart_step);
+  Results(const System<Dim>& system, const Measures<Dim>& measures, std::vector<Profile<Dim>> profiles,
+          std::string folder, long restart_step);
 
   /// A frame of each series.
   void write_frame(long step);

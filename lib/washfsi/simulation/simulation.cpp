@@ -98,8 +98,8 @@ void Simulation<Dim>::run() {
     end(stopped ? "stopped" : "finished");
   } catch (const DivergedError& error) {
     end("failed");
-    throw DivergedError("diverged in step " + std::to_string(state_.step) + " at t = " +
-                        format("%.6g", system_->fluid.time()) + " s: " + error.what());
+    throw DivergedError("diverged in step " + std::to_string(state_.step) +
+                        " at t = " + format("%.6g", system_->fluid.time()) + " s: " + error.what());
   }
 }
 
@@ -139,9 +139,9 @@ void Simulation<Dim>::check_health() const {
   if (worst.value <= run_.max_courant) return;
   std::vector<std::string> place;
   for (int d = 0; d < Dim; ++d) place.push_back(format("%.4g", worst.place[d]));
-  const std::string what = std::isfinite(worst.value)
-                               ? format("velocity: CFL number %.3g exceeds -time_max_cfl %.3g", worst.value, run_.max_courant)
-                               : std::string("velocity: not finite");
+  const std::string what = std::isfinite(worst.value) ? format("velocity: CFL number %.3g exceeds -time_max_cfl %.3g",
+                                                               worst.value, run_.max_courant)
+                                                      : std::string("velocity: not finite");
   throw DivergedError(what + " at (" + join(place, ", ") + ") m; a smaller -time_step may help");
 }
 
@@ -151,8 +151,10 @@ void Simulation<Dim>::watch_step_bound() {
   const double bound = cloth_step_bound<Dim>(*system_);
   if (state_.dt <= bound) return;
   warned_of_step_ = true;
-  progress_.note(format("warning: -time_step %.3g s exceeds the bound %.3g s of the explicit coupling for the cloth as it"
-                        " lies at t = %.4g s", state_.dt, bound, system_->fluid.time()));
+  progress_.note(
+      format("warning: -time_step %.3g s exceeds the bound %.3g s of the explicit coupling for the cloth as it"
+             " lies at t = %.4g s",
+             state_.dt, bound, system_->fluid.time()));
 }
 
 template <int Dim>
@@ -164,13 +166,15 @@ void Simulation<Dim>::print_banner() {
   std::vector<std::string> bodies, groups;
   for (const auto& body : system.bodies) bodies.push_back(body.name);
   for (const auto& group : system.cloths.groups())
-    groups.push_back(std::to_string(group.count) + " " + group.name + " of " + std::to_string(group.markers) + " markers");
+    groups.push_back(std::to_string(group.count) + " " + group.name + " of " + std::to_string(group.markers) +
+                     " markers");
   if (!bodies.empty()) progress_.note("  bodies    " + join(bodies, ", "));
   if (!groups.empty())
-    progress_.note("  cloth     " + join(groups, ", ") + " (" + std::to_string(system.cloths.marker_count()) + " markers)");
+    progress_.note("  cloth     " + join(groups, ", ") + " (" + std::to_string(system.cloths.marker_count()) +
+                   " markers)");
   progress_.note("  solvers   momentum " + chosen_type("-momentum_ksp_type", "gmres") + "/" +
-                 chosen_type("-momentum_pc_type", "jacobi") + ", pressure " + chosen_type("-pressure_ksp_type", "cg") + "/" +
-                 chosen_type("-pressure_pc_type", "hypre"));
+                 chosen_type("-momentum_pc_type", "jacobi") + ", pressure " + chosen_type("-pressure_ksp_type", "cg") +
+                 "/" + chosen_type("-pressure_pc_type", "hypre"));
   const double bound = cloth_step_bound<Dim>(system);
   progress_.note(format("  time      step %.4g s, end %.4g s", state_.dt, run_.time_end) +
                  (std::isfinite(bound) ? format(", bound of the explicit coupling %.4g s", bound) : ""));
@@ -212,13 +216,17 @@ template <int Dim>
 void Simulation<Dim>::print_summary(const RunSummary& summary) {
   const SolverCounts& counts = system_->fluid.counts();
   const double steps = std::max(1.0, counts.steps);
-  progress_.note(summary.status + " after " + std::to_string(summary.steps) + " steps at t = " + format("%.6g", summary.time) + " s");
-  progress_.note(format("  wall time          %.2f s, %.3f ms a step", summary.wall_seconds, 1e3 * summary.seconds_per_step));
-  progress_.note(format("  iterations a step  momentum %.2f, pressure %.2f", counts.momentum / steps, counts.pressure / steps));
+  progress_.note(summary.status + " after " + std::to_string(summary.steps) +
+                 " steps at t = " + format("%.6g", summary.time) + " s");
+  progress_.note(
+      format("  wall time          %.2f s, %.3f ms a step", summary.wall_seconds, 1e3 * summary.seconds_per_step));
+  progress_.note(
+      format("  iterations a step  momentum %.2f, pressure %.2f", counts.momentum / steps, counts.pressure / steps));
   progress_.note(format("  max divergence     %.3e 1/s", measures_->largest_divergence()));
   for (std::size_t b = 0; b < system_->bodies.size(); ++b)
     progress_.note(format("  %-18s torque %.4g", system_->bodies[b].name.c_str(),
-                          measures_->loads()[b].torque[rotation_components<Dim> - 1]) + (Dim == 2 ? " N (per metre: N m/m)" : " N m"));
+                          measures_->loads()[b].torque[rotation_components<Dim> - 1]) +
+                   (Dim == 2 ? " N (per metre: N m/m)" : " N m"));
   for (std::size_t g = 0; g < measures_->groups().size(); ++g)
     progress_.note(format("  %-18s mean stress %.4g Pa (+- %.3g), largest stretch %.3g %%",
                           system_->cloths.groups()[g].name.c_str(), measures_->groups()[g].stress_mean,

@@ -13,8 +13,8 @@ template <int Dim>
 double cloth_step_bound(const System<Dim>& system) {
   const Cloths<Dim>& cloths = system.cloths;
   if (cloths.marker_count() == 0) return std::numeric_limits<double>::infinity();
-  const std::vector<double> mobility = row_sum_mobility<Dim>(system.transfer, system.grid, system.boundary,
-                                                             system.density, cloths.marker_lengths());
+  const std::vector<double> mobility =
+      row_sum_mobility<Dim>(system.transfer, system.grid, system.boundary, system.density, cloths.marker_lengths());
   const std::vector<std::size_t> piece_of = cloths.piece_of_marker();
   double shortest = std::numeric_limits<double>::infinity();
   for (std::size_t m = 0; m < mobility.size(); ++m) {
@@ -38,8 +38,7 @@ double flow_step_bound(const System<Dim>& system) {
         speed = std::max(speed, std::abs(body.motion.angular_speed) * (place - body.motion.center).norm());
   });
   speed = largest(system.grid.comm(), speed);
-  return speed > 0 ? 0.3 * system.grid.spacing().minCoeff() / speed
-                   : std::numeric_limits<double>::infinity();
+  return speed > 0 ? 0.3 * system.grid.spacing().minCoeff() / speed : std::numeric_limits<double>::infinity();
 }
 
 template double cloth_step_bound<2>(const System<2>&);

@@ -11,7 +11,9 @@ namespace {
 
 volatile std::sig_atomic_t stop_requested = 0;  // a signal handler can reach nothing else
 
-void request_stop(int) { stop_requested = 1; }
+void request_stop(int) {
+  stop_requested = 1;
+}
 
 }  // namespace
 
@@ -26,6 +28,8 @@ StopSignals::~StopSignals() {
   (void)std::signal(SIGINT, SIG_DFL);
 }
 
-bool StopSignals::requested(MPI_Comm comm) const { return any_rank(comm, stop_requested != 0); }
+bool StopSignals::requested(MPI_Comm comm) const {
+  return any_rank(comm, stop_requested != 0);
+}
 
 }  // namespace washfsi

@@ -29,10 +29,12 @@ SystemOptions<Dim> SystemOptions<Dim>::from_options(Options& options) {
   });
   system.cloths = cloth_groups_from_options(options);
   if (Dim == 3 && !system.cloths.empty() && !options.help())
-    throw InputError("-cloths " + system.cloths.front().name + ": cloth needs a grid of two dimensions (nx,ny in -grid_cells)");
+    throw InputError("-cloths " + system.cloths.front().name +
+                     ": cloth needs a grid of two dimensions (nx,ny in -grid_cells)");
   for (const ClothGroup& group : system.cloths)
     system.placements.push_back(PlacementOptions<Dim>::from_options(options, group.name));
   system.delta = DeltaOptions::from_options(options);
+  system.contact = ContactOptions::from_options(options);
   return system;
 }
 
@@ -46,12 +48,14 @@ System<Dim>::System(MPI_Comm comm, const SystemOptions<Dim>& options, std::vecto
       cloths(comm, options.cloths),
       transfer(grid, boundary, options.delta),
       fluid_density(options.fluid.density),
+      contact(options.contact),
       gravity(options.gravity),
       density(grid.face_vector()),
       force(grid.face_vector()) {
   const Points<Dim> all = place_cloths<Dim>(cloths, options.placements, bodies, grid.lower(), grid.upper());
   positions.assign(all.begin() + cloths.begin(), all.begin() + cloths.end());
   velocities.assign(positions.size(), Point<Dim>::Zero());
+  contact_loads.resize(bodies.size());
   transfer.locate(positions);
   spread_density();
 }

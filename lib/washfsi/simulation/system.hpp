@@ -7,6 +7,7 @@
 #include "washfsi/fluid/fractional_step.hpp"
 #include "washfsi/grid/options.hpp"
 #include "washfsi/machine/placement.hpp"
+#include "washfsi/simulation/contact.hpp"
 
 namespace washfsi {
 
@@ -19,6 +20,7 @@ struct SystemOptions {
   std::vector<ClothGroup> cloths;
   std::vector<PlacementOptions<Dim>> placements;
   DeltaOptions delta;
+  ContactOptions contact;
 
   static SystemOptions from_options(Options& options);
 };
@@ -42,12 +44,14 @@ struct System {
   Cloths<Dim> cloths;
   Transfer<Dim> transfer;
 
-  double fluid_density;       ///< [kg/m3]
-  Point<Dim> gravity;         ///< [m/s2]
-  petsc::Vector density;      ///< of the last step, on faces [kg/m3]
-  petsc::Vector force;        ///< of cloth on water in the last step, on faces [N/m3]
-  Points<Dim> positions;      ///< X^n of this rank's markers [m]
-  Points<Dim> velocities;     ///< U^n [m/s]
+  double fluid_density;  ///< [kg/m3]
+  ContactOptions contact;
+  Point<Dim> gravity;                             ///< [m/s2]
+  petsc::Vector density;                          ///< of the last step, on faces [kg/m3]
+  petsc::Vector force;                            ///< of cloth on water in the last step, on faces [N/m3]
+  Points<Dim> positions;                          ///< X^n of this rank's markers [m]
+  Points<Dim> velocities;                         ///< U^n [m/s]
+  std::vector<Load<Dim>> contact_loads;           ///< of this rank's markers on each body in the last step
   Point<Dim> wall_reaction = Point<Dim>::Zero();  ///< part of the cloth's force that walls took in the last step [N]
 };
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/support/hdf5_file.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <numeric>
 #include <utility>
+
+#include <unistd.h>
 
 #include "washfsi/support/collective.hpp"
 #include "washfsi/support/errors.hpp"
@@ -37,7 +37,9 @@ Identifier memory_space(const Slab& slab) {
   return {H5Screate_simple(static_cast<int>(slab.count.size()), slab.count.data(), nullptr), H5Sclose};
 }
 
-bool empty(const Slab& slab) { return std::find(slab.count.begin(), slab.count.end(), hsize_t{0}) != slab.count.end(); }
+bool empty(const Slab& slab) {
+  return std::find(slab.count.begin(), slab.count.end(), hsize_t{0}) != slab.count.end();
+}
 
 // Selects the slab in a file space and everything in a memory space, or nothing in both.
 bool select(hid_t file_space, hid_t memory, const Slab& slab) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <hdf5.h>
-#include <mpi.h>
-
 #include <string>
 #include <vector>
+
+#include <hdf5.h>
+#include <mpi.h>
 
 namespace washfsi {
 

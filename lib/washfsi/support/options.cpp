@@ -44,8 +44,8 @@ PetscErrorCode open_block(MPI_Comm comm, const char* prefix, const char* title,
   PetscFunctionReturn(0);
 }
 
-PetscErrorCode ask_string(PetscOptionItems* PetscOptionsObject, const char* flag, const char* help,
-                          const char* current, char* value, std::size_t length, PetscBool* given) {
+PetscErrorCode ask_string(PetscOptionItems* PetscOptionsObject, const char* flag, const char* help, const char* current,
+                          char* value, std::size_t length, PetscBool* given) {
   PetscFunctionBeginUser;
   PetscCall(PetscOptionsString(flag, help, "washfsi", current, value, length, given));
   PetscFunctionReturn(0);
@@ -68,10 +68,11 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 // Options that PETSc itself reads, some of them only when it finalizes.
 bool belongs_to_petsc(const std::string& name) {
   static constexpr std::array<std::string_view, 40> starts{
-      "log_",     "options_", "malloc",   "memory_", "info",    "help",    "version", "citations", "on_error_", "fp_trap",
-      "check_",   "error_",   "no_signal", "start_in", "stop_for", "debugger_", "get_total", "mpi_",  "petsc_",    "objects_",
-      "python",   "display",  "x_",       "draw_",   "viewer_", "vec_",    "mat_",    "is_",       "sf_",       "dm_",
-      "da_",      "pc_",      "ksp_",     "snes_",   "ts_",     "tao_",    "use_gpu", "device_",   "cuda_",     "saws_"};
+      "log_",      "options_", "malloc", "memory_",  "info",      "help",     "version",  "citations",
+      "on_error_", "fp_trap",  "check_", "error_",   "no_signal", "start_in", "stop_for", "debugger_",
+      "get_total", "mpi_",     "petsc_", "objects_", "python",    "display",  "x_",       "draw_",
+      "viewer_",   "vec_",     "mat_",   "is_",      "sf_",       "dm_",      "da_",      "pc_",
+      "ksp_",      "snes_",    "ts_",    "tao_",     "use_gpu",   "device_",  "cuda_",    "saws_"};
   return std::any_of(starts.begin(), starts.end(), [&](std::string_view start) { return name.starts_with(start); });
 }
 
@@ -97,7 +98,9 @@ void Options::block(const std::string& prefix, const std::string& title,
   if (failure) std::rethrow_exception(failure);
 }
 
-void Options::record(const std::string& name, double value) { record(name, to_text(value)); }
+void Options::record(const std::string& name, double value) {
+  record(name, to_text(value));
+}
 
 std::map<std::string, std::string> Options::database() {
   char* text = nullptr;
@@ -145,7 +148,8 @@ std::string Options::resolved() const {
   for (const auto& [name, value] : values_)
     if (!value.empty()) text += "-" + name + " " + value + "\n";
   for (const auto& [name, value] : database())
-    if (!values_.contains(name) && name != "options_file") text += "-" + name + (value.empty() ? "" : " " + value) + "\n";
+    if (!values_.contains(name) && name != "options_file")
+      text += "-" + name + (value.empty() ? "" : " " + value) + "\n";
   return text;
 }
 
@@ -153,7 +157,8 @@ std::optional<std::string> OptionBlock::ask(const std::string& name, const std::
                                             const std::string& help) {
   std::array<char, 4096> buffer{};
   PetscBool given = PETSC_FALSE;
-  WASH_PETSC(ask_string(items_, ("-" + name).c_str(), help.c_str(), current.c_str(), buffer.data(), buffer.size(), &given));
+  WASH_PETSC(
+      ask_string(items_, ("-" + name).c_str(), help.c_str(), current.c_str(), buffer.data(), buffer.size(), &given));
   options_.values_[prefix_ + name] = given ? buffer.data() : current;
   if (!given) return std::nullopt;
   return std::string(buffer.data());
@@ -215,9 +220,9 @@ void OptionBlock::names(const std::string& name, std::vector<std::string>& value
   if (!given) return;
   value = split(*given, ',');
   for (std::size_t i = 0; i < value.size(); ++i) {
-    const bool valid = !value[i].empty() && std::isalpha(static_cast<unsigned char>(value[i][0])) &&
-                       std::all_of(value[i].begin(), value[i].end(),
-                                   [](unsigned char c) { return std::isalnum(c) || c == '_'; });
+    const bool valid =
+        !value[i].empty() && std::isalpha(static_cast<unsigned char>(value[i][0])) &&
+        std::all_of(value[i].begin(), value[i].end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
     if (!valid || std::find(value.begin(), value.begin() + static_cast<std::ptrdiff_t>(i), value[i]) !=
                       value.begin() + static_cast<std::ptrdiff_t>(i))
       refuse(name, *given, "different names of letters, digits and _, separated by commas");

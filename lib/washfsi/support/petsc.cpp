@@ -16,8 +16,8 @@ Vector zeros_like(Vec vector) {
   return result;
 }
 
-PetscErrorCode MutedErrors::remember(MPI_Comm, int, const char*, const char*, PetscErrorCode code,
-                                     PetscErrorType, const char* text, void* self) {
+PetscErrorCode MutedErrors::remember(MPI_Comm, int, const char*, const char*, PetscErrorCode code, PetscErrorType,
+                                     const char* text, void* self) {
   auto& message = static_cast<MutedErrors*>(self)->message_;
   if (message.empty() && text) message = text;
   return code;

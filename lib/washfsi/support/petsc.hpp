@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <petscdmda.h>
-#include <petscksp.h>
-#include <petscsf.h>
-
 #include <concepts>
 #include <exception>
 #include <stdexcept>
 #include <string>
 #include <utility>
+
+#include <petscdmda.h>
+#include <petscksp.h>
+#include <petscsf.h>
 
 namespace washfsi::petsc {
 
@@ -17,8 +17,8 @@ namespace washfsi::petsc {
 class Error : public std::runtime_error {
  public:
   Error(PetscErrorCode code, const char* call, const char* file, int line)
-      : std::runtime_error(std::string(file) + ":" + std::to_string(line) + ": " + call +
-                           " returned PETSc error " + std::to_string(code)),
+      : std::runtime_error(std::string(file) + ":" + std::to_string(line) + ": " + call + " returned PETSc error " +
+                           std::to_string(code)),
         code_(code) {}
   PetscErrorCode code() const noexcept { return code_; }
 
@@ -41,8 +41,8 @@ PetscErrorCode guarded(Body&& body) noexcept {
   } catch (const Error& error) {
     return error.code();
   } catch (const std::exception& error) {
-    return PetscError(PETSC_COMM_SELF, __LINE__, "callback", __FILE__, PETSC_ERR_LIB, PETSC_ERROR_INITIAL,
-                      "%s", error.what());
+    return PetscError(PETSC_COMM_SELF, __LINE__, "callback", __FILE__, PETSC_ERR_LIB, PETSC_ERROR_INITIAL, "%s",
+                      error.what());
   }
 }
 

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/simulation/contact.hpp"
+
+#include <gtest/gtest.h>
+
+#include "washfsi/support/collective.hpp"
+
+namespace washfsi::test {
+namespace {
+
+TEST(Contact, PushesOutwardsWithinItsDistanceAndReactsOnTheBody) {
+  std::vector<Body<2>> bodies(1);
+  bodies[0].name = "roller";
+  bodies[0].shape = std::make_unique<Sphere<2>>(0.1);
+  bodies[0].motion.center = {1, 2};
+  ClothGroup group;
+  group.name = "towel";
+  group.markers = 3;
+  group.fibre.spacing = 0.01;
+  const Cloths<2> cloths(PETSC_COMM_SELF, {group});
+  const ContactOptions contact{.pressure = 100, .distance = 0.02};
+  const Points<2> places{{1.11, 2}, {1, 2.1}, {1.13, 2}};  // half way into the cushion, on the surface, outside
+  std::vector<Load<2>> reactions(1);
+
+  const Points<2> forces = contact_forces<2>(contact, bodies, cloths, places, 0, reactions);
+
+  EXPECT_NEAR(forces[0][0], 100 * 0.01 * 0.25, 1e-9);
+  EXPECT_NEAR(forces[1][1], 100 * 0.01, 1e-9);
+  EXPECT_EQ(forces[2].norm(), 0);
+  EXPECT_LE((reactions[0].force + forces[0] + forces[1]).norm(), 1e-15);
+  EXPECT_NEAR(reactions[0].torque[0], 0, 1e-9);  // all forces are radial
+}
+
+TEST(Contact, IsOffByDefault) {
+  std::vector<Body<2>> bodies(1);
+  bodies[0].shape = std::make_unique<Sphere<2>>(0.1);
+  ClothGroup group;
+  group.markers = 2;
+  group.fibre.spacing = 0.01;
+  std::vector<Load<2>> reactions(1);
+  for (const auto& force :
+       contact_forces<2>({}, bodies, Cloths<2>(PETSC_COMM_SELF, {group}), {{0, 0}, {0.05, 0}}, 0, reactions))
+    EXPECT_EQ(force.norm(), 0);
+}
+
+}  // namespace
+}  // namespace washfsi::test
