@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include "washfsi/simulation/simulation.hpp"
 #include "washfsi/support/collective.hpp"
@@ -22,17 +23,24 @@ void check_options_file(const std::string& path) {
   std::string line;
   for (int number = 1; std::getline(file, line); ++number) {
     const std::size_t start = line.find_first_not_of(" \t\r");
-    if (start == std::string::npos || line[start] == '#' || line[start] == '-') continue;
-    throw InputError("-options_file " + path + ", line " + std::to_string(number) +
-                     ": must begin with - (an option) or # (a comment)");
+    if (start == std::string::npos || line[start] == '#') continue;
+    const std::string where = "-options_file " + path + ", line " + std::to_string(number) + ": ";
+    if (line[start] != '-') throw InputError(where + "must begin with - (an option) or # (a comment)");
+    std::istringstream words(line);
+    std::string option, value, third;
+    words >> option >> value >> third;
+    if (!third.empty() && value[0] != '#' && third[0] != '#')
+      throw InputError(where + "one option and one value (lists without blanks), not " + option + " " + value + " " +
+                       third);
   }
 }
 
 // Every rank looks at the arguments, rank 0's findings count. Returns the case's name.
 std::string case_from_arguments(int argc, char** argv) {
   std::string name = "washfsi", problem;
-  for (int i = 1; i + 1 < argc; ++i) {
+  for (int i = 1; i < argc; ++i) {
     if (std::string(argv[i]) != "-options_file") continue;
+    if (i + 1 == argc) throw InputError("-options_file: the name of a file is missing");
     name = std::filesystem::path(argv[i + 1]).stem().string();
     if (rank_of(MPI_COMM_WORLD) != 0) continue;
     try {

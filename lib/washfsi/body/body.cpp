@@ -65,6 +65,7 @@ std::vector<Body<Dim>> bodies_from_options(Options& options) {
   });
   if (options.help() && names.empty()) names = {"drum"};  // so that -help shows a body's options
   std::vector<Body<Dim>> bodies;
+  for (const auto& name : names) options.claim_prefix(name, "-bodies");
   for (const auto& name : names) bodies.push_back(Body<Dim>::from_options(options, name));
   return bodies;
 }

@@ -17,6 +17,7 @@ Mask<Dim>::Mask(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies)
 
 template <int Dim>
 void Mask<Dim>::update(double time) {
+  const petsc::LogPart part("bodies");
   const FaceView<Dim> fraction(grid_.face_dm(), fraction_), solid(grid_.face_dm(), solid_velocity_);
   const FaceView<Dim> holder(grid_.face_dm(), body_);
   for_each<Dim>(grid_.owned(), [&](const Index<Dim>& face) {

@@ -32,7 +32,8 @@ class Mask {
   void hold(Vec velocity) const;
 
   /// Load on each body from the force density by which the bodies held the water over a step that ended at `time`,
-  /// less the inertia of the water inside them and what the walls of the box held for them. Collective.
+  /// less the inertia of the water inside them and what the walls of the box held for them: their pressure, not their
+  /// shear, so a drum that reaches the walls and turns lacks the shear of its corners there. Collective.
   std::vector<Load<Dim>> loads(Vec constraint_force, Vec density, Vec pressure, double time) const;
 
  private:

@@ -51,10 +51,7 @@ void Cloths<Dim>::build_halo() {
     WASH_PETSC(PetscLayoutFindOwnerIndex(layout, marker, &rank, &index));
     sources[static_cast<std::size_t>(marker - halo_begin_)] = {rank, index};
   }
-  WASH_PETSC(PetscSFCreate(comm_, halo_.put()));
-  WASH_PETSC(PetscSFSetGraph(halo_, end_ - begin_, static_cast<PetscInt>(sources.size()), nullptr, PETSC_COPY_VALUES,
-                             sources.data(), PETSC_COPY_VALUES));
-  WASH_PETSC(PetscSFSetUp(halo_));
+  halo_ = petsc::star_forest(comm_, owned(), sources);
 }
 
 template <int Dim>
@@ -99,7 +96,7 @@ std::span<const Point<Dim>> Cloths<Dim>::visible(const Points<Dim>& with_halo, c
 
 template <int Dim>
 Points<Dim> Cloths<Dim>::elastic_forces(const Points<Dim>& positions, const Points<Dim>& velocities) const {
-  const petsc::LogEvent event("cloth_force");
+  const petsc::LogPart log("cloth_force");
   const Points<Dim> x = with_halo(positions), u = with_halo(velocities);
   Points<Dim> result(owned(), Point<Dim>::Zero());
   for (const Part& part : parts_) {

@@ -9,7 +9,7 @@ ClothGroup ClothGroup::from_options(Options& options, const std::string& name) {
   group.fibre = {.spacing = 0, .ke = 8e3, .kb = 1e-5, .damping = 0, .thickness = 2.4e-4};
   constexpr Range two_or_more{2.0, 1e9, false, "a whole number >= 2"};
   options.block(name + "_", "Cloth group " + name, [&](OptionBlock& block) {
-    block.integer("count", group.count, non_negative_integer, "number of cloths in this group");
+    block.integer("count", group.count, at_least_one, "number of cloths in this group");
     block.real("size", group.size, "m", positive, "physical length of a cloth: markers times spacing");
     block.integer("markers", group.markers, two_or_more, "markers along a cloth");
     block.real("ke", group.fibre.ke, "N/m", positive, "extensional stiffness");
@@ -30,6 +30,7 @@ std::vector<ClothGroup> cloth_groups_from_options(Options& options) {
                 [&](OptionBlock& block) { block.names("cloths", names, "names of the groups of cloths"); });
   if (options.help() && names.empty()) names = {"towel"};  // so that -help shows a group's options
   std::vector<ClothGroup> groups;
+  for (const auto& name : names) options.claim_prefix(name, "-cloths");
   for (const auto& name : names) groups.push_back(ClothGroup::from_options(options, name));
   return groups;
 }

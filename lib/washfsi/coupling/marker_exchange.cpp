@@ -43,10 +43,7 @@ void MarkerExchange<Dim>::rebuild() {
   for (std::size_t rank = 0; rank < ranks; ++rank)
     for (int i = received_start[rank]; i < received_start[rank] + received[rank]; ++i)
       sources.push_back({static_cast<PetscInt>(rank), incoming[static_cast<std::size_t>(i)]});
-  WASH_PETSC(PetscSFCreate(grid_.comm(), forest_.put()));
-  WASH_PETSC(PetscSFSetGraph(forest_, static_cast<PetscInt>(cell_owner_.size()), static_cast<PetscInt>(here_), nullptr,
-                             PETSC_COPY_VALUES, sources.data(), PETSC_COPY_VALUES));
-  WASH_PETSC(PetscSFSetUp(forest_));
+  forest_ = petsc::star_forest(grid_.comm(), cell_owner_.size(), sources);
 }
 
 template <int Dim>

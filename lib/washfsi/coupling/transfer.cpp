@@ -75,7 +75,7 @@ void Transfer<Dim>::add_to_local(const Points<Dim>& values, Vec local) const {
 
 template <int Dim>
 Point<Dim> Transfer<Dim>::spread(const Points<Dim>& forces, Vec force) const {
-  const petsc::LogEvent event("spread");
+  const petsc::LogPart part("spread");
   const petsc::LocalVector local(grid_.face_dm());
   add_to_local(exchange_.to_cells(forces), local);
   const Point<Dim> kept = grid_.cell_volume() * boundary_.fold(local);
@@ -86,7 +86,7 @@ Point<Dim> Transfer<Dim>::spread(const Points<Dim>& forces, Vec force) const {
 
 template <int Dim>
 void Transfer<Dim>::spread_mass(const std::vector<double>& masses, Vec density) const {
-  const petsc::LogEvent event("spread");
+  const petsc::LogPart part("spread");
   const petsc::LocalVector local(grid_.face_dm());
   Points<Dim> values;
   for (const double mass : exchange_.to_cells(masses)) values.push_back(Point<Dim>::Constant(mass));
@@ -97,7 +97,7 @@ void Transfer<Dim>::spread_mass(const std::vector<double>& masses, Vec density) 
 
 template <int Dim>
 Points<Dim> Transfer<Dim>::interpolate(Vec local_velocity) const {
-  const petsc::LogEvent event("interpolate");
+  const petsc::LogPart part("interpolate");
   const ConstFaceView<Dim> u(grid_.face_dm(), local_velocity);
   Points<Dim> velocities(here_.size(), Point<Dim>::Zero());
   for (std::size_t m = 0; m < here_.size(); ++m)

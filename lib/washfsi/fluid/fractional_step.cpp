@@ -60,7 +60,7 @@ void FractionalStep<Dim>::advance(double dt, const StepFields& fields) {
 
 template <int Dim>
 void FractionalStep<Dim>::predict(double dt, const StepFields& fields) {
-  const petsc::LogEvent event("momentum");
+  const petsc::LogPart part("momentum");
   dt_ = dt;
   explicit_terms(dt, fields);
   // the guess: linear extrapolation of the two last velocities
@@ -94,7 +94,7 @@ void FractionalStep<Dim>::explicit_terms(double dt, const StepFields& fields) {
 template <int Dim>
 void FractionalStep<Dim>::project() {
   if (!projects_) return;
-  const petsc::LogEvent event("pressure");
+  const petsc::LogPart part("pressure");
   double speed = 0;
   WASH_PETSC(VecNorm(intermediate_, NORM_INFINITY, &speed));
   speed = std::max(speed, boundary_.largest_speed(time_ + dt_));

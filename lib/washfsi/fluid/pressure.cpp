@@ -8,6 +8,7 @@
 
 #include "washfsi/fluid/krylov.hpp"
 #include "washfsi/fluid/stencils.hpp"
+#include "washfsi/fluid/transform_preconditioner.hpp"
 #include "washfsi/support/collective.hpp"
 #include "washfsi/support/errors.hpp"
 
@@ -15,7 +16,8 @@ namespace washfsi {
 
 namespace {
 
-/// Assembles -div( ratio grad ) on a DM; ratio(cell, d) is that of the cell's lower d-face, 0 in the boundary.
+/// Assembles -div( ratio grad ) times the cell volume on a DM, the form whose coarse versions fit multigrid's sums over
+/// cells; ratio(cell, d) is that of the cell's lower d-face, 0 in the boundary.
 template <int Dim, class Ratio>
 void assemble_laplacian(DM dm, const Point<Dim>& extent, Mat matrix, const Ratio& ratio) {
   DMDALocalInfo info;
@@ -44,7 +46,7 @@ void assemble_laplacian(DM dm, const Point<Dim>& extent, Mat matrix, const Ratio
     for (int d = 0; d < Dim; ++d)
       for (const int step : {-1, 1}) {
         const Index<Dim> neighbour = shifted<Dim>(cell, d, step);
-        const double weight = ratio(step < 0 ? cell : neighbour, d) / (h[d] * h[d]);
+        const double weight = h.prod() * ratio(step < 0 ? cell : neighbour, d) / (h[d] * h[d]);
         if (weight == 0) continue;
         columns[static_cast<std::size_t>(used)] = stencil_of(neighbour);
         values[static_cast<std::size_t>(used++)] = -weight;
@@ -85,8 +87,9 @@ PressureSolver<Dim>::PressureSolver(const Grid<Dim>& grid, double reference_dens
   WASH_PETSC(KSPSetTolerances(solver_, 1e-50, PETSC_DEFAULT, 1e50, 1000));
   PC pc = nullptr;
   WASH_PETSC(KSPGetPC(solver_, &pc));
-  WASH_PETSC(PCSetType(pc, PCHYPRE));
-  WASH_PETSC(PCHYPRESetType(pc, "boomeramg"));
+  WASH_PETSC(PCSetDM(pc, grid.stencil_dm()));
+  register_transform_preconditioner();
+  WASH_PETSC(PCSetType(pc, "transform"));
   const petsc::Vector uniform = grid.face_vector();
   WASH_PETSC(VecSet(uniform, reference_density_));
   set_density(uniform);
@@ -100,8 +103,12 @@ void PressureSolver<Dim>::set_preconditioner_defaults() {
   std::array<char, 64> type{};
   WASH_PETSC(PetscOptionsGetString(nullptr, "pressure_", "-pc_type", type.data(), type.size(), nullptr));
   const std::string chosen = type.data();
-  if (chosen.empty() || chosen == PCHYPRE)  // its own choice, Gaussian elimination, fails on the singular matrix
+  if (chosen == PCHYPRE) {
+    petsc::set_default_option("-pressure_pc_hypre_type", "boomeramg");
+    // its own choice, Gaussian elimination, fails on the singular matrix
     petsc::set_default_option("-pressure_pc_hypre_boomeramg_relax_type_coarse", "symmetric-SOR/Jacobi");
+  }
+  if (chosen == PCGAMG) petsc::set_default_option("-pressure_mg_coarse_sub_pc_type", "svd");
   if (chosen == PCMG) configure_multigrid();
 }
 
@@ -125,8 +132,6 @@ void PressureSolver<Dim>::configure_multigrid() {
   petsc::set_default_option("-pressure_pc_mg_levels", std::to_string(levels));
   petsc::set_default_option("-pressure_mg_coarse_pc_type", "redundant");
   petsc::set_default_option("-pressure_mg_coarse_redundant_pc_type", "svd");  // the coarse matrix is singular too
-  WASH_PETSC(KSPSetDM(solver_, grid_.stencil_dm()));
-  WASH_PETSC(KSPSetDMActive(solver_, PETSC_FALSE));
   WASH_PETSC(DMKSPSetComputeOperators(grid_.stencil_dm(), &PressureSolver::assemble_coarse, this));
 }
 
@@ -202,7 +207,7 @@ void PressureSolver<Dim>::apply(Vec x, Vec y) {
   const ConstCellView<Dim> phi(grid_.stencil_dm(), local_phi_);
   const ConstFaceView<Dim> ratio(grid_.face_dm(), ratio_);
   const CellView<Dim> result(grid_.stencil_dm(), y);
-  const Point<Dim> weight = grid_.spacing().cwiseProduct(grid_.spacing()).cwiseInverse();
+  const Point<Dim> weight = grid_.cell_volume() * grid_.spacing().cwiseProduct(grid_.spacing()).cwiseInverse();
   for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) {
     double sum = 0;
     for (int d = 0; d < Dim; ++d) {
@@ -216,7 +221,10 @@ void PressureSolver<Dim>::apply(Vec x, Vec y) {
 
 template <int Dim>
 PetscInt PressureSolver<Dim>::solve(Vec minus_divergence, double tolerance, Vec phi) {
-  return solve_to(solver_, user_sets_atol_ ? 0 : std::max(tolerance, 1e-300), minus_divergence, phi, "pressure");
+  const double volume = grid_.cell_volume();
+  WASH_PETSC(VecScale(minus_divergence, volume));
+  return solve_to(solver_, user_sets_atol_ ? 0 : std::max(volume * tolerance, 1e-300), minus_divergence, phi,
+                  "pressure");
 }
 
 template <int Dim>

@@ -7,9 +7,9 @@
 namespace washfsi {
 
 /// The projection's Poisson equation (2.2-11, 2.2-28) for phi = dt q / rho_f:
-///   -div( (rho_f/rho) grad phi ) = -div u*,   n . grad phi = 0 on the boundary,
-/// so that u* - (rho_f/rho) grad phi has the solver's residual as its divergence. Matrix-free CG, PETSc prefix
-/// pressure_; an assembled matrix serves preconditioners that want entries (hypre, mg, gamg).
+///   -div( (rho_f/rho) grad phi ) = -div u*,   n . grad phi = 0 on the boundary,    each times the cell volume,
+/// so that u* - (rho_f/rho) grad phi has the solver's residual per volume as its divergence. Matrix-free CG, PETSc
+/// prefix pressure_; an assembled matrix serves preconditioners that want entries (hypre, mg, gamg).
 template <int Dim>
 class PressureSolver {
  public:
@@ -19,7 +19,8 @@ class PressureSolver {
   /// Takes the face densities [kg/m3] of this step. Collective.
   void set_density(Vec density);
 
-  /// Solves to a residual whose norm is below `tolerance` [1/s]; `phi` holds a guess, then the solution.
+  /// Solves to a residual whose norm is below `tolerance` [1/s]; `phi` holds a guess, then the solution;
+  /// `minus_divergence` is used up.
   /// Returns the iterations. Collective. Errors: DivergedError.
   PetscInt solve(Vec minus_divergence, double tolerance, Vec phi);
 

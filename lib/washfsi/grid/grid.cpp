@@ -102,6 +102,7 @@ void Grid<Dim>::create_partition() {
     }
   }
   WASH_PETSC(DMDASetInterpolationType(stencil_dm_, DMDA_Q0));  // cell-centred multigrid
+  WASH_PETSC(DMSetApplicationContext(stencil_dm_, this));      // for preconditioners that need the spacing
   std::array<const PetscInt*, 3> lengths{};
   std::array<PetscInt, 3> parts{};
   WASH_PETSC(DMDAGetOwnershipRanges(stencil_dm_, &lengths[0], &lengths[1], &lengths[2]));
@@ -165,6 +166,19 @@ int Grid<Dim>::owner(const Index<Dim>& cell) const {
     rank = rank * static_cast<std::ptrdiff_t>(ends.size()) + part;
   }
   return static_cast<int>(rank);
+}
+
+template <int Dim>
+Box<Dim> Grid<Dim>::owned_by(int rank) const {
+  Box<Dim> box;
+  for (std::size_t d = 0; d < Dim; ++d) {
+    const auto& ends = part_ends_[d];
+    const auto part = static_cast<std::size_t>(rank) % ends.size();
+    rank /= static_cast<int>(ends.size());
+    box.lower[d] = part == 0 ? 0 : ends[part - 1];
+    box.upper[d] = ends[part];
+  }
+  return box;
 }
 
 template <int Dim>

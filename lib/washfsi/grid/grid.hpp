@@ -29,6 +29,8 @@ class Grid {
  public:
   /// Collective. Errors: InputError if a rank's part would be thinner than the ghost layer.
   Grid(MPI_Comm comm, const GridShape<Dim>& shape);
+  Grid(const Grid&) = delete;
+  Grid& operator=(const Grid&) = delete;
 
   MPI_Comm comm() const { return comm_; }
   const Index<Dim>& cells() const { return shape_.cells; }
@@ -42,7 +44,8 @@ class Grid {
 
   DM cell_dm() const { return cell_dm_; }
   DM face_dm() const { return face_dm_; }
-  /// Cell DM with one ghost layer and a star stencil: for the pressure operator and its preconditioners.
+  /// Cell DM with one ghost layer and a star stencil: for the pressure operator and its preconditioners;
+  /// its application context is this grid.
   DM stencil_dm() const { return stencil_dm_; }
 
   const Box<Dim>& owned() const { return owned_; }
@@ -57,6 +60,8 @@ class Grid {
   Index<Dim> cell_of(const Point<Dim>& point) const;
   /// The rank that owns a cell of the box.
   int owner(const Index<Dim>& cell) const;
+  /// The cells that another rank owns.
+  Box<Dim> owned_by(int rank) const;
   /// Whether a point lies in the box (always, along periodic directions).
   bool contains(const Point<Dim>& point) const;
 

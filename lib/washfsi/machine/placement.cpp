@@ -99,10 +99,10 @@ class Placer {
 
   bool is_free(const Segment<Dim>& segment, const PlacementOptions<Dim>& options) const {
     const Point<Dim> along = segment.to - segment.from;
-    for (double walked = 0; walked <= 1;) {  // sphere tracing: a distance d clears the next d of the cloth
+    for (double walked = 0; walked <= 1;) {  // sphere tracing: what a distance exceeds the clearance by lies free ahead
       const double distance = nearest_distance<Dim>(bodies_, segment.from + walked * along, 0.0);
       if (distance < options.clearance) return false;
-      walked += std::max(0.5 * distance, options.clearance) / along.norm();
+      walked += std::max(distance - options.clearance, 0.02 * options.clearance) / along.norm();
     }
     if (nearest_distance<Dim>(bodies_, segment.to, 0.0) < options.clearance) return false;
     for (const auto& end : {segment.from, segment.to})

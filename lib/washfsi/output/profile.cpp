@@ -94,6 +94,7 @@ std::vector<Profile<Dim>> profiles_from_options(Options& options, const Point<Di
   if (options.help() && names.empty()) names = {"line"};
   std::vector<Profile<Dim>> profiles;
   for (const auto& name : names) {
+    options.claim_prefix(name, "-profiles");
     Profile<Dim> profile;
     profile.name = name;
     options.block(name + "_", "Profile " + name, [&](OptionBlock& block) {

@@ -13,7 +13,7 @@ struct ProgressState {
   long step = 0;
   double time = 0, end = 0;  ///< [s]
   double courant = 0;
-  double momentum_iterations = 0, pressure_iterations = 0;  ///< of the last step
+  double momentum_iterations = 0, pressure_iterations = 0;  ///< means over the run
 };
 
 /// The progress on rank 0's terminal: one line that renews itself, or a plain line every few seconds when piped.

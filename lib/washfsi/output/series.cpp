@@ -74,7 +74,7 @@ FlowSeries<Dim>::FlowSeries(const Grid<Dim>& grid, const Boundary<Dim>& boundary
 
 template <int Dim>
 void FlowSeries<Dim>::write(double time, long step, Vec velocity, Vec pressure) {
-  const petsc::LogEvent event("output");
+  const petsc::LogPart part("output");
   const CentredFlow<Dim> flow(grid_, boundary_, velocity, time);
   std::vector<double> p;
   {
@@ -109,7 +109,7 @@ BodySeries<Dim>::BodySeries(const Grid<Dim>& grid, const std::vector<Body<Dim>>&
 
 template <int Dim>
 void BodySeries<Dim>::write(double time, long step) {
-  const petsc::LogEvent event("output");
+  const petsc::LogPart part("output");
   const Slab scalar = field_slab(grid_, 1);
   file_.add(
       time, step,
@@ -169,7 +169,7 @@ void ClothSeries<Dim>::write_topology() {
 
 template <int Dim>
 void ClothSeries<Dim>::write(double time, long step, const Points<Dim>& positions, const Points<Dim>& velocities) {
-  const petsc::LogEvent event("output");
+  const petsc::LogPart part("output");
   const Slab vector = marker_slab(cloths_.marker_count(), cloths_.begin(), cloths_.end(), 3);
   const Slab scalar = marker_slab(cloths_.marker_count(), cloths_.begin(), cloths_.end(), 1);
   const std::vector<double> stress = cloths_.stresses(positions);

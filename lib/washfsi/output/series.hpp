@@ -13,6 +13,7 @@ template <int Dim>
 class FlowSeries {
  public:
   FlowSeries(const Grid<Dim>& grid, const Boundary<Dim>& boundary, const std::string& folder, long restart_step);
+  bool is_new() const { return file_.is_new(); }
   /// Collective.
   void write(double time, long step, Vec velocity, Vec pressure);
 

@@ -43,6 +43,19 @@ Points<Dim> read_points(Hdf5File& file, const std::string& name, const Cloths<Di
   return points;
 }
 
+// What a checkpoint must share with the run that goes on from it: the box, and every cloth's markers and spacing.
+template <int Dim>
+std::vector<double> identity(const System<Dim>& system) {
+  std::vector<double> numbers;
+  for (int d = 0; d < Dim; ++d) numbers.push_back(system.grid.lower()[d]);
+  for (int d = 0; d < Dim; ++d) numbers.push_back(system.grid.upper()[d]);
+  for (const Piece& piece : system.cloths.pieces()) {
+    numbers.push_back(static_cast<double>(piece.count));
+    numbers.push_back(system.cloths.groups()[piece.group].fibre.spacing);
+  }
+  return numbers;
+}
+
 // A short array that all ranks hold; rank 0 writes it.
 Slab shared_slab(MPI_Comm comm, std::size_t size, bool writing) {
   const bool silent = writing && rank_of(comm) != 0;
@@ -54,7 +67,7 @@ Slab shared_slab(MPI_Comm comm, std::size_t size, bool writing) {
 template <int Dim>
 void write_checkpoint(const std::string& folder, const System<Dim>& system, Measures<Dim>& measures,
                       const RunState& state) {
-  const petsc::LogEvent event("output");
+  const petsc::LogPart part("output");
   const std::string path = folder + "/checkpoint.h5", temporary = path + ".part";
   const MPI_Comm comm = system.grid.comm();
   Hdf5File file(comm, temporary, Hdf5File::Mode::create);
@@ -75,6 +88,8 @@ void write_checkpoint(const std::string& folder, const System<Dim>& system, Meas
     file.write("/cloth/velocity", slab_of_markers(system.cloths, Dim), flattened<Dim>(system.velocities));
     file.write("/cloth/stress_time", slab_of_markers(system.cloths, 1), measures.stress_time());
   }
+  const std::vector<double> numbers = identity(system);
+  file.write("/identity", shared_slab(comm, numbers.size(), true), numbers);
   file.write("/totals", shared_slab(comm, measures.totals_count(), true), measures.totals());
   file.close();
   bool renamed = true;
@@ -91,6 +106,9 @@ RunState read_checkpoint(const std::string& path, System<Dim>& system, Measures<
   const MPI_Comm comm = system.grid.comm();
   try {
     Hdf5File file(comm, path, Hdf5File::Mode::read);
+    const std::vector<double> numbers = identity(system);
+    if (file.read("/identity", shared_slab(comm, numbers.size(), false)) != numbers)
+      throw InputError(path + ": the box or the cloths' markers are others");
     for (const auto& [name, vector] : system.fluid.face_state())
       read_vector(file, "/fluid/" + name, field_slab(system.grid, Dim), vector);
     for (const auto& [name, vector] : system.fluid.cell_state())
@@ -101,6 +119,7 @@ RunState read_checkpoint(const std::string& path, System<Dim>& system, Measures<
       measures.stress_time() = file.read("/cloth/stress_time", slab_of_markers(system.cloths, 1));
     }
     measures.set_totals(file.read("/totals", shared_slab(comm, measures.totals_count(), false)));
+    system.locate_cloth();
     system.fluid.set_time(file.attribute("/", "time"));
     system.fluid.set_has_history(file.attribute("/", "has_history") != 0);
     system.fluid.set_counts({.momentum = file.attribute("/", "momentum_iterations"),

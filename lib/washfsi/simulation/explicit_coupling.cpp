@@ -32,8 +32,7 @@ void ExplicitCoupling<Dim>::advance(System<Dim>& system, double dt) {
   Points<Dim> forces = system.cloths.elastic_forces(system.positions, system.velocities);
   add_external_forces(system, forces);
 
-  system.transfer.locate(system.positions);
-  system.spread_density();
+  system.locate_cloth();
   WASH_PETSC(VecZeroEntries(system.force));
   system.wall_reaction = system.transfer.spread(forces, system.force);
 

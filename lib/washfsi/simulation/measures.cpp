@@ -34,6 +34,7 @@ void Measures<Dim>::observe_start(double dt) {
 
 template <int Dim>
 void Measures<Dim>::observe(double dt) {
+  const petsc::LogPart part("measures");
   flow_ = FlowDiagnostics<Dim>::of(system_.grid, system_.boundary, system_.fluid.velocity(), system_.density,
                                    system_.fluid.time(), dt);
   largest_divergence_ = std::max(largest_divergence_, flow_.max_divergence);

@@ -7,7 +7,8 @@ RunOptions RunOptions::from_options(Options& options) {
   RunOptions run;
   options.block("", "Run", [&](OptionBlock& block) {
     block.require("time_end", "the time at which the run ends, in s");
-    block.real("time_step", run.time_step, "s", non_negative, "length of a step; 0: half of the automatic bound");
+    block.real("time_step", run.time_step, "s", non_negative,
+               "length of a step; 0: half of the cloth's bound or a CFL number of 0.3, the shorter");
     block.real("time_end", run.time_end, "s", positive, "time at which the run ends");
     block.integer("max_steps", run.max_steps, non_negative_integer, "stop after so many steps; 0: no limit");
     block.real("time_max_cfl", run.max_courant, "-", positive, "a run whose CFL number exceeds this has diverged");

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/simulation/results.hpp"
 
+#include <cmath>
+#include <filesystem>
+
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
@@ -26,8 +29,17 @@ Results<Dim>::Results(const System<Dim>& system, const Measures<Dim>& measures, 
       flow_(system.grid, system.boundary, folder_, restart_step) {
   if (!system.bodies.empty()) bodies_.emplace(system.grid, system.bodies, folder_, restart_step);
   if (system.cloths.marker_count() > 0) cloth_.emplace(system.grid.comm(), system.cloths, folder_, restart_step);
-  history_.emplace(system.grid.comm(), folder_ + "/history.csv", measures.columns(), restart_step);
-  last_frame_ = restart_step;
+  if (!flow_.is_new()) last_frame_ = restart_step;
+}
+
+template <int Dim>
+bool Results<Dim>::holds_a_run(MPI_Comm comm, const std::string& folder) {
+  return any_rank(comm, rank_of(comm) == 0 && std::filesystem::exists(folder + "/history.csv"));
+}
+
+template <int Dim>
+void Results<Dim>::open_history(long restart_step) {
+  history_.emplace(system_.grid.comm(), folder_ + "/history.csv", measures_.columns(), restart_step);
 }
 
 template <int Dim>
@@ -72,7 +84,7 @@ void Results<Dim>::write_summary(const RunSummary& summary) const {
   json["seconds_per_step"] = summary.seconds_per_step;
   json["iterations"] = {{"momentum", counts.momentum / steps}, {"pressure", counts.pressure / steps}, {"cloth", 0}};
   json["max_divergence"] = measures_.largest_divergence();
-  json["peak_memory_bytes"] = peak_memory(system_.grid.comm());
+  json["peak_memory_bytes"] = std::llround(peak_memory(system_.grid.comm()));
   json["bodies"] = nlohmann::ordered_json::object();
   for (std::size_t b = 0; b < system_.bodies.size(); ++b) {
     const Load<Dim>& load = measures_.loads()[b];

@@ -27,6 +27,11 @@ class Results {
   Results(const System<Dim>& system, const Measures<Dim>& measures, std::vector<Profile<Dim>> profiles,
           std::string folder, long restart_step);
 
+  /// Whether a folder has the history of an earlier run. Collective.
+  static bool holds_a_run(MPI_Comm comm, const std::string& folder);
+
+  /// Starts history.csv, or continues it after `restart_step`. Collective. Errors: FileError.
+  void open_history(long restart_step);
   /// A frame of each series.
   void write_frame(long step);
   /// A row of history.csv.

@@ -52,21 +52,20 @@ Simulation<Dim>::Simulation(Options& options, std::string case_name)
   system_ = std::make_unique<System<Dim>>(options.comm(), system, std::move(bodies));
   scheme_ = make_coupling_scheme<Dim>(run_.coupling);
   measures_ = std::make_unique<Measures<Dim>>(*system_);
-  choose_time_step(options);
   if (!run_.restart.empty()) {
-    const RunState restarted = read_checkpoint<Dim>(run_.restart, *system_, *measures_);
-    state_.step = first_step_ = restarted.step;
-    if (run_.time_step == 0) state_.dt = restarted.dt;
+    state_ = read_checkpoint<Dim>(run_.restart, *system_, *measures_);
+    first_step_ = state_.step;
   }
+  choose_time_step();
   options.record("time_step", state_.dt);
   options.reject_unread();
   start_results(options);
 }
 
 template <int Dim>
-void Simulation<Dim>::choose_time_step(Options&) {
-  state_.dt = run_.time_step;
-  if (state_.dt > 0) return;
+void Simulation<Dim>::choose_time_step() {
+  if (run_.time_step > 0) state_.dt = run_.time_step;
+  if (state_.dt > 0) return;  // the user's, or that of the checkpoint
   state_.dt = std::min(0.5 * cloth_step_bound<Dim>(*system_), flow_step_bound<Dim>(*system_));
   if (!std::isfinite(state_.dt))
     throw InputError("-time_step is missing: nothing moves at the start from which it could be chosen");
@@ -75,9 +74,14 @@ void Simulation<Dim>::choose_time_step(Options&) {
 template <int Dim>
 void Simulation<Dim>::start_results(Options& options) {
   make_writable_folder(options.comm(), run_.output_dir);
+  if (run_.check && Results<Dim>::holds_a_run(options.comm(), run_.output_dir)) {
+    run_.output_dir += "/check";  // a check must not spoil the results of a run
+    make_writable_folder(options.comm(), run_.output_dir);
+  }
   write_text_file(options.comm(), run_.output_dir + "/resolved.opts", options.resolved());
-  results_ = std::make_unique<Results<Dim>>(*system_, *measures_, profiles_, run_.output_dir,
-                                            run_.restart.empty() ? -1 : state_.step);
+  const long continues_from = run_.restart.empty() || run_.check ? -1 : state_.step;
+  results_ = std::make_unique<Results<Dim>>(*system_, *measures_, profiles_, run_.output_dir, continues_from);
+  if (!run_.check) results_->open_history(continues_from);
   measures_->observe_start(state_.dt);
   results_->write_frame(state_.step);
 }
@@ -174,7 +178,7 @@ void Simulation<Dim>::print_banner() {
                    " markers)");
   progress_.note("  solvers   momentum " + chosen_type("-momentum_ksp_type", "gmres") + "/" +
                  chosen_type("-momentum_pc_type", "jacobi") + ", pressure " + chosen_type("-pressure_ksp_type", "cg") +
-                 "/" + chosen_type("-pressure_pc_type", "hypre"));
+                 "/" + chosen_type("-pressure_pc_type", "transform"));
   const double bound = cloth_step_bound<Dim>(system);
   progress_.note(format("  time      step %.4g s, end %.4g s", state_.dt, run_.time_end) +
                  (std::isfinite(bound) ? format(", bound of the explicit coupling %.4g s", bound) : ""));
@@ -184,14 +188,14 @@ void Simulation<Dim>::print_banner() {
 template <int Dim>
 void Simulation<Dim>::check_only() {
   const double memory = peak_memory(system_->grid.comm());
-  const double before = progress_.wall_seconds();
+  const double before = progress_.wall_seconds(), start = system_->fluid.time();
   constexpr int trial_steps = 3;
   for (int n = 0; n < trial_steps; ++n) scheme_->advance(*system_, state_.dt);  // only to time them
   const double per_step = (progress_.wall_seconds() - before) / trial_steps;
-  const double steps = std::ceil((run_.time_end - system_->fluid.time()) / state_.dt);
+  const double steps = std::ceil((run_.time_end - start) / state_.dt - 1e-6);
   progress_.note(format("  memory    about %.0f MB", memory / 1e6));
   progress_.note(format("  duration  about %.0f s: %.0f steps of %.1f ms", steps * per_step, steps, 1e3 * per_step));
-  progress_.note("check passed; the state at t = 0 is in " + run_.output_dir);
+  progress_.note(format("check passed; the state at t = %.6g s is in ", start) + run_.output_dir);
 }
 
 template <int Dim>

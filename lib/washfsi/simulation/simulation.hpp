@@ -23,7 +23,7 @@ class Simulation {
   void run();
 
  private:
-  void choose_time_step(Options& options);
+  void choose_time_step();
   void start_results(Options& options);
   void print_banner();
   void check_only();

@@ -56,12 +56,12 @@ System<Dim>::System(MPI_Comm comm, const SystemOptions<Dim>& options, std::vecto
   positions.assign(all.begin() + cloths.begin(), all.begin() + cloths.end());
   velocities.assign(positions.size(), Point<Dim>::Zero());
   contact_loads.resize(bodies.size());
-  transfer.locate(positions);
-  spread_density();
+  locate_cloth();
 }
 
 template <int Dim>
-void System<Dim>::spread_density() {
+void System<Dim>::locate_cloth() {
+  transfer.locate(positions);
   WASH_PETSC(VecSet(density, fluid_density));
   transfer.spread_mass(cloths.marker_masses(), density);
 }

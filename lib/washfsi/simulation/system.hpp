@@ -33,8 +33,9 @@ struct System {
   System(const System&) = delete;
   System& operator=(const System&) = delete;
 
-  /// Density of water and cloth at the markers' present places, on faces [kg/m3]. Needs `transfer.locate`. Collective.
-  void spread_density();
+  /// Fixes spread and interpolate, and the density of water and cloth, at the markers' present places. Collective.
+  /// Errors: DivergedError if a marker has left the box.
+  void locate_cloth();
 
   Grid<Dim> grid;
   Boundary<Dim> boundary;

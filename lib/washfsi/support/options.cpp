@@ -29,6 +29,7 @@ std::vector<std::string> split(const std::string& list, char separator) {
   std::vector<std::string> words;
   std::istringstream stream(list);
   for (std::string word; std::getline(stream, word, separator);) words.push_back(word);
+  if (!list.empty() && list.back() == separator) words.emplace_back();  // "1,2," has three words
   return words;
 }
 
@@ -96,6 +97,15 @@ void Options::block(const std::string& prefix, const std::string& title,
     }
   }));
   if (failure) std::rethrow_exception(failure);
+}
+
+void Options::claim_prefix(const std::string& name, const std::string& option) {
+  static constexpr std::array<std::string_view, 14> ours{"grid",     "bc",     "fluid",  "body",      "bodies",
+                                                         "cloth",    "cloths", "delta",  "contact",   "momentum",
+                                                         "pressure", "time",   "output", "checkpoint"};
+  const bool reserved = std::find(ours.begin(), ours.end(), name) != ours.end() || belongs_to_petsc(name + "_");
+  if (reserved || !claimed_.insert(name).second)
+    throw InputError(option + " " + name + ": this name is taken by another part of the run; choose another");
 }
 
 void Options::record(const std::string& name, double value) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -82,6 +83,9 @@ class Options {
   void record(const std::string& name, const std::string& value) { values_[name] = value; }
   void record(const std::string& name, double value);
 
+  /// Takes a name that the user chose as the prefix of options: it must be no other part's. Errors: InputError.
+  void claim_prefix(const std::string& name, const std::string& option);
+
   /// Stops if the user gave an option that nobody read; PETSc's own options pass. Call once all parts are set up.
   void reject_unread() const;
 
@@ -102,6 +106,7 @@ class Options {
   MPI_Comm comm_;
   bool help_ = false;
   std::map<std::string, std::string> values_;
+  std::set<std::string> claimed_;  ///< prefixes chosen by the user
 };
 
 /// Shortest text that reads back as the same number.

@@ -16,6 +16,16 @@ Vector zeros_like(Vec vector) {
   return result;
 }
 
+StarForest star_forest(MPI_Comm comm, std::size_t roots, const std::vector<PetscSFNode>& sources) {
+  StarForest forest;
+  std::vector<PetscSFNode> copy = sources;  // PETSc asks for writable memory
+  WASH_PETSC(PetscSFCreate(comm, forest.put()));
+  WASH_PETSC(PetscSFSetGraph(forest, static_cast<PetscInt>(roots), static_cast<PetscInt>(copy.size()), nullptr,
+                             PETSC_COPY_VALUES, copy.data(), PETSC_COPY_VALUES));
+  WASH_PETSC(PetscSFSetUp(forest));
+  return forest;
+}
+
 PetscErrorCode MutedErrors::remember(MPI_Comm, int, const char*, const char*, PetscErrorCode code, PetscErrorType,
                                      const char* text, void* self) {
   auto& message = static_cast<MutedErrors*>(self)->message_;
@@ -29,14 +39,23 @@ void set_default_option(const std::string& name, const std::string& value) {
   if (!given) WASH_PETSC(PetscOptionsSetValue(nullptr, name.c_str(), value.c_str()));
 }
 
-LogEvent::LogEvent(const char* name) {
+LogPart::LogPart(const char* name) {
+  PetscLogStage stage = 0;
+  WASH_PETSC(PetscLogStageGetId(name, &stage));
+  if (stage < 0) WASH_PETSC(PetscLogStageRegister(name, &stage));
   WASH_PETSC(PetscLogEventGetId(name, &event_));
   if (event_ < 0) {
     PetscClassId class_id = 0;
     WASH_PETSC(PetscClassIdRegister("washfsi", &class_id));
     WASH_PETSC(PetscLogEventRegister(name, class_id, &event_));
   }
+  WASH_PETSC(PetscLogStagePush(stage));
   WASH_PETSC(PetscLogEventBegin(event_, 0, 0, 0, 0));
+}
+
+LogPart::~LogPart() {
+  (void)PetscLogEventEnd(event_, 0, 0, 0, 0);
+  (void)PetscLogStagePop();
 }
 
 }  // namespace washfsi::petsc

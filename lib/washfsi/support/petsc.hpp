@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <petscdmda.h>
 #include <petscksp.h>
@@ -90,6 +91,10 @@ using Layout = Handle<PetscLayout, PetscLayoutDestroy>;
 /// A new vector of the same layout, set to zero.
 Vector zeros_like(Vec vector);
 
+/// A star forest whose leaf i has the root `sources[i]` (rank and place there), among `roots` roots on this rank.
+/// Collective.
+StarForest star_forest(MPI_Comm comm, std::size_t roots, const std::vector<PetscSFNode>& sources);
+
 /// A temporary local (ghosted) vector of a DM, given back at the end of the scope.
 class LocalVector {
  public:
@@ -124,13 +129,14 @@ class MutedErrors {
 /// Sets an option in the database unless the user has: how our solver defaults reach options-only settings.
 void set_default_option(const std::string& name, const std::string& value);
 
-/// Counts and times one part of the method in -log_view, from construction to the end of the scope.
-class LogEvent {
+/// Counts and times one part of the method in -log_view, as a stage and as an event, from construction to the end of
+/// the scope.
+class LogPart {
  public:
-  explicit LogEvent(const char* name);
-  ~LogEvent() { (void)PetscLogEventEnd(event_, 0, 0, 0, 0); }
-  LogEvent(const LogEvent&) = delete;
-  LogEvent& operator=(const LogEvent&) = delete;
+  explicit LogPart(const char* name);
+  ~LogPart();
+  LogPart(const LogPart&) = delete;
+  LogPart& operator=(const LogPart&) = delete;
 
  private:
   PetscLogEvent event_ = 0;
