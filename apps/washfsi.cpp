@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cctype>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -19,7 +21,8 @@ constexpr const char* help_text =
 // PETSc would answer a bad options file with a trace: look at it first.
 void check_options_file(const std::string& path) {
   std::ifstream file(path);
-  if (!file) throw InputError("-options_file " + path + ": this file cannot be read");
+  if (!file || std::filesystem::is_directory(path))
+    throw InputError("-options_file " + path + ": this file cannot be read");
   std::string line;
   for (int number = 1; std::getline(file, line); ++number) {
     const std::size_t start = line.find_first_not_of(" \t\r");
@@ -35,8 +38,20 @@ void check_options_file(const std::string& path) {
   }
 }
 
+bool is_option(const std::string& word) {
+  return word.size() > 1 && word[0] == '-' && (std::isalpha(static_cast<unsigned char>(word[1])) || word[1] == '-');
+}
+
+// PETSc passes over a word that belongs to no option: most often a forgotten dash.
+void check_for_stray_words(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i)
+    if (!is_option(argv[i]) && !is_option(argv[i - 1]))
+      throw InputError(std::string(argv[i]) + ": this word belongs to no option (options begin with -)");
+}
+
 // Every rank looks at the arguments, rank 0's findings count. Returns the case's name.
 std::string case_from_arguments(int argc, char** argv) {
+  check_for_stray_words(argc, argv);
   std::string name = "washfsi", problem;
   for (int i = 1; i < argc; ++i) {
     if (std::string(argv[i]) != "-options_file") continue;
@@ -79,7 +94,10 @@ int run_program(int argc, char** argv) {
   } catch (const DivergedError& error) {
     return report(error, 3);
   } catch (const FileError& error) {
-    return report(error, 4);
+    (void)report(error, 4);
+    // HDF5 would try once more to close the files that cannot be completed, and crash or hang: leave without it
+    MPI_Barrier(MPI_COMM_WORLD);
+    std::_Exit(4);
   } catch (const std::exception& error) {  // on one rank alone, perhaps: the others cannot go on
     std::fprintf(stderr, "washfsi: rank %d: %s\n", rank_of(MPI_COMM_WORLD), error.what());
     MPI_Abort(MPI_COMM_WORLD, 1);

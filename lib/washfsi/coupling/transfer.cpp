@@ -23,9 +23,7 @@ void Transfer<Dim>::check_inside(const Points<Dim>& positions) const {
     }
   outside = largest(grid_.comm(), outside);
   if (outside.value == 0) return;
-  std::string place;
-  for (int d = 0; d < Dim; ++d) place += (d ? ", " : "") + to_text(outside.place[d]);
-  throw DivergedError("cloth: a marker has left the grid at (" + place + ") m");
+  throw DivergedError("cloth: a marker has left the grid at (" + list_text<Dim>(Point<Dim>(outside.place)) + ") m");
 }
 
 template <int Dim>

@@ -2,8 +2,21 @@
 #include "washfsi/fluid/krylov.hpp"
 
 #include "washfsi/support/errors.hpp"
+#include "washfsi/support/options.hpp"
 
 namespace washfsi {
+
+namespace {
+
+// What the user said of a solver, as he would type it.
+std::string options_with_prefix(const std::string& prefix) {
+  std::string text;
+  for (const auto& [name, value] : Options::database())
+    if (name.starts_with(prefix)) text += (text.empty() ? "-" : " -") + name + " " + value;
+  return text;
+}
+
+}  // namespace
 
 bool set_up_from_options(KSP solver) {
   const char* prefix = nullptr;
@@ -13,8 +26,7 @@ bool set_up_from_options(KSP solver) {
     WASH_PETSC(KSPSetFromOptions(solver));
     WASH_PETSC(KSPSetUp(solver));
   } catch (const petsc::Error&) {
-    throw InputError("-" + std::string(prefix) + "...: the solver cannot be set up with these options (" +
-                     muted.message() + ")");
+    throw InputError(options_with_prefix(prefix) + ": the solver cannot be set up with this (" + muted.message() + ")");
   }
   PetscBool given = PETSC_FALSE;
   WASH_PETSC(PetscOptionsHasName(nullptr, prefix, "-ksp_atol", &given));

@@ -7,6 +7,7 @@
 
 #include "washfsi/support/collective.hpp"
 #include "washfsi/support/errors.hpp"
+#include "washfsi/support/options.hpp"
 
 namespace washfsi {
 
@@ -19,7 +20,9 @@ void check_shape(const GridShape<Dim>& shape) {
       throw InputError("-grid_cells " + std::to_string(shape.cells[d]) + ": must be at least " +
                        std::to_string(shape.ghost_width) + " in each direction");
   for (int d = 0; d < Dim; ++d)
-    if (!(shape.upper[d] > shape.lower[d])) throw InputError("-grid_upper: must exceed -grid_lower in each direction");
+    if (!(shape.upper[d] > shape.lower[d]))
+      throw InputError("-grid_upper " + list_text<Dim>(shape.upper) + ": must exceed -grid_lower " +
+                       list_text<Dim>(shape.lower) + " in each direction");
 }
 
 // The narrow DM decides the partition; the others follow it.

@@ -129,9 +129,7 @@ void check_start(const ClothGroup& group, const std::vector<Body<Dim>>& bodies, 
       where = "inside the solid of body " + body.name;
     }
   if (!bad) return;
-  std::vector<std::string> numbers;
-  for (int d = 0; d < Dim; ++d) numbers.push_back(to_text(place[d]));
-  throw InputError("-" + group.name + "_placement: a cloth starts " + where + ", at (" + join(numbers, ", ") +
+  throw InputError("-" + group.name + "_placement: a cloth starts " + where + ", at (" + list_text<Dim>(place) +
                    ") m; cloths must start in the water");
 }
 

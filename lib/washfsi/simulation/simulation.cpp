@@ -55,6 +55,10 @@ Simulation<Dim>::Simulation(Options& options, std::string case_name)
   if (!run_.restart.empty()) {
     state_ = read_checkpoint<Dim>(run_.restart, *system_, *measures_);
     first_step_ = state_.step;
+    if (finished())
+      throw InputError("-time_end " + to_text(run_.time_end) +
+                       ": must be later than the checkpoint of -restart, which is at " +
+                       to_text(system_->fluid.time()) + " s");
   }
   choose_time_step();
   options.record("time_step", state_.dt);
@@ -102,15 +106,17 @@ void Simulation<Dim>::run() {
     end(stopped ? "stopped" : "finished");
   } catch (const DivergedError& error) {
     end("failed");
-    throw DivergedError("diverged in step " + std::to_string(state_.step) +
-                        " at t = " + format("%.6g", system_->fluid.time()) + " s: " + error.what());
+    throw DivergedError("diverged in step " + std::to_string(attempted_step_) +
+                        " after t = " + format("%.6g", static_cast<double>(attempted_step_ - 1) * state_.dt) +
+                        " s: " + error.what() + "; the velocity was last seen largest " + place_of_largest_velocity());
   }
 }
 
 template <int Dim>
 void Simulation<Dim>::step() {
-  ++state_.step;
+  attempted_step_ = state_.step + 1;
   scheme_->advance(*system_, state_.dt);
+  state_.step = attempted_step_;
   measures_->observe(state_.dt);
   check_health();
   results_->write_row(state_.step, state_.dt);
@@ -141,12 +147,16 @@ template <int Dim>
 void Simulation<Dim>::check_health() const {
   const Located& worst = measures_->flow().courant;
   if (worst.value <= run_.max_courant) return;
-  std::vector<std::string> place;
-  for (int d = 0; d < Dim; ++d) place.push_back(format("%.4g", worst.place[d]));
   const std::string what = std::isfinite(worst.value) ? format("velocity: CFL number %.3g exceeds -time_max_cfl %.3g",
                                                                worst.value, run_.max_courant)
                                                       : std::string("velocity: not finite");
-  throw DivergedError(what + " at (" + join(place, ", ") + ") m; a smaller -time_step may help");
+  throw DivergedError(what);
+}
+
+template <int Dim>
+std::string Simulation<Dim>::place_of_largest_velocity() const {
+  const Located& worst = measures_->flow().courant;
+  return "at (" + list_text<Dim>(Point<Dim>(worst.place)) + ") m" + format(", CFL number %.3g", worst.value);
 }
 
 template <int Dim>

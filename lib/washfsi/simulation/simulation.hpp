@@ -30,6 +30,7 @@ class Simulation {
   void step();
   void watch_step_bound();
   void check_health() const;
+  std::string place_of_largest_velocity() const;
   bool due(double interval) const;
   bool finished() const;
   void end(const std::string& status);
@@ -44,7 +45,7 @@ class Simulation {
   std::unique_ptr<Results<Dim>> results_;
   Progress progress_;
   RunState state_;
-  long first_step_ = 0;
+  long first_step_ = 0, attempted_step_ = 0;
   bool warned_of_step_ = false;
 };
 

@@ -212,7 +212,8 @@ void OptionBlock::boolean(const std::string& name, bool& value, const char* help
 void OptionBlock::text(const std::string& name, std::string& value, const char* help) {
   const auto given = ask(name, value, help);
   if (!given) return;
-  if (given->empty()) refuse(name, "", "a text");
+  const bool blank = std::any_of(given->begin(), given->end(), [](unsigned char c) { return std::isspace(c); });
+  if (given->empty() || blank) refuse(name, *given, "a text without blanks");
   value = *given;
 }
 
@@ -250,6 +251,7 @@ void OptionBlock::reals(const std::string& name, std::vector<double>& value, std
     const std::string count = std::to_string(fewest) + (most > fewest ? " or " + std::to_string(most) : "");
     refuse(name, *given, count + " numbers separated by commas (" + std::to_string(words.size()) + " given)");
   }
+  if (std::find(words.begin(), words.end(), "") != words.end()) refuse(name, *given, "numbers separated by commas");
   value.clear();
   for (const auto& word : words) value.push_back(number(name, word, any_number));
 }

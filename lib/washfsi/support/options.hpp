@@ -111,6 +111,13 @@ class Options {
 
 /// Shortest text that reads back as the same number.
 std::string to_text(double value);
+/// Coordinates as they are written in options: 1,2.5
+template <int Dim>
+std::string list_text(const Point<Dim>& point) {
+  std::string text;
+  for (int d = 0; d < Dim; ++d) text += (d ? "," : "") + to_text(point[d]);
+  return text;
+}
 std::string join(const std::vector<std::string>& words, const std::string& separator);
 std::vector<std::string> split(const std::string& list, char separator);
 

@@ -1,0 +1,197 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A short wash leaves every file that is promised, and what the files say is consistent."""
+
+import csv
+import json
+import pathlib
+import re
+import tempfile
+import unittest
+import xml.etree.ElementTree as ElementTree
+
+import h5py
+import numpy as np
+
+from support import CAVITY, WASH, ProgramTest, read_columns, read_options, read_table, run
+
+CASE = ["-options_file", WASH, "-time_end", 0.05, "-output_interval", 0.01,
+        "-profiles", "middle", "-middle_from", "-0.3,0", "-middle_to", "0.3,0", "-middle_points", 61]
+TIMES = [0, 0.01, 0.02, 0.03, 0.04, 0.05]
+FILES = ["resolved.opts", "summary.json", "history.csv", "profiles/middle.csv", "cloth_final.csv", "checkpoint.h5",
+         "flow.xdmf", "flow.h5", "cloth.xdmf", "cloth.h5", "bodies.xdmf", "bodies.h5"]
+SUMMARY = ["program", "version", "git", "case", "status", "ranks", "steps", "time", "wall_seconds", "seconds_per_step",
+           "iterations", "max_divergence", "peak_memory_bytes", "bodies", "cloths"]
+HISTORY = ["step", "time", "dt", "cfl", "kinetic_energy", "max_divergence"]
+BODIES, CLOTHS, MARKERS = ["drum", "agitator"], ["long", "short"], 400
+SOLVER_OPTION = re.compile(r"-(momentum|pressure|cloth)_(ksp|pc|snes)_")  # PETSc's own, listed under its objects
+
+
+class Agitator:
+    """The vaned agitator of resolved.opts, as Vaned in lib/washfsi/body/shape.cpp."""
+
+    def __init__(self, options):
+        self.hub, self.tip, self.thickness, self.vanes, self.speed, self.frequency = (
+            float(options[f"-agitator_{name}"]) for name in
+            ("hub_radius", "tip_radius", "vane_thickness", "vanes", "angular_speed", "frequency"))
+
+    def angle(self, time):
+        """Returns the angle turned since the start, of a speed that varies as a sine."""
+        rate = 2 * np.pi * self.frequency
+        return self.speed / rate * (1 - np.cos(rate * time))
+
+    def distance(self, x, y, time):
+        """Returns the signed distance of points, negative inside."""
+        sector = 2 * np.pi / self.vanes
+        angle = np.arctan2(y, x) - self.angle(time)
+        angle -= sector * np.round(angle / sector)
+        along, across = np.hypot(x, y) * np.array([np.cos(angle), np.sin(angle)])
+        nearest = np.clip(along, 0, self.tip - self.thickness / 2)
+        return np.minimum(np.hypot(along - nearest, across) - self.thickness / 2, np.hypot(x, y) - self.hub)
+
+
+def frames(file):
+    """Returns the frames of a series in the order of their names."""
+    return [file["frames"][name] for name in sorted(file["frames"])]
+
+
+def cell_centers(file):
+    """Returns x and y of the cells of a series on the grid."""
+    ny, nx = frames(file)[0]["agitator"].shape
+    x, y = (file.attrs[f"lower_{axis}"] + file.attrs[f"spacing_{axis}"] * (np.arange(n) + 0.5)
+            for axis, n in (("x", nx), ("y", ny)))
+    return np.meshgrid(x, y)
+
+
+class Output(ProgramTest):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory(prefix="washfsi_")
+        cls.addClassCleanup(folder.cleanup)
+        cls.root = pathlib.Path(folder.name)
+        cls.outcome = run(2, *CASE, "-output_dir", "out", folder=cls.root)
+        if cls.outcome.returncode != 0:
+            raise AssertionError(cls.outcome.stderr)
+        cls.out = cls.root / "out"
+        cls.options = read_options(cls.out / "resolved.opts")
+
+    def test_leaves_every_file_and_no_complaint(self):
+        self.assertEqual(self.outcome.stderr, "")
+        left = {str(path.relative_to(self.out)) for path in self.out.rglob("*") if path.is_file()}
+        self.assertEqual(left, set(FILES))
+
+    def test_summary(self):
+        summary = json.loads((self.out / "summary.json").read_text())
+        self.assertEqual(list(summary), SUMMARY)
+        self.assertEqual([summary[key] for key in ("program", "case", "status", "ranks", "steps")],
+                         ["washfsi", "wash2d", "finished", 2, 500])
+        self.assertAlmostEqual(summary["time"], 0.05)
+        self.assertEqual(set(summary["iterations"]), {"momentum", "pressure", "cloth"})
+        self.assertEqual(list(summary["bodies"]), BODIES)
+        for body in summary["bodies"].values():
+            self.assertEqual(set(body), {"force", "torque"})
+            self.assertEqual(len(body["force"]), 2)
+        self.assertEqual(list(summary["cloths"]), CLOTHS)
+        for cloth in summary["cloths"].values():
+            self.assertEqual(set(cloth), {"stress_mean", "stress_std", "max_stretch", "tumbles"})
+
+    def test_history(self):
+        names, units, rows = read_table(self.out / "history.csv")
+        wanted = [f"{body}_{measure}" for body in BODIES for measure in ("force_x", "force_y", "torque")]
+        wanted += [f"{cloth}_{measure}" for cloth in CLOTHS
+                   for measure in ("elastic_energy", "stress_mean", "center_x", "center_y")]
+        self.assertEqual(names[:len(HISTORY)], HISTORY)
+        self.assertLessEqual(set(wanted), set(names))
+        self.assertEqual(len(units), len(names))
+        self.assertTrue(all(units))
+        np.testing.assert_array_equal(rows[:, 0], np.arange(1, 501))
+        np.testing.assert_allclose(rows[:, 1], 1e-4 * np.arange(1, 501))
+        self.assertTrue(np.isfinite(rows).all())
+
+    def test_profile(self):
+        names, units, rows = read_table(self.out / "profiles" / "middle.csv")
+        self.assertEqual((names, units), (["x", "y", "u", "v", "p"], ["m", "m", "m/s", "m/s", "Pa"]))
+        np.testing.assert_allclose(rows[:, 0], np.linspace(-0.3, 0.3, 61), atol=1e-12)
+        np.testing.assert_allclose(rows[:, 1], 0, atol=1e-12)
+        self.assertTrue(np.isfinite(rows).all())
+
+    def test_markers_at_the_end(self):
+        with open(self.out / "cloth_final.csv", encoding="utf-8") as file:
+            names, units, *rows = csv.reader(file)
+        self.assertEqual(names, ["group", "cloth", "i", "j", "x", "y", "u", "v"])
+        self.assertTrue(units[0].startswith("#"))
+        self.assertEqual([row[0] for row in rows], 240 * ["long"] + 160 * ["short"])
+        with h5py.File(self.out / "cloth.h5") as file:
+            last = frames(file)[-1]
+            places, velocities = last["position"][:, :2], last["velocity"][:, :2]
+        np.testing.assert_array_equal(np.array(rows)[:, 4:].astype(float), np.hstack([places, velocities]))
+
+    def test_xdmf_refers_to_what_exists(self):
+        for name in ("flow", "cloth", "bodies"):
+            items = list(ElementTree.parse(self.out / f"{name}.xdmf").iter("DataItem"))
+            references = [item for item in items if item.get("Format") == "HDF"]
+            self.assertGreaterEqual(len(references), 2 * len(TIMES))
+            for item in references:
+                file_name, dataset = item.text.strip().split(":")
+                with self.subTest(item.text), h5py.File(self.out / file_name) as file:
+                    self.assertEqual(file[dataset].shape, tuple(map(int, item.get("Dimensions").split())))
+
+    def test_xdmf_has_the_times_of_the_frames(self):
+        for name in ("flow", "cloth", "bodies"):
+            times = [float(time.get("Value")) for time in ElementTree.parse(self.out / f"{name}.xdmf").iter("Time")]
+            with self.subTest(name), h5py.File(self.out / f"{name}.h5") as file:
+                self.assertEqual(times, [frame.attrs["time"] for frame in frames(file)])
+                np.testing.assert_allclose(times, TIMES, atol=1e-12)
+
+    def test_cloth_moves_and_stays_in_the_water(self):
+        agitator, radius = Agitator(self.options), float(self.options["-drum_radius"])
+        with h5py.File(self.out / "flow.h5") as file:
+            half_cell = 0.5 * file.attrs["spacing_x"]
+        before = None
+        with h5py.File(self.out / "cloth.h5") as file:
+            for frame in frames(file):
+                x, y, _ = position = frame["position"][()].T
+                self.assertEqual(position.shape, (3, MARKERS))
+                self.assertLess(np.hypot(x, y).max(), radius, frame.name)
+                self.assertGreater(agitator.distance(x, y, frame.attrs["time"]).min(), -half_cell, frame.name)
+                self.assertTrue(before is None or (position != before).any(axis=0).all(), f"{frame.name}: no motion")
+                before = position
+
+    def test_bodies_are_where_the_options_say(self):
+        agitator = Agitator(self.options)
+        with h5py.File(self.out / "bodies.h5") as file:
+            x, y = cell_centers(file)
+            for frame in frames(file):
+                expected = agitator.distance(x, y, frame.attrs["time"])
+                np.testing.assert_allclose(frame["agitator"][()], expected, atol=1e-12)
+                np.testing.assert_allclose(frame["drum"][()], float(self.options["-drum_radius"]) - np.hypot(x, y),
+                                           atol=1e-12)
+
+    def test_resolved_options_give_the_same_run(self):
+        self.run_well(2, "-options_file", self.out / "resolved.opts", "-output_dir", "again")
+        again = self.folder / "again"
+        self.assertEqual((again / "history.csv").read_text(), (self.out / "history.csv").read_text())
+        options = read_options(again / "resolved.opts")
+        self.assertEqual({**options, "-output_dir": "out"}, self.options)
+
+    def test_help_explains_every_option(self):
+        text = self.run_well(2, *CASE, "-help")
+        explained = set(re.findall(r"^  (-\w+) <.*>: \w.*", text, re.MULTILINE))
+        ours = {name for name in self.options if not SOLVER_OPTION.match(name)}
+        self.assertEqual(ours - explained, set())
+
+    def test_help_needs_no_case(self):
+        self.assertIn("-grid_cells", self.run_well(1, "-help"))
+
+    def test_check_writes_the_start_only(self):
+        text = self.run_well(2, *CASE, "-check", "-output_dir", "out")
+        for word in ("64 x 64", f"{MARKERS} markers", "bound", "memory", "duration"):
+            self.assertIn(word, text)
+        for name in ("flow", "cloth", "bodies"):
+            with h5py.File(self.folder / "out" / f"{name}.h5") as file:
+                self.assertEqual([frame.attrs["time"] for frame in frames(file)], [0])
+        for name in ("history.csv", "summary.json", "checkpoint.h5"):
+            self.assertFalse((self.folder / "out" / name).exists(), name)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The physics of a wash does not depend on the number of ranks."""
+
+import unittest
+
+from support import TIGHT, WASH, ProgramTest, read_columns, relative_difference
+
+NOT_PHYSICAL = {"step", "dt", "max_divergence"}
+
+
+class Ranks(ProgramTest):
+    def history(self, ranks):
+        """Runs 0.1 s of wash2d and returns the columns of its history."""
+        self.run_well(ranks, "-options_file", WASH, "-time_end", 0.1, *TIGHT, "-output_dir", f"on_{ranks}")
+        return read_columns(self.folder / f"on_{ranks}" / "history.csv")
+
+    def test_history_agrees_on_one_to_four_ranks(self):
+        expected = self.history(1)
+        self.assertEqual(len(expected["step"]), 1000)
+        for ranks in (2, 3, 4):
+            history = self.history(ranks)
+            self.assertEqual(history.keys(), expected.keys())
+            for name in expected.keys() - NOT_PHYSICAL:
+                with self.subTest(ranks=ranks, column=name):
+                    self.assertLess(relative_difference(history[name], expected[name]), 1e-6)
+
+
+if __name__ == "__main__":
+    unittest.main()

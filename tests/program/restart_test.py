@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A run that is interrupted and restarted from its checkpoint ends where the uninterrupted one does."""
+
+import shutil
+import subprocess
+import unittest
+
+import h5py
+import numpy as np
+
+from support import TIGHT, WASH, ProgramTest, read_columns, relative_difference
+
+CASE = ["-options_file", WASH, *TIGHT]
+
+
+def datasets(path):
+    """Returns all datasets of an HDF5 file by name."""
+    found = {}
+
+    def remember(name, member):
+        if isinstance(member, h5py.Dataset):
+            found[name] = member[()]
+
+    with h5py.File(path) as file:
+        file.visititems(remember)
+    return found
+
+
+def last_frame(path):
+    """Returns the name of the last frame of a series."""
+    with h5py.File(path) as file:
+        return max(file["frames"].values(), key=lambda frame: frame.attrs["time"]).name
+
+
+class Restart(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.straight, self.split = self.folder / "straight", self.folder / "split"
+        self.run_well(2, *CASE, "-time_end", 0.1, "-output_dir", self.straight)
+        self.run_well(2, *CASE, "-time_end", 0.05, "-output_dir", self.split)
+
+    def restart(self, ranks):
+        """Continues the run of half the time, in a copy of its folder; returns this folder."""
+        folder = self.folder / f"split_{ranks}"
+        shutil.copytree(self.split, folder)
+        self.run_well(ranks, *CASE, "-time_end", 0.1, "-restart", folder / "checkpoint.h5", "-output_dir", folder)
+        return folder
+
+    def assert_same_bits(self, file, other, *members):
+        """Compares two HDF5 files, or one member of each, with all attributes."""
+        outcome = subprocess.run(["h5diff", file, other, *members],
+                                 capture_output=True, text=True, check=False)
+        self.assertEqual((outcome.returncode, outcome.stdout, outcome.stderr), (0, "", ""), f"{other} {members}")
+
+    def assert_same_results(self, folder):
+        """Compares the final state, the last frames and the history with those of the straight run."""
+        self.assertEqual(datasets(self.straight / "checkpoint.h5").keys(), datasets(folder / "checkpoint.h5").keys())
+        self.assert_same_bits(self.straight / "checkpoint.h5", folder / "checkpoint.h5")
+        for name in ("flow.h5", "cloth.h5", "bodies.h5"):
+            expected, frame = last_frame(self.straight / name), last_frame(folder / name)
+            self.assert_same_bits(self.straight / name, folder / name, expected, frame)
+        self.assertEqual((self.straight / "history.csv").read_text(), (folder / "history.csv").read_text())
+
+    def assert_close_results(self, folder):
+        """Compares the final state with that of the straight run, to 1e-6 of each dataset's largest number."""
+        expected, state = datasets(self.straight / "checkpoint.h5"), datasets(folder / "checkpoint.h5")
+        self.assertEqual(state.keys(), expected.keys())
+        for name, values in expected.items():
+            with self.subTest(folder=folder.name, dataset=name):
+                self.assertLess(relative_difference(state[name], values), 1e-6)
+        steps = read_columns(folder / "history.csv")["step"]
+        np.testing.assert_array_equal(steps, np.arange(1, 1001))
+
+    def test_restarts_agree_with_the_straight_run(self):
+        with self.subTest(ranks=2):
+            self.assert_same_results(self.restart(2))
+        for ranks in (1, 3):
+            with self.subTest(ranks=ranks):
+                self.assert_close_results(self.restart(ranks))
+
+
+if __name__ == "__main__":
+    unittest.main()

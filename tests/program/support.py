@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the tests of the program share: running it as a user would, and reading what it leaves behind.
+
+ctest sets the environment: WASHFSI_PROGRAM is the program, WASHFSI_SOURCE the root of the sources.
+"""
+
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+import numpy as np
+
+PROGRAM = pathlib.Path(os.environ["WASHFSI_PROGRAM"])
+SOURCE = pathlib.Path(os.environ["WASHFSI_SOURCE"])
+WASH = SOURCE / "inputs" / "wash2d.opts"
+CAVITY = SOURCE / "inputs" / "cavity.opts"
+TIGHT = ["-momentum_tolerance", "1e-13", "-pressure_tolerance", "1e-12"]
+
+
+class ProgramTest(unittest.TestCase):
+    """Tests in a fresh temporary folder each, removed afterwards."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="washfsi_")
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def run_well(self, ranks, *options):
+        """Runs the program, which must end with exit status 0; returns its standard output."""
+        outcome = run(ranks, *options, folder=self.folder)
+        self.assertEqual(outcome.returncode, 0, outcome.stdout + outcome.stderr)
+        return outcome.stdout
+
+
+def command(ranks, *options):
+    """Returns the command line that runs the program."""
+    # A rank that spins while it waits makes every run many times slower when the machine has other work.
+    return ["mpirun", "--oversubscribe", "--bind-to", "none", "--mca", "mpi_yield_when_idle", "1",
+            "-n", str(ranks), str(PROGRAM), *map(str, options)]
+
+
+def run(ranks, *options, folder, seconds=120, launcher=()):
+    """Runs the program in a folder; its status is 124 when it had to be ended after some seconds."""
+    return subprocess.run(["timeout", "--kill-after=10", str(seconds), *launcher, *command(ranks, *options)],
+                          cwd=folder, capture_output=True, text=True, check=False)
+
+
+def read_table(path):
+    """Returns the names, the units and the numbers (a row per line) of one of the program's CSV files."""
+    with open(path, encoding="utf-8") as file:
+        names, units = file.readline().strip().split(","), file.readline().strip()
+    if not units.startswith("#"):
+        raise ValueError(f"{path}: the second row holds no units: {units}")
+    return names, units.lstrip("# ").split(","), np.loadtxt(path, delimiter=",", skiprows=2, ndmin=2)
+
+
+def read_columns(path):
+    """Returns the columns of one of the program's CSV files by name."""
+    names, _, numbers = read_table(path)
+    return dict(zip(names, numbers.T))
+
+
+def read_options(path):
+    """Returns the options of an options file and their values, as texts."""
+    lines = (line.split("#")[0].split(maxsplit=1) for line in path.read_text().splitlines())
+    return {words[0]: words[1].strip() if len(words) > 1 else "" for words in lines if words}
+
+
+def relative_difference(value, expected):
+    """Returns the largest difference of two arrays over the largest number of the expected one."""
+    largest = np.abs(expected).max()
+    return np.abs(value - expected).max() / largest if largest > 0 else np.abs(value).max()

@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Each mistake of a user ends with one line that says what is wrong, and with the exit status promised for it."""
+
+import json
+import re
+import subprocess
+import unittest
+
+import h5py
+
+from support import CAVITY, WASH, ProgramTest, read_columns, run
+
+SECONDS = 30  # after which a run is taken to hang
+WRONG_INPUT, DIVERGED, CANNOT_WRITE = 2, 3, 4
+CASE = ["-options_file", WASH, "-time_end", 0.01, "-output_dir", "out"]
+
+# what is wrong, the options, and the words that the message must hold
+WRONG_OPTIONS = [
+    ("negative viscosity", ["-fluid_viscosity", "-1"], ["-fluid_viscosity -1"]),
+    ("zero cells", ["-grid_cells", "0,64"], ["-grid_cells", " 0"]),
+    ("misspelt option", ["-fluid_viscosty", "1"], ["-fluid_viscosty 1", "-fluid_viscosity"]),
+    ("misspelt option of a body", ["-drum_radios", "0.3"], ["-drum_radios 0.3", "-drum_radius"]),
+    ("too few numbers", ["-grid_cells", "64"], ["-grid_cells 64"]),
+    ("too many numbers", ["-grid_lower", "-1,-1,-1"], ["-grid_lower -1,-1,-1"]),
+    ("number missing from a list", ["-grid_cells", "64,"], ["-grid_cells 64,"]),
+    ("no value", ["-fluid_density"], ["-fluid_density"]),
+    ("not a number", ["-fluid_density", "nan"], ["-fluid_density nan"]),
+    ("infinite number", ["-time_end", "inf"], ["-time_end inf"]),
+    ("number with a unit", ["-drum_radius", "0.3m"], ["-drum_radius 0.3m"]),
+    ("whole number too large", ["-long_count", "99999999999"], ["-long_count 99999999999"]),
+    ("unknown shape", ["-agitator_shape", "teapot"], ["-agitator_shape teapot", "vaned"]),
+    ("one name for two parts", ["-bodies", "drum,agitator,long"], ["-bodies long"]),
+    ("body named twice", ["-bodies", "drum,drum"], ["-bodies drum,drum"]),
+    ("no such options file", ["-options_file", "nowhere.opts"], ["-options_file nowhere.opts"]),
+    ("options file without a name", ["-options_file"], ["-options_file"]),
+    ("options file that is a folder", ["-options_file", "."], ["-options_file ."]),
+    ("word without a dash", ["fluid_viscosity", "3"], ["fluid_viscosity"]),
+    ("text with a blank", ["-restart", "two words.h5"], ["-restart two words.h5"]),
+    ("no such checkpoint", ["-restart", "nowhere.h5"], ["-restart nowhere.h5"]),
+    ("cloth outside the drum", ["-short_placement", "line", "-short_center", "0,0.33"],
+     ["-short_placement", "drum"]),
+    ("no room for the cloth", ["-drum_radius", "0.2"], ["-long_placement"]),
+    ("periodic on one side", ["-bc_x_lower", "periodic"], ["-bc_x_lower", "periodic"]),
+    ("corners the wrong way round", ["-grid_upper", "-1,-1"], ["-grid_upper -1,-1"]),
+    ("misspelt solver option", ["-pressure_ksp_tpye", "cg"], ["-pressure_ksp_tpye cg"]),
+    ("unknown solver", ["-pressure_ksp_type", "foo"], ["-pressure_ksp_type", "foo"]),
+]
+
+FOREIGN = ["PETSC ERROR", "[0]", "HDF5-DIAG", "Segmentation", "terminate called", "MPI_ABORT"]
+MPIRUN_BOX = re.compile(r"^-{70,}\n.*?^-{70,}\n", re.DOTALL | re.MULTILINE)
+MPI_IO_LINE = re.compile(r"^mca_.*\n", re.MULTILINE)  # Open MPI's own remark when a file cannot be written
+
+
+class WrongInputs(ProgramTest):
+    def assert_refused(self, status, words, *options, ranks=2, launcher=()):
+        """Runs the program, which must end with a status and with one line of ours that holds some words."""
+        outcome = run(ranks, *options, folder=self.folder, seconds=SECONDS, launcher=launcher)
+        self.assertEqual(outcome.returncode, status, outcome.stderr)
+        for sign in FOREIGN:
+            self.assertNotIn(sign, outcome.stdout + outcome.stderr)
+        lines = [line for line in MPI_IO_LINE.sub("", MPIRUN_BOX.sub("", outcome.stderr)).splitlines() if line]
+        self.assertEqual(len(lines), 1, outcome.stderr)
+        self.assertTrue(lines[0].startswith("washfsi: "), lines[0])
+        for word in words:
+            self.assertIn(word, lines[0])
+
+    def test_wrong_options(self):
+        for what, options, words in WRONG_OPTIONS:
+            with self.subTest(what):
+                out = self.folder / what.replace(" ", "_")
+                self.assert_refused(WRONG_INPUT, words, *CASE, "-output_dir", out, *options)
+                self.assertFalse(out.exists(), "it wrote results")
+
+    def test_too_many_ranks_for_the_grid(self):
+        self.assert_refused(WRONG_INPUT, ["-grid_cells", "4 ranks"],
+                            "-options_file", CAVITY, "-grid_cells", "4,4", ranks=4)
+
+    def test_checkpoint_of_another_grid(self):
+        case = ["-options_file", CAVITY, "-max_steps", 1, "-output_dir", "out"]
+        self.run_well(2, *case)
+        self.assert_refused(WRONG_INPUT, ["-restart out/checkpoint.h5"],
+                            *case, "-grid_cells", "32,32", "-restart", "out/checkpoint.h5")
+
+    def test_checkpoint_that_is_none(self):
+        (self.folder / "checkpoint.h5").write_text("no HDF5 file")
+        self.assert_refused(WRONG_INPUT, ["-restart checkpoint.h5"], *CASE, "-restart", "checkpoint.h5")
+
+    def test_options_file_that_is_none(self):
+        for line in ("grid_cells = 64 64", "-grid_cells 64 64", "-grid_cells = 64,64"):
+            with self.subTest(line):
+                (self.folder / "case.opts").write_text(line + "\n")
+                self.assert_refused(WRONG_INPUT, ["-options_file case.opts"], "-options_file", "case.opts")
+
+    def test_end_not_after_the_checkpoint(self):
+        case = ["-options_file", CAVITY, "-time_end", 0.012, "-output_dir", "out"]
+        self.run_well(2, *case)
+        self.assert_refused(WRONG_INPUT, ["-time_end 0.012"], *case, "-restart", "out/checkpoint.h5")
+
+    def test_no_options(self):
+        self.assert_refused(WRONG_INPUT, ["-grid_cells"])
+
+    def assert_diverges(self, words, *options):
+        """Runs a case that writes a checkpoint every step until it diverges; that of the step before must be left."""
+        self.assert_refused(DIVERGED, words, *options, "-output_dir", "out")
+        out = self.folder / "out"
+        self.assertEqual(json.loads((out / "summary.json").read_text())["status"], "failed")
+        steps = read_columns(out / "history.csv")["step"]
+        with h5py.File(out / "checkpoint.h5") as checkpoint:
+            self.assertEqual(checkpoint.attrs["step"], steps[-1])
+        self.assertEqual(list(out.glob("*.part")), [])
+
+    def test_step_too_long_for_the_cloth(self):
+        self.assert_diverges(["step", "velocity", "at ("], "-options_file", WASH, "-time_end", 0.3,
+                             "-time_step", 3e-3, "-checkpoint_interval", 3e-3)
+
+    def test_step_too_long_for_the_flow(self):
+        self.assert_diverges(["step", "velocity", "at ("], "-options_file", CAVITY, "-time_end", 300,
+                             "-time_step", 0.5, "-checkpoint_interval", 0.5, "-time_max_cfl", 1e300)
+
+    def test_folder_below_a_file(self):
+        (self.folder / "file").touch()
+        self.assert_refused(CANNOT_WRITE, ["file/out"], *CASE, "-output_dir", "file/out")
+
+    def test_full_disk(self):
+        disk = self.folder / "disk"
+        disk.mkdir()
+        for size in ("4k", "64k", "300k", "1200k", "3000k"):  # of files that are written at different times
+            mount = ["unshare", "--mount", "sh", "-c", f'mount -t tmpfs -o size={size} tmpfs "$0" && exec "$@"', disk]
+            if subprocess.run([*mount, "true"], capture_output=True, check=False).returncode != 0:
+                self.skipTest("only root may mount a small disk")
+            with self.subTest(size):
+                self.assert_refused(CANNOT_WRITE, ["disk/"], *CASE, "-time_end", 0.5, "-output_interval", 0.02,
+                                    "-checkpoint_interval", 0.05, "-output_dir", disk, launcher=mount)
+
+
+if __name__ == "__main__":
+    unittest.main()
