@@ -58,6 +58,7 @@ std::array<FlowError, 2> run_pair(const ExactFlow<2>& flow, bool periodic_in_x) 
 
 TEST(ManufacturedFlow, ChannelIsSecondOrderInAllNorms) {
   const auto [coarse, fine] = run_pair(channel_flow(), true);
+  report("channel", coarse, fine);
   EXPECT_GE(order(coarse.velocity_max, fine.velocity_max), 1.9);
   EXPECT_GE(order(coarse.velocity_rms, fine.velocity_rms), 1.9);
   EXPECT_GE(order(coarse.pressure_max, fine.pressure_max), 1.9) << coarse.pressure_max << " " << fine.pressure_max;
@@ -66,6 +67,7 @@ TEST(ManufacturedFlow, ChannelIsSecondOrderInAllNorms) {
 
 TEST(ManufacturedFlow, BoxIsSecondOrderInTheMean) {
   const auto [coarse, fine] = run_pair(box_flow(), false);
+  report("box", coarse, fine);
   EXPECT_GE(order(coarse.velocity_rms, fine.velocity_rms), 1.9);
   EXPECT_GE(order(coarse.pressure_rms, fine.pressure_rms), 1.9) << coarse.pressure_rms << " " << fine.pressure_rms;
 }

@@ -51,23 +51,24 @@ FlowError run_periodic(const ExactFlow<Dim>& flow, PetscInt n, double dt, int st
 }
 
 template <int Dim>
-void expect_second_order(const ExactFlow<Dim>& flow, PetscInt n, double dt, int steps) {
+void expect_second_order(const char* name, const ExactFlow<Dim>& flow, PetscInt n, double dt, int steps) {
   const FlowError coarse = run_periodic<Dim>(flow, n, dt, steps),
                   fine = run_periodic<Dim>(flow, 2 * n, dt / 2, 2 * steps);
+  report(name, coarse, fine);
   EXPECT_GE(order(coarse.velocity_max, fine.velocity_max), 1.9) << coarse.velocity_max << " " << fine.velocity_max;
   EXPECT_GE(order(coarse.pressure_max, fine.pressure_max), 1.9) << coarse.pressure_max << " " << fine.pressure_max;
 }
 
 TEST(TaylorGreen, SecondOrderInSpaceAndTimeInThePlane) {
-  expect_second_order<2>(taylor_green<2>(), 32, 0.01, 20);
+  expect_second_order<2>("Taylor-Green 2D", taylor_green<2>(), 32, 0.01, 20);
 }
 
 TEST(TaylorGreen, SecondOrderInSpaceAndTimeInSpace) {
-  expect_second_order<3>(taylor_green<3>(), 16, 0.02, 6);
+  expect_second_order<3>("Taylor-Green 3D", taylor_green<3>(), 16, 0.02, 6);
 }
 
 TEST(TaylorGreen, BeltramiFlowSecondOrderInSpace) {
-  expect_second_order<3>(beltrami(), 16, 0.01, 10);
+  expect_second_order<3>("Beltrami 3D", beltrami(), 16, 0.01, 10);
 }
 
 // The spatial error is the same for all steps, so it leaves the differences between steps.

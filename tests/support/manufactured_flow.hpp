@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdio>
 #include <functional>
 
 #include "washfsi/fluid/fractional_step.hpp"
@@ -42,6 +43,18 @@ struct FlowError {
 
 inline double order(double coarse, double fine, double ratio = 2) {
   return std::log(coarse / fine) / std::log(ratio);
+}
+
+/// Prints the errors on two grids and the orders between them, a row of docs/verification.md.
+inline void report(const char* name, const FlowError& coarse, const FlowError& fine) {
+  if (rank_of(PETSC_COMM_WORLD) != 0) return;
+  const auto print = [&](const char* norm, double a, double b) {
+    std::printf("%-24s %-14s %.3e  %.3e  order %.2f\n", name, norm, a, b, order(a, b));
+  };
+  print("u max", coarse.velocity_max, fine.velocity_max);
+  print("u rms", coarse.velocity_rms, fine.velocity_rms);
+  print("p max", coarse.pressure_max, fine.pressure_max);
+  print("p rms", coarse.pressure_rms, fine.pressure_rms);
 }
 
 /// Advances an exact flow and compares at the end.

@@ -11,8 +11,22 @@ Mask<Dim>::Mask(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies)
       bodies_(bodies),
       fraction_(grid.face_vector()),
       solid_velocity_(grid.face_vector()),
-      body_(grid.face_vector()) {
+      body_(grid.face_vector()),
+      resting_(grid.face_vector()) {
+  place_bodies_at_rest();
   update(0);
+}
+
+template <int Dim>
+void Mask<Dim>::place_bodies_at_rest() {
+  const FaceView<Dim> holder(grid_.face_dm(), resting_);
+  for (int c = 0; c < Dim; ++c)
+    for_each<Dim>(grid_.owned(), [&](const Index<Dim>& face) {
+      holder(face, c) = -1;
+      const Point<Dim> place = grid_.face_center(face, c);
+      for (std::size_t b = 0; b < bodies_.size() && holder(face, c) < 0; ++b)
+        if (bodies_[b].motion.at_rest() && bodies_[b].distance(place, 0) <= 0) holder(face, c) = static_cast<double>(b);
+    });
 }
 
 template <int Dim>
@@ -20,22 +34,26 @@ void Mask<Dim>::update(double time) {
   const petsc::LogPart part("bodies");
   const FaceView<Dim> fraction(grid_.face_dm(), fraction_), solid(grid_.face_dm(), solid_velocity_);
   const FaceView<Dim> holder(grid_.face_dm(), body_);
-  for_each<Dim>(grid_.owned(), [&](const Index<Dim>& face) {
-    for (int c = 0; c < Dim; ++c) {
-      fraction(face, c) = 1;
-      solid(face, c) = 0;
-      holder(face, c) = -1;
+  const ConstFaceView<Dim> resting(grid_.face_dm(), resting_);
+  std::vector<typename RigidMotion<Dim>::Pose> poses;
+  for (const auto& body : bodies_) poses.push_back(body.motion.pose(time));
+  const auto distance_to = [&](std::size_t b, const Point<Dim>& place) {
+    return bodies_[b].shape->distance(poses[b].in_body_frame(place));
+  };
+  for (int c = 0; c < Dim; ++c)
+    for_each<Dim>(grid_.owned(), [&](const Index<Dim>& face) {
       const Point<Dim> place = grid_.face_center(face, c);
-      for (std::size_t b = 0; b < bodies_.size(); ++b) {
-        const double distance = bodies_[b].distance(place, time);
-        if (distance > 0) continue;
-        fraction(face, c) = distance < 0 ? 0 : 0.5;
-        solid(face, c) = bodies_[b].motion.velocity(place, time)[c];
-        holder(face, c) = static_cast<double>(b);
-        break;
-      }
-    }
-  });
+      const bool at_rest = resting(face, c) >= 0;
+      std::size_t b = at_rest ? static_cast<std::size_t>(resting(face, c)) : 0;
+      while (!at_rest && b < bodies_.size() && (bodies_[b].motion.at_rest() || distance_to(b, place) > 0)) ++b;
+      const bool fluid = b == bodies_.size();
+      holder(face, c) = fluid ? -1 : static_cast<double>(b);
+      fraction(face, c) = fluid ? 1 : 0;
+      solid(face, c) = 0;
+      if (fluid) return;
+      if (distance_to(b, place) == 0) fraction(face, c) = 0.5;
+      if (!at_rest) solid(face, c) = bodies_[b].motion.velocity(place, time)[c];
+    });
 }
 
 template <int Dim>

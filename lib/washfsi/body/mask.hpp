@@ -37,6 +37,7 @@ class Mask {
   std::vector<Load<Dim>> loads(Vec constraint_force, Vec density, Vec pressure, double time) const;
 
  private:
+  void place_bodies_at_rest();
   struct Sums;
   void add_constraint_force(Vec constraint_force, Vec density, double time, Sums& sums) const;
   void add_wall_pressure(Vec pressure, double time, Sums& sums) const;
@@ -44,7 +45,8 @@ class Mask {
   const Grid<Dim>& grid_;
   const std::vector<Body<Dim>>& bodies_;
   petsc::Vector fraction_, solid_velocity_;
-  petsc::Vector body_;  ///< number of the body that holds each face; -1 in fluid
+  petsc::Vector body_;     ///< number of the body that holds each face; -1 in fluid
+  petsc::Vector resting_;  ///< number of the body at rest that holds each face, before any moving one; -1 if none
 };
 
 extern template class Mask<2>;

@@ -43,12 +43,8 @@ Point<Dim> RigidMotion<Dim>::acceleration(const Point<Dim>& place, double time) 
 }
 
 template <int Dim>
-Point<Dim> RigidMotion<Dim>::in_body_frame(const Point<Dim>& place, double time) const {
-  Point<Dim> arm = place - center;
-  const double c = std::cos(angle(time)), s = std::sin(angle(time)), x = arm[0], y = arm[1];
-  arm[0] = c * x + s * y;
-  arm[1] = -s * x + c * y;
-  return arm;
+typename RigidMotion<Dim>::Pose RigidMotion<Dim>::pose(double time) const {
+  return {center, std::cos(angle(time)), std::sin(angle(time))};
 }
 
 template struct RigidMotion<2>;

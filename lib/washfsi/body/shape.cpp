@@ -7,17 +7,21 @@
 
 namespace washfsi {
 
+Vaned::Vaned(const Dimensions& dimensions) : dimensions_(dimensions) {
+  for (int k = 0; k < dimensions.vanes; ++k) {
+    const double angle = 2 * std::numbers::pi * k / dimensions.vanes;
+    directions_.emplace_back(std::cos(angle), std::sin(angle));
+  }
+}
+
 double Vaned::distance(const Point<2>& place) const {
-  const double radius = place.norm();
-  // the nearest vane is the one whose sector the point is in: turn it onto x
-  const double sector = 2 * std::numbers::pi / dimensions_.vanes;
-  const double angle = std::atan2(place[1], place[0]);
-  const double from_vane = angle - sector * std::round(angle / sector);
   const double half_thickness = 0.5 * dimensions_.vane_thickness;
-  const double along = radius * std::cos(from_vane), across = radius * std::sin(from_vane);
-  const double nearest = std::clamp(along, 0.0, dimensions_.tip_radius - half_thickness);
-  const double to_vane = std::hypot(along - nearest, across) - half_thickness;
-  return std::min(to_vane, radius - dimensions_.hub_radius);
+  double distance = place.norm() - dimensions_.hub_radius;
+  for (const Point<2>& direction : directions_) {
+    const double along = std::clamp(place.dot(direction), 0.0, dimensions_.tip_radius - half_thickness);
+    distance = std::min(distance, (place - along * direction).norm() - half_thickness);
+  }
+  return distance;
 }
 
 }  // namespace washfsi

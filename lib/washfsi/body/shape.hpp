@@ -42,11 +42,12 @@ class Vaned : public Shape<2> {
     double vane_thickness = 0.04;  ///< [m]; the tips are half circles
     int vanes = 3;
   };
-  explicit Vaned(const Dimensions& dimensions) : dimensions_(dimensions) {}
+  explicit Vaned(const Dimensions& dimensions);
   double distance(const Point<2>& place) const override;
 
  private:
   Dimensions dimensions_;
+  std::vector<Point<2>> directions_;  ///< of the vanes
 };
 
 /// The solid is everything outside another shape (a drum).
