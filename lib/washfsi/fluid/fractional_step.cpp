@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "washfsi/fluid/stencils.hpp"
+#include "washfsi/support/collective.hpp"
 
 namespace washfsi {
 
@@ -18,6 +19,7 @@ FractionalStep<Dim>::FractionalStep(const Grid<Dim>& grid, const Boundary<Dim>& 
       viscosity_(options.viscosity),
       pressure_tolerance_(options.pressure_tolerance),
       projects_(options.projection),
+      upwind_(options.advection == "upwind"),
       momentum_(grid, boundary, options.viscosity, options.momentum_tolerance),
       poisson_(grid, options.density),
       velocity_(grid.face_vector()),
@@ -63,9 +65,12 @@ void FractionalStep<Dim>::predict(double dt, const StepFields& fields) {
   const petsc::LogPart part("momentum");
   dt_ = dt;
   explicit_terms(dt, fields);
-  // the guess: linear extrapolation of the two last velocities
+  // the guesses: linear extrapolation of the two last velocities, and a pressure that changes at the same rate as
+  // before
+  const double ratio = has_history_ ? dt / dt_before_ : 0;
   WASH_PETSC(VecCopy(velocity_, intermediate_));
-  if (has_history_) WASH_PETSC(VecAXPBY(intermediate_, -1.0, 2.0, velocity_before_));
+  WASH_PETSC(VecAXPBY(intermediate_, -ratio, 1 + ratio, velocity_before_));
+  if (has_history_ && ratio != 1) WASH_PETSC(VecScale(phi_, ratio * ratio));
   momentum_.set_step(dt, fields.density, fields.constraint);
   counts_.momentum += static_cast<double>(momentum_.solve(rhs_, time_ + dt, intermediate_));
   if (fields.constraint.fluid_fraction) momentum_.constraint_force(rhs_, time_ + dt, intermediate_, constraint_force_);
@@ -76,19 +81,36 @@ template <int Dim>
 void FractionalStep<Dim>::explicit_terms(double dt, const StepFields& fields) {
   const petsc::LocalVector local_u(grid_.face_dm(), velocity_), local_p(grid_.cell_dm(), pressure_);
   boundary_.fill(local_u, time_);
-  const double weight = has_history_ ? 1.5 : 1.0, weight_before = has_history_ ? -0.5 : 0.0;
+  advect(local_u, fields.density);
+  // Adams-Bashforth for steps of different length: 3/2 and -1/2 when they are equal
+  const double weight_before = has_history_ ? -0.5 * dt / dt_before_ : 0, weight = 1 - weight_before;
   const Point<Dim>& h = grid_.spacing();
   const ConstFaceView<Dim> u(grid_.face_dm(), local_u), f(grid_.face_dm(), fields.force);
-  const ConstFaceView<Dim> rho(grid_.face_dm(), fields.density), before(grid_.face_dm(), advection_before_);
+  const ConstFaceView<Dim> rho(grid_.face_dm(), fields.density);
+  const ConstFaceView<Dim> now(grid_.face_dm(), advection_), before(grid_.face_dm(), advection_before_);
   const ConstCellView<Dim> p(grid_.cell_dm(), local_p);
-  const FaceView<Dim> now(grid_.face_dm(), advection_), b(grid_.face_dm(), rhs_);
+  const FaceView<Dim> b(grid_.face_dm(), rhs_);
   for (int c = 0; c < Dim; ++c)
     for_each<Dim>(grid_.inner_faces(c), [&](const Index<Dim>& face) {
-      now(face, c) = advection<Dim>(u, face, c, h);
       const double stress = 0.5 * viscosity_ * laplacian<Dim>(u, face, c, h) - gradient<Dim>(p, face, c, h);
       const double advected = weight * now(face, c) + weight_before * before(face, c);
       b(face, c) = u(face, c) + dt * ((stress + f(face, c)) / rho(face, c) - advected);
     });
+}
+
+template <int Dim>
+void FractionalStep<Dim>::advect(Vec local_velocity, Vec density) {
+  const ConstFaceView<Dim> u(grid_.face_dm(), local_velocity), rho(grid_.face_dm(), density);
+  const FaceView<Dim> result(grid_.face_dm(), advection_);
+  const Point<Dim>& h = grid_.spacing();
+  double dissipated = 0;
+  for (int c = 0; c < Dim; ++c)
+    for_each<Dim>(grid_.inner_faces(c), [&](const Index<Dim>& face) {
+      const double central = advection<Dim>(u, face, c, h, CentralValue<Dim>{});
+      result(face, c) = upwind_ ? advection<Dim>(u, face, c, h, UpwindValue<Dim>{}) : central;
+      dissipated += rho(face, c) * u(face, c) * (result(face, c) - central);
+    });
+  if (upwind_) numerical_dissipation_ = ordered_sum(grid_.comm(), dissipated * grid_.cell_volume());
 }
 
 template <int Dim>
@@ -120,6 +142,7 @@ void FractionalStep<Dim>::finish() {
   velocity_before_ = std::exchange(velocity_, std::exchange(intermediate_, std::move(velocity_before_)));
   std::swap(advection_before_, advection_);
   has_history_ = true;
+  dt_before_ = dt_;
   time_ += dt_;
   ++counts_.steps;
 }

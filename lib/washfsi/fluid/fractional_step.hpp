@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The fractional step of Brown, Cortez and Minion (2001), thesis (2.2-20, 2.2-21), with variable density:
-//   1. explicit terms  b  = u^n + dt [ -3/2 (u.grad u)^n + 1/2 (u.grad u)^(n-1)
+//   1. explicit terms  b  = u^n + dt [ -3/2 (u.grad u)^n + 1/2 (u.grad u)^(n-1)      (1 + r/2, r/2 for steps of ratio
+//   r)
 //                                      - (1/rho) grad p^(n-1/2) + (mu / 2 rho) lap u^n + f/rho ]
 //   2. predict         u* - (mu dt / 2 rho) lap u* = b,    u* = u_b on the boundary, u* = u_solid in solids
 //   3. project         div( (1/rho) grad q ) = div u* / dt,    u^(n+1) = u* - (dt/rho) grad q
@@ -48,9 +49,16 @@ class FractionalStep {
   Vec pressure() const { return pressure_; }  ///< p^(n-1/2) [Pa]
   double time() const { return time_; }       ///< t^n [s]
   void set_time(double time) { time_ = time; }
-  /// Whether u^(n-1) and its advection are known; if not, the next step advects by forward Euler.
-  bool has_history() const { return has_history_; }
-  void set_has_history(bool known) { has_history_ = known; }
+  /// Length of the last step [s]; 0 before the first, which advects by forward Euler: u^(n-1) is not known then.
+  double last_step() const { return has_history_ ? dt_before_ : 0; }
+  void set_last_step(double dt) {
+    dt_before_ = dt;
+    has_history_ = dt > 0;
+  }
+  /// Whether advection is upwind, and then the power that it took out of the flow in the last step beyond central
+  /// advection [W; W/m in the plane].
+  bool upwind() const { return upwind_; }
+  double numerical_dissipation() const { return numerical_dissipation_; }
 
   /// Force density [N/m3] by which solids held the water in the last `predict`; zero in fluid.
   Vec constraint_force() const { return constraint_force_; }
@@ -64,12 +72,13 @@ class FractionalStep {
 
  private:
   void explicit_terms(double dt, const StepFields& fields);
+  void advect(Vec local_velocity, Vec density);
   void set_initial_velocity(const FluidOptions<Dim>& options);
 
   const Grid<Dim>& grid_;
   const Boundary<Dim>& boundary_;
   double density_, viscosity_, pressure_tolerance_;
-  bool projects_;
+  bool projects_, upwind_;
   MomentumSolver<Dim> momentum_;
   PressureSolver<Dim> poisson_;
 
@@ -81,7 +90,8 @@ class FractionalStep {
   petsc::Vector pressure_;  ///< p^(n-1/2)
   petsc::Vector phi_;       ///< dt q / rho_f of the last projection: the next one's guess
   petsc::Vector minus_divergence_;
-  double time_ = 0, dt_ = 0;
+  double time_ = 0, dt_ = 0, dt_before_ = 0;
+  double numerical_dissipation_ = 0;
   bool has_history_ = false;
   SolverCounts counts_;
 };

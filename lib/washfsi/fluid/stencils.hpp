@@ -29,18 +29,39 @@ double laplacian(const Velocity& u, const Index<Dim>& face, int c, const Point<D
   return sum;
 }
 
-/// (u . grad u)_c on a c-face in flux form with midpoint means, second order:
+/// u_c midway between a c-face and the next one along d: the mean, second order.
+template <int Dim>
+struct CentralValue {
+  template <class Velocity>
+  double operator()(const Velocity& u, const Index<Dim>& face, int c, int d, double) const {
+    return 0.5 * (u(face, c) + u(shifted<Dim>(face, d, 1), c));
+  }
+};
+
+/// The same, taken from upwind with van Leer's limiter (J. Comput. Phys. 14 (1974) 361): bounded by its neighbours,
+/// second order where the flow is smooth.
+template <int Dim>
+struct UpwindValue {
+  template <class Velocity>
+  double operator()(const Velocity& u, const Index<Dim>& face, int c, int d, double carrier) const {
+    const int step = carrier >= 0 ? 1 : -1;
+    const Index<Dim> here = carrier >= 0 ? face : shifted<Dim>(face, d, 1);
+    const double behind = u(here, c) - u(shifted<Dim>(here, d, -step), c);
+    const double ahead = u(shifted<Dim>(here, d, step), c) - u(here, c);
+    return u(here, c) + (behind * ahead > 0 ? behind * ahead / (behind + ahead) : 0);
+  }
+};
+
+/// (u . grad u)_c on a c-face in flux form, the carrier u_d a mean along c:
 /// sum_d ( [u_d u_c](i + e_d / 2) - [u_d u_c](i - e_d / 2) ) / h_d
-template <int Dim, class Velocity>
-double advection(const Velocity& u, const Index<Dim>& face, int c, const Point<Dim>& h) {
+template <int Dim, class Velocity, class Value>
+double advection(const Velocity& u, const Index<Dim>& face, int c, const Point<Dim>& h, const Value& value) {
   double sum = 0;
   for (int d = 0; d < Dim; ++d) {
     const Index<Dim> next = shifted<Dim>(face, d, 1), previous = shifted<Dim>(face, d, -1);
-    // carrier u_d at the two ends of the momentum cell: a mean along c of the d-faces there
-    const double upper_carrier = 0.5 * (u(next, d) + u(shifted<Dim>(next, c, -1), d));
-    const double lower_carrier =
-        d == c ? 0.5 * (u(face, d) + u(previous, d)) : 0.5 * (u(face, d) + u(shifted<Dim>(face, c, -1), d));
-    sum += (upper_carrier * (u(next, c) + u(face, c)) - lower_carrier * (u(face, c) + u(previous, c))) / (2 * h[d]);
+    const double upper = 0.5 * (u(next, d) + u(shifted<Dim>(next, c, -1), d));
+    const double lower = 0.5 * (u(face, d) + u(shifted<Dim>(face, c, -1), d));
+    sum += (upper * value(u, face, c, d, upper) - lower * value(u, previous, c, d, lower)) / h[d];
   }
   return sum;
 }

@@ -74,7 +74,7 @@ void write_checkpoint(const std::string& folder, const System<Dim>& system, Meas
   file.set_attribute("/", "step", static_cast<double>(state.step));
   file.set_attribute("/", "time", system.fluid.time());
   file.set_attribute("/", "time_step", state.dt);
-  file.set_attribute("/", "has_history", system.fluid.has_history() ? 1 : 0);
+  file.set_attribute("/", "last_step", system.fluid.last_step());
   const SolverCounts& counts = system.fluid.counts();
   file.set_attribute("/", "momentum_iterations", counts.momentum);
   file.set_attribute("/", "pressure_iterations", counts.pressure);
@@ -121,7 +121,7 @@ RunState read_checkpoint(const std::string& path, System<Dim>& system, Measures<
     measures.set_totals(file.read("/totals", shared_slab(comm, measures.totals_count(), false)));
     system.locate_cloth();
     system.fluid.set_time(file.attribute("/", "time"));
-    system.fluid.set_has_history(file.attribute("/", "has_history") != 0);
+    system.fluid.set_last_step(file.attribute("/", "last_step"));
     system.fluid.set_counts({.momentum = file.attribute("/", "momentum_iterations"),
                              .pressure = file.attribute("/", "pressure_iterations"),
                              .steps = file.attribute("/", "solved_steps")});

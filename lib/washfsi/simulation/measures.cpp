@@ -118,6 +118,7 @@ std::vector<Column> Measures<Dim>::columns() const {
   const char* energy = plane ? "J/m" : "J";
   std::vector<Column> columns{
       {"step", "-"}, {"time", "s"}, {"dt", "s"}, {"cfl", "-"}, {"kinetic_energy", energy}, {"max_divergence", "1/s"}};
+  if (system_.fluid.upwind()) columns.push_back({"numerical_dissipation", plane ? "W/m" : "W"});
   for (const auto& body : system_.bodies) {
     for (int d = 0; d < Dim; ++d) columns.push_back({body.name + "_force_" + "xyz"[d], force});
     if (plane) columns.push_back({body.name + "_torque", torque});
@@ -136,6 +137,7 @@ std::vector<Column> Measures<Dim>::columns() const {
 template <int Dim>
 std::vector<double> Measures<Dim>::row(double dt) const {
   std::vector<double> row{system_.fluid.time(), dt, flow_.courant.value, flow_.kinetic_energy, flow_.max_divergence};
+  if (system_.fluid.upwind()) row.push_back(system_.fluid.numerical_dissipation());
   for (const Load<Dim>& load : loads_) {
     row.insert(row.end(), load.force.data(), load.force.data() + Dim);
     row.insert(row.end(), load.torque.data(), load.torque.data() + rotation_components<Dim>);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/simulation/options.hpp"
 
+#include "washfsi/support/errors.hpp"
+
 namespace washfsi {
 
 RunOptions RunOptions::from_options(Options& options) {
@@ -9,6 +11,8 @@ RunOptions RunOptions::from_options(Options& options) {
     block.require("time_end", "the time at which the run ends, in s");
     block.real("time_step", run.time_step, "s", non_negative,
                "length of a step; 0: half of the cloth's bound or a CFL number of 0.3, the shorter");
+    block.real("time_cfl", run.time_cfl, "-", non_negative,
+               "choose each step for this CFL number; 0: steps of equal length");
     block.real("time_end", run.time_end, "s", positive, "time at which the run ends");
     block.integer("max_steps", run.max_steps, non_negative_integer, "stop after so many steps; 0: no limit");
     block.real("time_max_cfl", run.max_courant, "-", positive, "a run whose CFL number exceeds this has diverged");
@@ -21,6 +25,11 @@ RunOptions RunOptions::from_options(Options& options) {
     block.text("restart", run.restart, "checkpoint file to go on from");
     block.boolean("check", run.check, "only check: set everything up, write it at t = 0 and tell its cost");
   });
+  if (run.time_cfl > 0 && run.time_step > 0)
+    throw InputError("-time_cfl " + to_text(run.time_cfl) + ": give either this or -time_step, not both");
+  if (run.time_cfl >= run.max_courant)
+    throw InputError("-time_cfl " + to_text(run.time_cfl) + ": must be below -time_max_cfl " +
+                     to_text(run.max_courant));
   if (run.output_interval == 0) run.output_interval = run.time_end / 20;
   if (run.checkpoint_interval == 0) run.checkpoint_interval = run.time_end / 10;
   return run;

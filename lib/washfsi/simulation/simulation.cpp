@@ -61,7 +61,7 @@ Simulation<Dim>::Simulation(Options& options, std::string case_name)
                        to_text(system_->fluid.time()) + " s");
   }
   choose_time_step();
-  options.record("time_step", state_.dt);
+  if (run_.time_cfl == 0) options.record("time_step", state_.dt);
   options.reject_unread();
   start_results(options);
 }
@@ -70,9 +70,20 @@ template <int Dim>
 void Simulation<Dim>::choose_time_step() {
   if (run_.time_step > 0) state_.dt = run_.time_step;
   if (state_.dt > 0) return;  // the user's, or that of the checkpoint
-  state_.dt = std::min(0.5 * cloth_step_bound<Dim>(*system_), flow_step_bound<Dim>(*system_));
+  const double courant = run_.time_cfl > 0 ? run_.time_cfl : 0.3;
+  state_.dt = std::min(0.5 * cloth_step_bound<Dim>(*system_), courant * flow_time<Dim>(*system_));
   if (!std::isfinite(state_.dt))
     throw InputError("-time_step is missing: nothing moves at the start from which it could be chosen");
+}
+
+// -time_cfl: the step for the present flow, never longer than the cloth allows, and growing slowly.
+template <int Dim>
+void Simulation<Dim>::adapt_time_step() {
+  if (run_.time_cfl == 0) return;
+  constexpr double most_growth = 1.05;
+  const double for_cloth = 0.5 * cloth_step_bound<Dim>(*system_);
+  const double for_flow = state_.dt * run_.time_cfl / measures_->flow().courant.value;  // infinite at rest
+  state_.dt = std::min({most_growth * state_.dt, for_cloth, for_flow});
 }
 
 template <int Dim>
@@ -107,14 +118,16 @@ void Simulation<Dim>::run() {
   } catch (const DivergedError& error) {
     end("failed");
     throw DivergedError("diverged in step " + std::to_string(attempted_step_) +
-                        " after t = " + format("%.6g", static_cast<double>(attempted_step_ - 1) * state_.dt) +
-                        " s: " + error.what() + "; the velocity was last seen largest " + place_of_largest_velocity());
+                        " after t = " + format("%.6g", attempt_start_) + " s: " + error.what() +
+                        "; the velocity was last seen largest " + place_of_largest_velocity());
   }
 }
 
 template <int Dim>
 void Simulation<Dim>::step() {
+  if (state_.step > 0) adapt_time_step();
   attempted_step_ = state_.step + 1;
+  attempt_start_ = system_->fluid.time();
   scheme_->advance(*system_, state_.dt);
   state_.step = attempted_step_;
   measures_->observe(state_.dt);

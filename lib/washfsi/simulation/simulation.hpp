@@ -24,6 +24,7 @@ class Simulation {
 
  private:
   void choose_time_step();
+  void adapt_time_step();
   void start_results(Options& options);
   void print_banner();
   void check_only();
@@ -46,6 +47,7 @@ class Simulation {
   Progress progress_;
   RunState state_;
   long first_step_ = 0, attempted_step_ = 0;
+  double attempt_start_ = 0;  ///< time before the last attempted step [s]
   bool warned_of_step_ = false;
 };
 

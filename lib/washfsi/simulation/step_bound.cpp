@@ -27,7 +27,7 @@ double cloth_step_bound(const System<Dim>& system) {
 }
 
 template <int Dim>
-double flow_step_bound(const System<Dim>& system) {
+double flow_time(const System<Dim>& system) {
   double speed = 0;
   WASH_PETSC(VecNorm(system.fluid.velocity(), NORM_INFINITY, &speed));
   speed = std::max(speed, system.boundary.largest_speed(0));
@@ -38,12 +38,12 @@ double flow_step_bound(const System<Dim>& system) {
         speed = std::max(speed, std::abs(body.motion.angular_speed) * (place - body.motion.center).norm());
   });
   speed = largest(system.grid.comm(), speed);
-  return speed > 0 ? 0.3 * system.grid.spacing().minCoeff() / speed : std::numeric_limits<double>::infinity();
+  return speed > 0 ? system.grid.spacing().minCoeff() / speed : std::numeric_limits<double>::infinity();
 }
 
 template double cloth_step_bound<2>(const System<2>&);
 template double cloth_step_bound<3>(const System<3>&);
-template double flow_step_bound<2>(const System<2>&);
-template double flow_step_bound<3>(const System<3>&);
+template double flow_time<2>(const System<2>&);
+template double flow_time<3>(const System<3>&);
 
 }  // namespace washfsi

@@ -12,9 +12,9 @@ namespace washfsi {
 template <int Dim>
 double cloth_step_bound(const System<Dim>& system);
 
-/// A CFL number of 0.3 at the largest speed that boundary, bodies or initial flow prescribe [s]; infinite at rest.
-/// Collective.
+/// The time in which the largest speed that boundary, bodies or the present flow prescribe crosses a cell [s]: the step
+/// of CFL number 1; infinite at rest. Collective.
 template <int Dim>
-double flow_step_bound(const System<Dim>& system);
+double flow_time(const System<Dim>& system);
 
 }  // namespace washfsi
