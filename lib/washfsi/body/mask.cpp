@@ -84,17 +84,16 @@ template <int Dim>
 void Mask<Dim>::add_constraint_force(Vec constraint_force, Vec density, double time, Sums& sums) const {
   const ConstFaceView<Dim> f(grid_.face_dm(), constraint_force), rho(grid_.face_dm(), density);
   const ConstFaceView<Dim> holder(grid_.face_dm(), body_), fraction(grid_.face_dm(), fraction_);
-  for (int c = 0; c < Dim; ++c)
-    for_each<Dim>(grid_.inner_faces(c), [&](const Index<Dim>& face) {
-      if (holder(face, c) < 0) return;
-      const auto b = static_cast<std::size_t>(holder(face, c));
-      const Point<Dim> place = grid_.face_center(face, c);
-      const RigidMotion<Dim>& motion = bodies_[b].motion;
-      const double inertia = (1 - fraction(face, c)) * rho(face, c) * motion.acceleration(place, time)[c];
-      Point<Dim> force = Point<Dim>::Zero();
-      force[c] = grid_.cell_volume() * (inertia - f(face, c));
-      sums.add(b, place - motion.center, force);
-    });
+  grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
+    if (holder(face, c) < 0) return;
+    const auto b = static_cast<std::size_t>(holder(face, c));
+    const Point<Dim> place = grid_.face_center(face, c);
+    const RigidMotion<Dim>& motion = bodies_[b].motion;
+    const double inertia = (1 - fraction(face, c)) * rho(face, c) * motion.acceleration(place, time)[c];
+    Point<Dim> force = Point<Dim>::Zero();
+    force[c] = grid_.cell_volume() * (inertia - f(face, c));
+    sums.add(b, place - motion.center, force);
+  });
 }
 
 // A drum reaches to the box, whose walls take a part of what the water does to it: the pressure of their cells.

@@ -16,13 +16,13 @@ FlowDiagnostics<Dim> FlowDiagnostics<Dim>::of(const Grid<Dim>& grid, const Bound
   const petsc::LocalVector local(grid.face_dm(), velocity);
   boundary.fill(local, time);
   const ConstFaceView<Dim> u(grid.face_dm(), local), rho(grid.face_dm(), density);
-  const Point<Dim>& h = grid.spacing();
+  const Spacing<Dim> h(grid.spacing());
   double energy = 0;
   for_each<Dim>(grid.owned(), [&](const Index<Dim>& cell) {
     double courant = 0;
     for (int d = 0; d < Dim; ++d) {
       const double lower = u(cell, d), upper = u(shifted<Dim>(cell, d, 1), d);
-      courant += dt * std::max(std::abs(lower), std::abs(upper)) / h[d];
+      courant += dt * std::max(std::abs(lower), std::abs(upper)) * h.inverse[d];
       energy += 0.5 * rho(cell, d) * lower * lower;
     }
     if (!std::isfinite(courant)) courant = std::numeric_limits<double>::infinity();

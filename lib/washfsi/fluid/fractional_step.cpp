@@ -84,33 +84,35 @@ void FractionalStep<Dim>::explicit_terms(double dt, const StepFields& fields) {
   advect(local_u, fields.density);
   // Adams-Bashforth for steps of different length: 3/2 and -1/2 when they are equal
   const double weight_before = has_history_ ? -0.5 * dt / dt_before_ : 0, weight = 1 - weight_before;
-  const Point<Dim>& h = grid_.spacing();
+  const Spacing<Dim> h(grid_.spacing());
   const ConstFaceView<Dim> u(grid_.face_dm(), local_u), f(grid_.face_dm(), fields.force);
   const ConstFaceView<Dim> rho(grid_.face_dm(), fields.density);
   const ConstFaceView<Dim> now(grid_.face_dm(), advection_), before(grid_.face_dm(), advection_before_);
   const ConstCellView<Dim> p(grid_.cell_dm(), local_p);
   const FaceView<Dim> b(grid_.face_dm(), rhs_);
-  for (int c = 0; c < Dim; ++c)
-    for_each<Dim>(grid_.inner_faces(c), [&](const Index<Dim>& face) {
-      const double stress = 0.5 * viscosity_ * laplacian<Dim>(u, face, c, h) - gradient<Dim>(p, face, c, h);
-      const double advected = weight * now(face, c) + weight_before * before(face, c);
-      b(face, c) = u(face, c) + dt * ((stress + f(face, c)) / rho(face, c) - advected);
-    });
+  const double half_viscosity = 0.5 * viscosity_;
+  grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
+    const double stress = half_viscosity * laplacian<Dim>(u, face, c, h) - gradient<Dim>(p, face, c, h);
+    const double advected = weight * now(face, c) + weight_before * before(face, c);
+    b(face, c) = u(face, c) + dt * ((stress + f(face, c)) / rho(face, c) - advected);
+  });
 }
 
 template <int Dim>
 void FractionalStep<Dim>::advect(Vec local_velocity, Vec density) {
   const ConstFaceView<Dim> u(grid_.face_dm(), local_velocity), rho(grid_.face_dm(), density);
   const FaceView<Dim> result(grid_.face_dm(), advection_);
-  const Point<Dim>& h = grid_.spacing();
+  const Spacing<Dim> h(grid_.spacing());
+  grid_.for_each_inner_face(
+      [&](const Index<Dim>& face, auto c) { result(face, c) = advection<Dim>(u, face, c, h, CentralValue<Dim>{}); });
+  if (!upwind_) return;
   double dissipated = 0;
-  for (int c = 0; c < Dim; ++c)
-    for_each<Dim>(grid_.inner_faces(c), [&](const Index<Dim>& face) {
-      const double central = advection<Dim>(u, face, c, h, CentralValue<Dim>{});
-      result(face, c) = upwind_ ? advection<Dim>(u, face, c, h, UpwindValue<Dim>{}) : central;
-      dissipated += rho(face, c) * u(face, c) * (result(face, c) - central);
-    });
-  if (upwind_) numerical_dissipation_ = ordered_sum(grid_.comm(), dissipated * grid_.cell_volume());
+  grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
+    const double upwind = advection<Dim>(u, face, c, h, UpwindValue<Dim>{});
+    dissipated += rho(face, c) * u(face, c) * (upwind - result(face, c));
+    result(face, c) = upwind;
+  });
+  numerical_dissipation_ = ordered_sum(grid_.comm(), dissipated * grid_.cell_volume());
 }
 
 template <int Dim>
@@ -125,10 +127,12 @@ void FractionalStep<Dim>::project() {
     boundary_.fill(local, time_ + dt_);
     const ConstFaceView<Dim> u(grid_.face_dm(), local);
     const CellView<Dim> r(grid_.cell_dm(), minus_divergence_), p(grid_.cell_dm(), pressure_);
+    const Spacing<Dim> h(grid_.spacing());
+    const double half_viscosity = 0.5 * viscosity_;
     for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) {
-      const double div = divergence<Dim>(u, cell, grid_.spacing());
+      const double div = divergence<Dim>(u, cell, h);
       r(cell) = -div;
-      p(cell) -= 0.5 * viscosity_ * div;
+      p(cell) -= half_viscosity * div;
     });
   }
   const double tolerance = pressure_tolerance_ * speed / grid_.spacing().minCoeff();

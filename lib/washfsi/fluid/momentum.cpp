@@ -68,10 +68,9 @@ PetscErrorCode MomentumSolver<Dim>::get_diagonal(Mat matrix, Vec result) {
     WASH_PETSC(VecSet(result, 1.0));  // boundary faces: identity rows
     const FaceView<Dim> diagonal(self.grid_.face_dm(), result);
     const ConstFaceView<Dim> rho(self.grid_.face_dm(), self.density_);
-    for (int c = 0; c < Dim; ++c)
-      for_each<Dim>(self.grid_.inner_faces(c), [&](const Index<Dim>& face) {
-        diagonal(face, c) = self.diagonal(face, c, self.viscosity_ * self.dt_ / (2 * rho(face, c)));
-      });
+    self.grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
+      diagonal(face, c) = self.diagonal(face, c, self.viscosity_ * self.dt_ / (2 * rho(face, c)));
+    });
   });
 }
 
@@ -100,13 +99,14 @@ void MomentumSolver<Dim>::apply(Vec x, Vec y) const {
   const FaceView<Dim> result(grid_.face_dm(), y);
   std::optional<ConstFaceView<Dim>> fraction;
   if (constraint_.fluid_fraction) fraction.emplace(grid_.face_dm(), constraint_.fluid_fraction);
-  for (int c = 0; c < Dim; ++c)
-    for_each<Dim>(grid_.inner_faces(c), [&](const Index<Dim>& face) {
-      const double a = viscosity_ * dt_ / (2 * rho(face, c));
-      const double fluid_row = u(face, c) - a * laplacian<Dim>(u, face, c, grid_.spacing());
-      const double H = fraction ? (*fraction)(face, c) : 1;
-      result(face, c) = H == 1 ? fluid_row : H * fluid_row + (1 - H) * diagonal(face, c, a) * u(face, c);
-    });
+  const Spacing<Dim> h(grid_.spacing());
+  const double half_impulse = 0.5 * viscosity_ * dt_;
+  grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
+    const double a = half_impulse / rho(face, c);
+    const double fluid_row = u(face, c) - a * laplacian<Dim>(u, face, c, h);
+    const double H = fraction ? (*fraction)(face, c) : 1;
+    result(face, c) = H == 1 ? fluid_row : H * fluid_row + (1 - H) * diagonal(face, c, a) * u(face, c);
+  });
 }
 
 template <int Dim>
@@ -121,14 +121,14 @@ void MomentumSolver<Dim>::residual(Vec rhs, double time, Vec velocity, Vec resul
     fraction.emplace(grid_.face_dm(), constraint_.fluid_fraction);
     solid.emplace(grid_.face_dm(), constraint_.solid_velocity);
   }
-  for (int c = 0; c < Dim; ++c)
-    for_each<Dim>(grid_.inner_faces(c), [&](const Index<Dim>& face) {
-      const double a = viscosity_ * dt_ / (2 * rho(face, c));
-      const double fluid_row = b(face, c) - u(face, c) + a * laplacian<Dim>(u, face, c, grid_.spacing());
-      const double H = fraction ? (*fraction)(face, c) : 1;
-      r(face, c) =
-          H == 1 ? fluid_row : H * fluid_row + (1 - H) * diagonal(face, c, a) * ((*solid)(face, c) - u(face, c));
-    });
+  const Spacing<Dim> h(grid_.spacing());
+  const double half_impulse = 0.5 * viscosity_ * dt_;
+  grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
+    const double a = half_impulse / rho(face, c);
+    const double fluid_row = b(face, c) - u(face, c) + a * laplacian<Dim>(u, face, c, h);
+    const double H = fraction ? (*fraction)(face, c) : 1;
+    r(face, c) = H == 1 ? fluid_row : H * fluid_row + (1 - H) * diagonal(face, c, a) * ((*solid)(face, c) - u(face, c));
+  });
 }
 
 // The scale of the tolerance: the largest speed present or prescribed by solids.
@@ -161,12 +161,12 @@ void MomentumSolver<Dim>::constraint_force(Vec rhs, double time, Vec velocity, V
   const ConstFaceView<Dim> u(grid_.face_dm(), local), rho(grid_.face_dm(), density_), b(grid_.face_dm(), rhs);
   const ConstFaceView<Dim> fraction(grid_.face_dm(), constraint_.fluid_fraction);
   const FaceView<Dim> f(grid_.face_dm(), force);
-  for (int c = 0; c < Dim; ++c)
-    for_each<Dim>(grid_.inner_faces(c), [&](const Index<Dim>& face) {
-      if (fraction(face, c) == 1) return;
-      const double viscous = 0.5 * viscosity_ * laplacian<Dim>(u, face, c, grid_.spacing());
-      f(face, c) = rho(face, c) * (u(face, c) - b(face, c)) / dt_ - viscous;
-    });
+  const Spacing<Dim> h(grid_.spacing());
+  grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
+    if (fraction(face, c) == 1) return;
+    const double viscous = 0.5 * viscosity_ * laplacian<Dim>(u, face, c, h);
+    f(face, c) = rho(face, c) * (u(face, c) - b(face, c)) / dt_ - viscous;
+  });
 }
 
 template class MomentumSolver<2>;

@@ -233,10 +233,10 @@ void PressureSolver<Dim>::correct(Vec phi, Vec velocity) const {
   const ConstCellView<Dim> local(grid_.stencil_dm(), local_phi_);
   const ConstFaceView<Dim> ratio(grid_.face_dm(), ratio_);
   const FaceView<Dim> u(grid_.face_dm(), velocity);
+  const Spacing<Dim> h(grid_.spacing());
   for (int d = 0; d < Dim; ++d)
-    for_each<Dim>(grid_.inner_faces(d), [&](const Index<Dim>& face) {
-      u(face, d) -= ratio(face, d) * gradient<Dim>(local, face, d, grid_.spacing());
-    });
+    for_each<Dim>(grid_.inner_faces(d),
+                  [&](const Index<Dim>& face) { u(face, d) -= ratio(face, d) * gradient<Dim>(local, face, d, h); });
 }
 
 template class PressureSolver<2>;

@@ -53,6 +53,12 @@ class Grid {
   const Box<Dim>& local() const { return local_; }
   /// Owned faces normal to `axis` that are unknowns: all but the face in the lower boundary.
   Box<Dim> inner_faces(int axis) const;
+  /// Calls kernel(face, c) for all of them, component by component; c is a compile-time constant.
+  template <class Kernel>
+  void for_each_inner_face(Kernel&& kernel) const {
+    for_each_component<Dim>(
+        [&](auto c) { for_each<Dim>(inner_faces(c), [&](const Index<Dim>& face) { kernel(face, c); }); });
+  }
 
   Point<Dim> cell_center(const Index<Dim>& cell) const;
   Point<Dim> face_center(const Index<Dim>& face, int axis) const;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <type_traits>
+#include <utility>
 
 #include <petscsys.h>
 
@@ -38,6 +40,16 @@ void for_each(const Box<Dim>& box, Kernel&& kernel, Index<Dim> index = {}) {
     else
       for_each<Dim, Kernel&, Axis - 1>(box, kernel, index);
   }
+}
+
+/// Calls visit(c) for c = 0 .. Dim-1 as compile-time constants: a stencil whose component is known when it is compiled
+/// needs no index arithmetic at run time.
+template <int Dim, class Visit>
+void for_each_component(Visit&& visit) {
+  [&]<int... c>(std::integer_sequence<int, c...>) {
+    (visit(std::integral_constant<int, c>{}), ...);
+  }
+  (std::make_integer_sequence<int, Dim>{});
 }
 
 }  // namespace washfsi
