@@ -129,8 +129,8 @@ class WrongInputs(ProgramTest):
             if subprocess.run([*mount, "true"], capture_output=True, check=False).returncode != 0:
                 self.skipTest("only root may mount a small disk")
             with self.subTest(size):
-                self.assert_refused(CANNOT_WRITE, ["disk/"], *CASE, "-time_end", 0.5, "-output_interval", 0.02,
-                                    "-checkpoint_interval", 0.05, "-output_dir", disk, launcher=mount)
+                self.assert_refused(CANNOT_WRITE, ["disk/"], *CASE, "-time_end", 0.5, "-output_interval", 0.002,
+                                    "-checkpoint_interval", 0.005, "-output_dir", disk, launcher=mount)
 
 
 if __name__ == "__main__":
