@@ -40,7 +40,7 @@ void run_cavity(MPI_Comm comm, const std::vector<double>& cells, PetscInt steps,
   const Grid<Dim> grid(comm, shape);
   typename Boundary<Dim>::Sides sides;
   sides[1][1].velocity[0] = 1;
-  const Boundary<Dim> boundary(grid, sides);
+  Boundary<Dim> boundary(grid, sides);
   FluidOptions<Dim> options;
   options.density = 1;
   options.viscosity = 1e-3;

@@ -146,7 +146,7 @@ TEST(Transfer, AMarkerNearAWallMovesWithTheShear) {
   const Grid<2> grid(PETSC_COMM_WORLD, shape);
   Boundary<2>::Sides sides;
   sides[1][1].velocity = {1, 0};
-  const Boundary<2> boundary(grid, sides);
+  Boundary<2> boundary(grid, sides);
   const petsc::Vector velocity = grid.face_vector();
   {
     const FaceView<2> u(grid.face_dm(), velocity);

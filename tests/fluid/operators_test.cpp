@@ -44,7 +44,7 @@ void expect_divergence_free(const char* preconditioner) {
   typename Boundary<Dim>::Sides sides;
   sides[1][1].velocity[0] = 1;
   sides[0][0].kind = BoundaryKind::slip;
-  const Boundary<Dim> boundary(grid, sides);
+  Boundary<Dim> boundary(grid, sides);
   FractionalStep<Dim> fluid(grid, boundary, {});
   const petsc::Vector density = grid.face_vector(), force = grid.face_vector();
   {
@@ -125,7 +125,7 @@ TEST(FractionalStep, ASlowApproachToSteadyStateDoesNotFreeze) {
   Boundary<2>::Sides sides;
   sides[0][0].kind = sides[0][1].kind = BoundaryKind::periodic;
   sides[1][1].velocity = {1, 0};
-  const Boundary<2> boundary(grid, sides);
+  Boundary<2> boundary(grid, sides);
   FluidOptions<2> options;
   options.density = 1;
   options.viscosity = 0.1;
@@ -146,7 +146,7 @@ TEST(FractionalStep, GivesTheSameFlowForMirroredWalls) {
   for (std::size_t lid = 0; lid < 2; ++lid) {
     Boundary<2>::Sides sides;
     sides[1][lid].velocity = {1, 0};
-    const Boundary<2> boundary(grid, sides);
+    Boundary<2> boundary(grid, sides);
     FluidOptions<2> options;
     options.density = 1;
     options.viscosity = 0.01;

@@ -12,7 +12,7 @@ import xml.etree.ElementTree as ElementTree
 import h5py
 import numpy as np
 
-from support import CAVITY, WASH, ProgramTest, read_columns, read_options, read_table, run
+from support import CHANNEL, CAVITY, WASH, ProgramTest, read_columns, read_options, read_table, run
 
 CASE = ["-options_file", WASH, "-time_end", 0.05, "-output_interval", 0.01,
         "-profiles", "middle", "-middle_from", "-0.3,0", "-middle_to", "0.3,0", "-middle_points", 61]
@@ -172,6 +172,12 @@ class Output(ProgramTest):
         self.assertEqual((again / "history.csv").read_text(), (self.out / "history.csv").read_text())
         options = read_options(again / "resolved.opts")
         self.assertEqual({**options, "-output_dir": "out"}, self.options)
+
+    def test_resolved_options_of_open_sides_give_the_same_run(self):
+        self.run_well(2, "-options_file", CHANNEL, "-max_steps", 5, "-output_dir", "channel")
+        self.run_well(2, "-options_file", "channel/resolved.opts", "-output_dir", "again")
+        histories = [(self.folder / name / "history.csv").read_text() for name in ("channel", "again")]
+        self.assertEqual(*histories)
 
     def test_help_explains_every_option(self):
         text = self.run_well(2, *CASE, "-help")

@@ -8,7 +8,7 @@ import unittest
 import h5py
 import numpy as np
 
-from support import TIGHT, WASH, ProgramTest, read_columns, relative_difference
+from support import CHANNEL, TIGHT, WASH, ProgramTest, read_columns, relative_difference
 
 CASE = ["-options_file", WASH, *TIGHT]
 
@@ -77,6 +77,23 @@ class Restart(ProgramTest):
         for ranks in (1, 3):
             with self.subTest(ranks=ranks):
                 self.assert_close_results(self.restart(ranks))
+
+
+class RestartOfOpenSides(ProgramTest):
+    """What the open sides hold belongs to the state."""
+
+    def test_restarts_agree_with_the_straight_run(self):
+        case = ["-options_file", CHANNEL, *TIGHT, "-fluid_viscosity", 1e-3]
+        self.run_well(2, *case, "-time_end", 0.4, "-output_dir", "straight")
+        self.run_well(2, *case, "-time_end", 0.2, "-output_dir", "half")
+        expected = datasets(self.folder / "straight" / "checkpoint.h5")
+        self.assertIn("outflow/x_upper", expected)
+        for ranks in (1, 2, 3):
+            self.run_well(ranks, *case, "-time_end", 0.4, "-restart", "half/checkpoint.h5", "-output_dir", f"on_{ranks}")
+            state = datasets(self.folder / f"on_{ranks}" / "checkpoint.h5")
+            for name, values in expected.items():
+                with self.subTest(ranks=ranks, dataset=name):
+                    self.assertLessEqual(relative_difference(state[name], values), 0 if ranks == 2 else 1e-7)
 
 
 if __name__ == "__main__":

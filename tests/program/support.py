@@ -16,6 +16,7 @@ PROGRAM = pathlib.Path(os.environ["WASHFSI_PROGRAM"])
 SOURCE = pathlib.Path(os.environ["WASHFSI_SOURCE"])
 WASH = SOURCE / "inputs" / "wash2d.opts"
 CAVITY = SOURCE / "inputs" / "cavity.opts"
+CHANNEL = SOURCE / "inputs" / "channel.opts"
 TIGHT = ["-momentum_tolerance", "1e-13", "-pressure_tolerance", "1e-12"]
 
 

@@ -14,6 +14,7 @@ namespace washfsi::test {
 template <int Dim>
 struct ExactFlow {
   double density = 1, viscosity = 0.05;
+  std::function<double(const Point<Dim>&, double)> variable_density;  ///< if set, instead of `density` [kg/m3]
   std::function<Point<Dim>(const Point<Dim>&, double)> velocity;
   std::function<double(const Point<Dim>&, double)> pressure;
 
@@ -32,8 +33,10 @@ struct ExactFlow {
       laplacian += (-along(2 * s) - along(-2 * s) + 16 * (along(s) + along(-s)) - 30 * u) / (12 * s * s);
       gradient[d] = first([&](double e) { return Eigen::Matrix<double, 1, 1>(pressure(x + e * axis, t)); })[0];
     }
-    return density * result + gradient - viscosity * laplacian;
+    return density_at(x, t) * result + gradient - viscosity * laplacian;
   }
+
+  double density_at(const Point<Dim>& x, double t) const { return variable_density ? variable_density(x, t) : density; }
 };
 
 /// Distance of a computed flow from the exact one: max and rms norms of velocity and pressure.
@@ -71,12 +74,7 @@ class ManufacturedRun {
 
   FlowError advance(double dt, int steps) {
     set_exact_start(dt);
-    const petsc::Vector density = grid_.face_vector(), force = grid_.face_vector();
-    WASH_PETSC(VecSet(density, exact_.density));
-    for (int n = 0; n < steps; ++n) {
-      if (forced_) set_force(force, fluid_.time() + dt / 2);
-      fluid_.advance(dt, {density, force, {}});
-    }
+    take_steps(dt, steps);
     return error(dt);
   }
 
@@ -84,12 +82,25 @@ class ManufacturedRun {
   FlowError advance_unequally(double dt, int pairs) {
     set_exact_start(4 * dt / 3);
     const petsc::Vector density = grid_.face_vector(), force = grid_.face_vector();
-    WASH_PETSC(VecSet(density, exact_.density));
+    set_density(density, 0);
     for (int n = 0; n < pairs; ++n) {
       fluid_.advance(4 * dt / 3, {density, force, {}});
       fluid_.advance(2 * dt / 3, {density, force, {}});
     }
     return error(2 * dt / 3);
+  }
+
+  /// Velocity and pressure at the end of so many steps, the pressure extrapolated to the same time.
+  std::pair<petsc::Vector, petsc::Vector> final_state(double dt, int steps) {
+    const petsc::Vector before = grid_.cell_vector();
+    (void)advance(dt, steps - 1);
+    WASH_PETSC(VecCopy(fluid_.pressure(), before));
+    take_steps(dt, 1);
+    petsc::Vector velocity = grid_.face_vector(), pressure = grid_.cell_vector();
+    WASH_PETSC(VecCopy(fluid_.velocity(), velocity));
+    WASH_PETSC(VecCopy(fluid_.pressure(), pressure));
+    WASH_PETSC(VecAXPBY(pressure, -0.5, 1.5, before));
+    return {std::move(velocity), std::move(pressure)};
   }
 
   FractionalStep<Dim>& fluid() { return fluid_; }
@@ -112,6 +123,22 @@ class ManufacturedRun {
     for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) {
       for (int c = 0; c < Dim; ++c) u(cell, c) = exact_.velocity(grid_.face_center(cell, c), 0)[c];
       p(cell) = exact_.pressure(grid_.cell_center(cell), -dt / 2);
+    });
+  }
+
+  void take_steps(double dt, int steps) {
+    const petsc::Vector density = grid_.face_vector(), force = grid_.face_vector();
+    for (int n = 0; n < steps; ++n) {
+      set_density(density, fluid_.time() + dt / 2);
+      if (forced_) set_force(force, fluid_.time() + dt / 2);
+      fluid_.advance(dt, {density, force, {}});
+    }
+  }
+
+  void set_density(Vec density, double time) {
+    const FaceView<Dim> rho(grid_.face_dm(), density);
+    for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) {
+      for (int c = 0; c < Dim; ++c) rho(cell, c) = exact_.density_at(grid_.face_center(cell, c), time);
     });
   }
 

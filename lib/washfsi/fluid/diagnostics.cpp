@@ -23,7 +23,12 @@ FlowDiagnostics<Dim> FlowDiagnostics<Dim>::of(const Grid<Dim>& grid, const Bound
     for (int d = 0; d < Dim; ++d) {
       const double lower = u(cell, d), upper = u(shifted<Dim>(cell, d, 1), d);
       courant += dt * std::max(std::abs(lower), std::abs(upper)) * h.inverse[d];
-      energy += 0.5 * rho(cell, d) * lower * lower;
+      // a face in the boundary has half the volume of another
+      const auto axis = static_cast<std::size_t>(d);
+      const bool at_lower = !grid.periodic(d) && cell[axis] == 0;
+      const bool at_upper = !grid.periodic(d) && cell[axis] == grid.cells()[axis] - 1;
+      energy += (at_lower ? 0.25 : 0.5) * rho(cell, d) * lower * lower;
+      if (at_upper) energy += 0.25 * rho(cell, d) * upper * upper;
     }
     if (!std::isfinite(courant)) courant = std::numeric_limits<double>::infinity();
     if (courant > result.courant.value) {

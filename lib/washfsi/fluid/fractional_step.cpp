@@ -11,8 +11,7 @@
 namespace washfsi {
 
 template <int Dim>
-FractionalStep<Dim>::FractionalStep(const Grid<Dim>& grid, const Boundary<Dim>& boundary,
-                                    const FluidOptions<Dim>& options)
+FractionalStep<Dim>::FractionalStep(const Grid<Dim>& grid, Boundary<Dim>& boundary, const FluidOptions<Dim>& options)
     : grid_(grid),
       boundary_(boundary),
       density_(options.density),
@@ -50,7 +49,14 @@ void FractionalStep<Dim>::set_initial_velocity(const FluidOptions<Dim>& options)
         if (uniform) u(face, c) = options.initial_velocity[c];
       });
   }
+  if (boundary_.has_outflow()) boundary_.start_outflow(petsc::LocalVector(grid_.face_dm(), velocity_), 0.0);
   boundary_.set_boundary_faces(velocity_, 0.0);
+}
+
+template <int Dim>
+void FractionalStep<Dim>::set_time(double time) {
+  time_ = time;
+  boundary_.set_outflow_time(time);
 }
 
 template <int Dim>
@@ -81,6 +87,7 @@ template <int Dim>
 void FractionalStep<Dim>::explicit_terms(double dt, const StepFields& fields) {
   const petsc::LocalVector local_u(grid_.face_dm(), velocity_), local_p(grid_.cell_dm(), pressure_);
   boundary_.fill(local_u, time_);
+  boundary_.advance_outflow(local_u, time_, dt);
   advect(local_u, fields.density);
   // Adams-Bashforth for steps of different length: 3/2 and -1/2 when they are equal
   const double weight_before = has_history_ ? -0.5 * dt / dt_before_ : 0, weight = 1 - weight_before;
@@ -148,6 +155,7 @@ void FractionalStep<Dim>::finish() {
   has_history_ = true;
   dt_before_ = dt_;
   time_ += dt_;
+  boundary_.accept_outflow();
   ++counts_.steps;
 }
 

@@ -33,7 +33,7 @@ struct StepFields {
 template <int Dim>
 class FractionalStep {
  public:
-  FractionalStep(const Grid<Dim>& grid, const Boundary<Dim>& boundary, const FluidOptions<Dim>& options);
+  FractionalStep(const Grid<Dim>& grid, Boundary<Dim>& boundary, const FluidOptions<Dim>& options);
 
   /// One whole step: predict, project, finish. Collective. Errors: DivergedError.
   void advance(double dt, const StepFields& fields);
@@ -48,7 +48,7 @@ class FractionalStep {
   Vec velocity() const { return velocity_; }  ///< u^n [m/s]
   Vec pressure() const { return pressure_; }  ///< p^(n-1/2) [Pa]
   double time() const { return time_; }       ///< t^n [s]
-  void set_time(double time) { time_ = time; }
+  void set_time(double time);
   /// Length of the last step [s]; 0 before the first, which advects by forward Euler: u^(n-1) is not known then.
   double last_step() const { return has_history_ ? dt_before_ : 0; }
   void set_last_step(double dt) {
@@ -76,7 +76,7 @@ class FractionalStep {
   void set_initial_velocity(const FluidOptions<Dim>& options);
 
   const Grid<Dim>& grid_;
-  const Boundary<Dim>& boundary_;
+  Boundary<Dim>& boundary_;  ///< its open sides take part in the step
   double density_, viscosity_, pressure_tolerance_;
   bool projects_, upwind_;
   MomentumSolver<Dim> momentum_;

@@ -17,24 +17,84 @@ constexpr std::array<End, 2> both_ends{End::lower, End::upper};
 
 template <int Dim>
 Boundary<Dim>::Boundary(const Grid<Dim>& grid, Sides sides) : grid_(grid), sides_(std::move(sides)) {
+  for (int axis = 0; axis < Dim; ++axis)
+    for (const End end : both_ends)
+      if (side(axis, end).kind == BoundaryKind::outflow) outflows_.emplace_back(grid, axis, end);
   check_net_flux();
 }
 
 template <int Dim>
 void Boundary<Dim>::check_net_flux() const {
-  double net = 0, gross = 0;
-  for (int axis = 0; axis < Dim; ++axis) {
-    if (grid_.periodic(axis)) continue;
-    const Point<Dim> extent = grid_.upper() - grid_.lower();
-    const double area = extent.prod() / extent[axis];
-    const double in = area * side(axis, End::lower).velocity[axis];
-    const double out = area * side(axis, End::upper).velocity[axis];
-    net += out - in;
-    gross += std::abs(out) + std::abs(in);
-  }
+  const auto moves = [](const auto& ends) { return ends[0].motion || ends[1].motion; };
+  if (has_outflow() || std::any_of(sides_.begin(), sides_.end(), moves)) return;
+  const auto [net, gross] = prescribed_flux(0);
   if (std::abs(net) > 1e-12 * gross)
-    throw InputError("-bc_..._velocity: the velocities given on the boundary have a net outflow of " + to_text(net) +
-                     " m^" + std::to_string(Dim) + "/s; it must be zero");
+    throw InputError("-bc_..._velocity: the velocities given on the boundary have a net flux of " + to_text(net) +
+                     " m^" + std::to_string(Dim) + "/s out of the box; it must be zero, or one side an outflow");
+}
+
+// What leaves the box through the sides whose velocity is given: the sum, and the sum without signs [m^Dim/s].
+template <int Dim>
+typename Boundary<Dim>::Flux Boundary<Dim>::prescribed_flux(double time) const {
+  std::vector<double> sums(2, 0.0);
+  for (int axis = 0; axis < Dim; ++axis)
+    for (const End end : both_ends) {
+      if (!touches(axis, end) || side(axis, end).kind == BoundaryKind::outflow) continue;
+      const double area = grid_.cell_volume() / grid_.spacing()[axis];
+      visit_boundary_faces(axis, end, grid_.owned(), [&](const Index<Dim>& face) {
+        const double flux = area * value(axis, end, face, axis, time);
+        sums[0] += end == End::lower ? -flux : flux;
+        sums[1] += std::abs(flux);
+      });
+    }
+  sums = ordered_sum(grid_.comm(), sums);
+  return {sums[0], sums[1]};
+}
+
+template <int Dim>
+const OutflowLayer<Dim>& Boundary<Dim>::outflow(int axis, End end) const {
+  return *std::find_if(outflows_.begin(), outflows_.end(),
+                       [&](const auto& layer) { return layer.axis() == axis && layer.end() == end; });
+}
+
+template <int Dim>
+void Boundary<Dim>::start_outflow(Vec local_velocity, double time) {
+  if (!has_outflow()) return;
+  const ConstFaceView<Dim> u(grid_.face_dm(), local_velocity);
+  for (auto& layer : outflows_) layer.start(u);
+  balance_outflow(time);
+  next_outflow_time_ = time;
+  accept_outflow();
+}
+
+template <int Dim>
+void Boundary<Dim>::advance_outflow(Vec local_velocity, double time, double dt) {
+  if (!has_outflow()) return;
+  const ConstFaceView<Dim> u(grid_.face_dm(), local_velocity);
+  std::vector<double> inner;
+  for (const auto& layer : outflows_) inner.push_back(layer.inner_flux(u));
+  inner = ordered_sum(grid_.comm(), inner);
+  for (std::size_t i = 0; i < outflows_.size(); ++i) outflows_[i].advance(u, inner[i] / outflows_[i].area(), dt);
+  balance_outflow(time + dt);
+  next_outflow_time_ = time + dt;
+}
+
+// Shifts the advanced values of all open sides alike so that the box gains and loses the same volume.
+template <int Dim>
+void Boundary<Dim>::balance_outflow(double time) {
+  double out = 0, area = 0;
+  for (const auto& layer : outflows_) {
+    out += layer.flux();
+    area += layer.area();
+  }
+  out = ordered_sum(grid_.comm(), out) + prescribed_flux(time).net;
+  for (auto& layer : outflows_) layer.add_outward(-out / area);
+}
+
+template <int Dim>
+void Boundary<Dim>::accept_outflow() {
+  for (auto& layer : outflows_) layer.accept();
+  outflow_time_ = next_outflow_time_;
 }
 
 template <int Dim>
@@ -45,7 +105,9 @@ const Side<Dim>& Boundary<Dim>::side(int axis, End end) const {
 template <int Dim>
 double Boundary<Dim>::mirror_sign(int axis, End end, int component) const {
   if (grid_.periodic(axis)) return 0;
-  return side(axis, end).kind == BoundaryKind::slip && component != axis ? 1 : -1;
+  const BoundaryKind kind = side(axis, end).kind;
+  if (kind == BoundaryKind::outflow) return 0;
+  return kind == BoundaryKind::slip && component != axis ? 1 : -1;
 }
 
 template <int Dim>
@@ -53,11 +115,12 @@ double Boundary<Dim>::largest_speed(double time) const {
   double speed = 0;
   for (int axis = 0; axis < Dim; ++axis)
     for (const End end : both_ends) {
-      if (grid_.periodic(axis) || !touches(axis, end)) continue;
-      visit_boundary_faces(axis, end, [&](const Index<Dim>& face) {
+      const BoundaryKind kind = side(axis, end).kind;
+      if (!touches(axis, end) || kind == BoundaryKind::outflow) continue;
+      visit_boundary_faces(axis, end, grid_.owned(), [&](const Index<Dim>& face) {
         for (int c = 0; c < Dim; ++c)
-          if (c == axis || side(axis, end).kind == BoundaryKind::wall)
-            speed = std::max(speed, std::abs(value(side(axis, end), grid_.face_center(face, axis), time, c)));
+          if (c == axis || kind != BoundaryKind::slip)
+            speed = std::max(speed, std::abs(value(axis, end, face, c, time)));
       });
     }
   return largest(grid_.comm(), speed);
@@ -65,13 +128,37 @@ double Boundary<Dim>::largest_speed(double time) const {
 
 template <int Dim>
 bool Boundary<Dim>::touches(int axis, End end) const {
+  if (grid_.periodic(axis)) return false;
   const auto d = static_cast<std::size_t>(axis);
   return end == End::lower ? grid_.owned().lower[d] == 0 : grid_.owned().upper[d] == grid_.cells()[d];
 }
 
+// The velocity that holds on the side next to a face: in it, or half a cell from it.
 template <int Dim>
-double Boundary<Dim>::value(const Side<Dim>& side, const Point<Dim>& place, double time, int component) const {
-  return side.motion ? side.motion(place, time)[component] : side.velocity[component];
+double Boundary<Dim>::value(int axis, End end, const Index<Dim>& face, int component, double time) const {
+  const Side<Dim>& here = side(axis, end);
+  if (here.kind == BoundaryKind::outflow) return outflow(axis, end)(face, component, time > outflow_time_);
+  if (here.motion) return here.motion(foot(face, component, axis, end), time)[component];
+  if (here.profile == InflowProfile::uniform) return here.velocity[component];
+  return here.velocity[component] * profile_at(axis, foot(face, component, axis, end));
+}
+
+// The parabola of a parabolic inflow: along each direction with no-slip walls, 0 there and 1 midway or at the far end.
+template <int Dim>
+double Boundary<Dim>::profile_at(int axis, const Point<Dim>& place) const {
+  double factor = 1;
+  for (int d = 0; d < Dim; ++d) {
+    const bool from_lower = d != axis && side(d, End::lower).kind == BoundaryKind::wall;
+    const bool from_upper = d != axis && side(d, End::upper).kind == BoundaryKind::wall;
+    const double s = (place[d] - grid_.lower()[d]) / (grid_.upper()[d] - grid_.lower()[d]);
+    if (from_lower && from_upper)
+      factor *= 4 * s * (1 - s);
+    else if (from_lower)
+      factor *= s * (2 - s);
+    else if (from_upper)
+      factor *= (1 - s) * (1 + s);
+  }
+  return factor;
 }
 
 // The point of the wall opposite to a face.
@@ -82,12 +169,12 @@ Point<Dim> Boundary<Dim>::foot(const Index<Dim>& face, int component, int axis, 
   return place;
 }
 
-// Calls visit(face) for the faces that lie in the boundary, over the whole local extent of the other axes.
+// Calls visit(face) for the faces that lie in the boundary, over the extent of `part` along the other axes.
 template <int Dim>
 template <class Visit>
-void Boundary<Dim>::visit_boundary_faces(int axis, End end, Visit&& visit) const {
+void Boundary<Dim>::visit_boundary_faces(int axis, End end, const Box<Dim>& part, Visit&& visit) const {
   const auto d = static_cast<std::size_t>(axis);
-  Box<Dim> plane = grid_.local();
+  Box<Dim> plane = part;
   plane.lower[d] = end == End::lower ? 0 : grid_.cells()[d];
   plane.upper[d] = plane.lower[d] + 1;
   for_each<Dim>(plane, visit);
@@ -118,15 +205,13 @@ void Boundary<Dim>::fill(Vec local_velocity, double time) const {
   const FaceView<Dim> u(grid_.face_dm(), local_velocity);
   for (int axis = 0; axis < Dim; ++axis)  // later axes complete the corners of earlier ones
     for (const End end : both_ends) {
-      if (grid_.periodic(axis) || !touches(axis, end)) continue;
-      const Side<Dim>& wall = side(axis, end);
-      visit_boundary_faces(axis, end, [&](const Index<Dim>& face) {
-        u(face, axis) = value(wall, grid_.face_center(face, axis), time, axis);
-      });
+      if (!touches(axis, end)) continue;
+      visit_boundary_faces(axis, end, grid_.local(),
+                           [&](const Index<Dim>& face) { u(face, axis) = value(axis, end, face, axis, time); });
       for (int c = 0; c < Dim; ++c) {
-        const double sign = mirror_sign(axis, end, c);
+        const double sign = mirror_sign(axis, end, c);  // u(ghost) = (1 - sign) u_wall + sign u(mirror)
         visit_ghosts(axis, end, c, [&](const Index<Dim>& ghost, const Index<Dim>& mirror) {
-          const double shift = sign < 0 ? 2 * value(wall, foot(ghost, c, axis, end), time, c) : 0;
+          const double shift = sign < 1 ? (1 - sign) * value(axis, end, ghost, c, time) : 0;
           u(ghost, c) = shift + sign * u(mirror, c);
         });
       }
@@ -138,8 +223,8 @@ void Boundary<Dim>::fill_homogeneous(Vec local_velocity) const {
   const FaceView<Dim> u(grid_.face_dm(), local_velocity);
   for (int axis = 0; axis < Dim; ++axis)
     for (const End end : both_ends) {
-      if (grid_.periodic(axis) || !touches(axis, end)) continue;
-      visit_boundary_faces(axis, end, [&](const Index<Dim>& face) { u(face, axis) = 0; });
+      if (!touches(axis, end)) continue;
+      visit_boundary_faces(axis, end, grid_.local(), [&](const Index<Dim>& face) { u(face, axis) = 0; });
       for (int c = 0; c < Dim; ++c) {
         const double sign = mirror_sign(axis, end, c);
         visit_ghosts(axis, end, c,
@@ -154,7 +239,7 @@ Point<Dim> Boundary<Dim>::fold_with(Vec local, bool keep_sign) const {
   Point<Dim> kept = Point<Dim>::Zero();
   for (int axis = Dim; axis-- > 0;)  // the reverse of `fill`
     for (const End end : both_ends) {
-      if (grid_.periodic(axis) || !touches(axis, end)) continue;
+      if (!touches(axis, end)) continue;
       for (int c = 0; c < Dim; ++c) {
         const double sign = keep_sign ? 1 : mirror_sign(axis, end, c);
         visit_ghosts(axis, end, c, [&](const Index<Dim>& ghost, const Index<Dim>& mirror) {
@@ -164,7 +249,8 @@ Point<Dim> Boundary<Dim>::fold_with(Vec local, bool keep_sign) const {
         });
       }
       if (keep_sign) continue;
-      visit_boundary_faces(axis, end, [&](const Index<Dim>& face) { kept[axis] += std::exchange(f(face, axis), 0.0); });
+      visit_boundary_faces(axis, end, grid_.local(),
+                           [&](const Index<Dim>& face) { kept[axis] += std::exchange(f(face, axis), 0.0); });
     }
   return kept;
 }
@@ -183,12 +269,9 @@ template <int Dim>
 void Boundary<Dim>::set_boundary_faces(Vec velocity, double time) const {
   const FaceView<Dim> u(grid_.face_dm(), velocity);
   for (int axis = 0; axis < Dim; ++axis) {
-    if (grid_.periodic(axis) || !touches(axis, End::lower)) continue;
-    Box<Dim> plane = grid_.owned();
-    plane.upper[static_cast<std::size_t>(axis)] = 1;
-    for_each<Dim>(plane, [&](const Index<Dim>& face) {
-      u(face, axis) = value(side(axis, End::lower), grid_.face_center(face, axis), time, axis);
-    });
+    if (!touches(axis, End::lower)) continue;
+    visit_boundary_faces(axis, End::lower, grid_.owned(),
+                         [&](const Index<Dim>& face) { u(face, axis) = value(axis, End::lower, face, axis, time); });
   }
 }
 

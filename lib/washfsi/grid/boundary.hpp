@@ -2,34 +2,24 @@
 #pragma once
 
 #include <array>
-#include <functional>
+#include <vector>
 
 #include "washfsi/grid/grid.hpp"
+#include "washfsi/grid/outflow.hpp"
+#include "washfsi/grid/side.hpp"
 
 namespace washfsi {
 
-enum class BoundaryKind { wall, slip, periodic };
-
-enum class End { lower, upper };
-
-/// What holds on one side of the box.
-template <int Dim>
-struct Side {
-  BoundaryKind kind = BoundaryKind::wall;
-  Point<Dim> velocity = Point<Dim>::Zero();  ///< of the wall [m/s]; slip uses the normal component only
-  /// If set, the wall's velocity [m/s] at a place [m] and time [s], instead of `velocity`.
-  std::function<Point<Dim>(const Point<Dim>&, double)> motion;
-};
-
 /// The conditions on all sides of the box, as values of ghost faces: the tangential velocity is reflected
-/// through the wall, ghost = 2 u_wall - u_interior (thesis Fig. 2.2-3), or mirrored at a slip side; faces in
-/// the boundary take the wall's normal velocity.
+/// through a wall or inflow, ghost = 2 u_wall - u_interior (thesis Fig. 2.2-3), or mirrored at a slip side; faces in
+/// the boundary take the given normal velocity. At an outflow all of them are the values that the flow has carried
+/// there (`OutflowLayer`), shifted so that what flows out is exactly what flows in.
 template <int Dim>
 class Boundary {
  public:
   using Sides = std::array<std::array<Side<Dim>, 2>, Dim>;  ///< [axis][End]
 
-  /// Errors: InputError if the prescribed velocities have a net flux through the boundary.
+  /// Collective. Errors: InputError if there is no outflow and the prescribed velocities have a net flux.
   Boundary(const Grid<Dim>& grid, Sides sides);
 
   /// Fills boundary faces and ghosts of a local face vector whose inner ghosts are up to date.
@@ -44,8 +34,22 @@ class Boundary {
   /// Sets the owned faces in the lower boundaries of a global velocity.
   void set_boundary_faces(Vec velocity, double time) const;
 
+  /// The open sides start with the values inside, at `time`. `local_velocity` holds this rank's ghosts. Collective.
+  void start_outflow(Vec local_velocity, double time);
+  /// What the open sides will hold after a step from `time` by `dt`, for all calls with a later time; the velocity is
+  /// that at `time`, filled. May be repeated. Collective.
+  void advance_outflow(Vec local_velocity, double time, double dt);
+  /// The advanced values become the present ones.
+  void accept_outflow();
+  bool has_outflow() const { return !outflows_.empty(); }
+  std::vector<OutflowLayer<Dim>>& outflows() { return outflows_; }
+  const std::vector<OutflowLayer<Dim>>& outflows() const { return outflows_; }
+  /// The time of the present values, as a restart sets it.
+  void set_outflow_time(double time) { outflow_time_ = time; }
+
   const Side<Dim>& side(int axis, End end) const;
-  /// +1 or -1: the sign with which a ghost of this component mirrors the interior; 0 on periodic sides.
+  /// +1 or -1: the sign with which a ghost of this component mirrors the interior; 0 if it does not, on periodic and
+  /// open sides.
   double mirror_sign(int axis, End end, int component) const;
   /// Largest speed prescribed anywhere on the boundary [m/s].
   double largest_speed(double time) const;
@@ -54,15 +58,24 @@ class Boundary {
   template <class Visit>
   void visit_ghosts(int axis, End end, int component, Visit&& visit) const;
   template <class Visit>
-  void visit_boundary_faces(int axis, End end, Visit&& visit) const;
+  void visit_boundary_faces(int axis, End end, const Box<Dim>& part, Visit&& visit) const;
   Point<Dim> fold_with(Vec local, bool keep_sign) const;
   bool touches(int axis, End end) const;
-  double value(const Side<Dim>& side, const Point<Dim>& place, double time, int component) const;
+  double value(int axis, End end, const Index<Dim>& face, int component, double time) const;
+  double profile_at(int axis, const Point<Dim>& place) const;
+  struct Flux {
+    double net, gross;
+  };
+  Flux prescribed_flux(double time) const;
+  void balance_outflow(double time);
+  const OutflowLayer<Dim>& outflow(int axis, End end) const;
   void check_net_flux() const;
   Point<Dim> foot(const Index<Dim>& face, int component, int axis, End end) const;
 
   const Grid<Dim>& grid_;
   Sides sides_;
+  std::vector<OutflowLayer<Dim>> outflows_;
+  double outflow_time_ = 0, next_outflow_time_ = 0;  ///< of the present and the advanced values [s]
 };
 
 extern template class Boundary<2>;

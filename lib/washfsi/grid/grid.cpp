@@ -153,9 +153,16 @@ Index<Dim> Grid<Dim>::cell_of(const Point<Dim>& point) const {
   Index<Dim> cell;
   for (std::size_t d = 0; d < Dim; ++d) {
     const int axis = static_cast<int>(d);
-    const auto i = static_cast<PetscInt>(std::floor((point[axis] - shape_.lower[axis]) / spacing_[axis]));
+    cell[d] = static_cast<PetscInt>(std::floor((point[axis] - shape_.lower[axis]) / spacing_[axis]));
+  }
+  return inside(cell);
+}
+
+template <int Dim>
+Index<Dim> Grid<Dim>::inside(Index<Dim> cell) const {
+  for (std::size_t d = 0; d < Dim; ++d) {
     const PetscInt n = shape_.cells[d];
-    cell[d] = shape_.periodic[d] ? ((i % n) + n) % n : std::clamp<PetscInt>(i, 0, n - 1);
+    cell[d] = shape_.periodic[d] ? ((cell[d] % n) + n) % n : std::clamp<PetscInt>(cell[d], 0, n - 1);
   }
   return cell;
 }

@@ -64,6 +64,8 @@ class Grid {
   Point<Dim> face_center(const Index<Dim>& face, int axis) const;
   /// The cell that holds a point; periodic images are folded into the box.
   Index<Dim> cell_of(const Point<Dim>& point) const;
+  /// The cell of the box for an index beyond it: its periodic image, or the nearest cell.
+  Index<Dim> inside(Index<Dim> cell) const;
   /// The rank that owns a cell of the box.
   int owner(const Index<Dim>& cell) const;
   /// The cells that another rank owns.

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/grid/options.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "washfsi/support/errors.hpp"
 
@@ -19,15 +22,34 @@ std::vector<double> read_cells(OptionBlock& block) {
   return cells;
 }
 
+constexpr std::array<std::pair<const char*, BoundaryKind>, 5> kinds{{{"wall", BoundaryKind::wall},
+                                                                     {"slip", BoundaryKind::slip},
+                                                                     {"inflow", BoundaryKind::inflow},
+                                                                     {"outflow", BoundaryKind::outflow},
+                                                                     {"periodic", BoundaryKind::periodic}}};
+
 template <int Dim>
-Side<Dim> read_side(OptionBlock& block, const std::string& name) {
+Side<Dim> read_side(OptionBlock& block, const std::string& name, int axis, End end) {
   Side<Dim> side;
-  std::string kind = "wall";
-  block.choice(name, kind, {"wall", "slip", "periodic"}, "what holds on this side of the box");
-  block.template point<Dim>(name + "_velocity", side.velocity, "m/s", "velocity of the wall on this side");
-  side.kind = kind == "wall" ? BoundaryKind::wall : kind == "slip" ? BoundaryKind::slip : BoundaryKind::periodic;
-  if (side.kind == BoundaryKind::periodic && block.given(name + "_velocity"))
-    throw InputError("-" + name + "_velocity: a periodic side has no velocity");
+  std::string kind = "wall", profile = "uniform";
+  std::vector<std::string> names;
+  for (const auto& known : kinds) names.emplace_back(known.first);
+  block.choice(name, kind, names, "what holds on this side of the box");
+  block.template point<Dim>(name + "_velocity", side.velocity, "m/s", "velocity of the wall or inflow on this side");
+  block.choice(name + "_profile", profile, {"uniform", "parabolic"},
+               "of an inflow; parabolic: 0 at the walls beside it, the velocity given is its peak");
+  side.kind = std::find_if(kinds.begin(), kinds.end(), [&](const auto& k) { return k.first == kind; })->second;
+  if (profile == "parabolic") side.profile = InflowProfile::parabolic;
+  const bool free = side.kind == BoundaryKind::periodic || side.kind == BoundaryKind::outflow;
+  if (free && side.velocity != Point<Dim>::Zero())
+    throw InputError("-" + name + "_velocity " + list_text<Dim>(side.velocity) + ": the side is " + kind +
+                     " and takes no velocity");
+  if (side.kind != BoundaryKind::inflow && side.profile != InflowProfile::uniform)
+    throw InputError("-" + name + "_profile " + profile + ": only for a side that is inflow, this one is " + kind);
+  const double inward = end == End::lower ? side.velocity[axis] : -side.velocity[axis];
+  if (side.kind == BoundaryKind::inflow && inward < 0)
+    throw InputError("-" + name + "_velocity " + list_text<Dim>(side.velocity) +
+                     ": points out of the box; an inflow must point into it or along its side");
   return side;
 }
 
@@ -49,7 +71,8 @@ GridOptions<Dim> GridOptions<Dim>::from_options(Options& options) {
     block.template point<Dim>("grid_upper", grid.shape.upper, "m", "upper corner of the box");
     for (std::size_t d = 0; d < Dim; ++d) {
       const std::string name = std::string("bc_") + "xyz"[d];
-      grid.sides[d] = {read_side<Dim>(block, name + "_lower"), read_side<Dim>(block, name + "_upper")};
+      grid.sides[d] = {read_side<Dim>(block, name + "_lower", static_cast<int>(d), End::lower),
+                       read_side<Dim>(block, name + "_upper", static_cast<int>(d), End::upper)};
       const bool lower = grid.sides[d][0].kind == BoundaryKind::periodic;
       if (lower != (grid.sides[d][1].kind == BoundaryKind::periodic))
         throw InputError("-" + name + "_lower, -" + name + "_upper: both sides must be periodic, or neither");

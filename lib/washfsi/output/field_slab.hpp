@@ -6,15 +6,14 @@
 
 namespace washfsi {
 
-/// This rank's part of a field with `components` values per cell in a dataset of shape [nz,] ny, nx [, components]. The
-/// order is that of a DMDA's global vector. No last dimension for a single component.
+/// This rank's part of a dataset over the box `whole`, of which it holds `part`, with `components` values per cell.
 template <int Dim>
-Slab field_slab(const Grid<Dim>& grid, int components) {
+Slab box_slab(const Box<Dim>& whole, const Box<Dim>& part, int components) {
   Slab slab;
   for (std::size_t d = Dim; d-- > 0;) {
-    slab.shape.push_back(static_cast<hsize_t>(grid.cells()[d]));
-    slab.offset.push_back(static_cast<hsize_t>(grid.owned().lower[d]));
-    slab.count.push_back(static_cast<hsize_t>(grid.owned().upper[d] - grid.owned().lower[d]));
+    slab.shape.push_back(static_cast<hsize_t>(whole.upper[d] - whole.lower[d]));
+    slab.offset.push_back(static_cast<hsize_t>(part.lower[d] - whole.lower[d]));
+    slab.count.push_back(static_cast<hsize_t>(part.upper[d] - part.lower[d]));
   }
   if (components > 1) {
     slab.shape.push_back(static_cast<hsize_t>(components));
@@ -22,6 +21,13 @@ Slab field_slab(const Grid<Dim>& grid, int components) {
     slab.count.push_back(static_cast<hsize_t>(components));
   }
   return slab;
+}
+
+/// This rank's part of a field with `components` values per cell in a dataset of shape [nz,] ny, nx [, components]. The
+/// order is that of a DMDA's global vector. No last dimension for a single component.
+template <int Dim>
+Slab field_slab(const Grid<Dim>& grid, int components) {
+  return box_slab<Dim>({{}, grid.cells()}, grid.owned(), components);
 }
 
 /// This rank's part of an array over markers with `components` values each.

@@ -43,6 +43,24 @@ Points<Dim> read_points(Hdf5File& file, const std::string& name, const Cloths<Di
   return points;
 }
 
+// The values that open sides hold, one plane each.
+template <int Dim>
+std::string dataset_of(const OutflowLayer<Dim>& layer) {
+  return std::string("/outflow/") + "xyz"[layer.axis()] + (layer.end() == End::lower ? "_lower" : "_upper");
+}
+
+template <int Dim>
+void write_outflow(Hdf5File& file, const System<Dim>& system) {
+  for (const auto& layer : system.boundary.outflows())
+    file.write(dataset_of(layer), box_slab<Dim>(layer.all_cells(), layer.owned_cells(), Dim), layer.values());
+}
+
+template <int Dim>
+void read_outflow(Hdf5File& file, System<Dim>& system) {
+  for (auto& layer : system.boundary.outflows())
+    layer.set_values(file.read(dataset_of(layer), box_slab<Dim>(layer.all_cells(), layer.all_cells(), Dim)));
+}
+
 // What a checkpoint must share with the run that goes on from it: the box, and every cloth's markers and spacing.
 template <int Dim>
 std::vector<double> identity(const System<Dim>& system) {
@@ -83,6 +101,7 @@ void write_checkpoint(const std::string& folder, const System<Dim>& system, Meas
     write_vector(file, "/fluid/" + name, field_slab(system.grid, Dim), vector);
   for (const auto& [name, vector] : system.fluid.cell_state())
     write_vector(file, "/fluid/" + name, field_slab(system.grid, 1), vector);
+  write_outflow(file, system);
   if (system.cloths.marker_count() > 0) {
     file.write("/cloth/position", slab_of_markers(system.cloths, Dim), flattened<Dim>(system.positions));
     file.write("/cloth/velocity", slab_of_markers(system.cloths, Dim), flattened<Dim>(system.velocities));
@@ -113,6 +132,7 @@ RunState read_checkpoint(const std::string& path, System<Dim>& system, Measures<
       read_vector(file, "/fluid/" + name, field_slab(system.grid, Dim), vector);
     for (const auto& [name, vector] : system.fluid.cell_state())
       read_vector(file, "/fluid/" + name, field_slab(system.grid, 1), vector);
+    read_outflow(file, system);
     if (system.cloths.marker_count() > 0) {
       system.positions = read_points(file, "/cloth/position", system.cloths);
       system.velocities = read_points(file, "/cloth/velocity", system.cloths);

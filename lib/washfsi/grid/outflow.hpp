@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "washfsi/grid/grid.hpp"
+#include "washfsi/grid/side.hpp"
+
+namespace washfsi {
+
+/// The velocities just beyond an open side of the box, carried out by the convective condition
+///   du/dt + U du/dn = 0,   U = the mean outward velocity one cell inside, or 0 where it points inward
+/// (thesis 4.3.2; Kim, Kim and Choi, J. Comput. Phys. 171 (2001) 132), upwind in space and implicit in time, hence
+/// bounded for every step. The layer holds the side's own faces for the normal component and the first ghosts beyond
+/// the side for the others. It is kept on every rank that touches the side, ghosts along the side included.
+template <int Dim>
+class OutflowLayer {
+ public:
+  OutflowLayer(const Grid<Dim>& grid, int axis, End end);
+
+  int axis() const { return axis_; }
+  End end() const { return end_; }
+
+  /// Takes the nearest values inside. `local_velocity` has its ghosts filled along the side.
+  void start(const ConstFaceView<Dim>& local_velocity);
+  /// This rank's part of the outward flux one cell inside [m^Dim/s].
+  double inner_flux(const ConstFaceView<Dim>& local_velocity) const;
+  /// The values a step later; `speed` is U.
+  void advance(const ConstFaceView<Dim>& local_velocity, double speed, double dt);
+  /// This rank's part of the outward flux of the advanced values [m^Dim/s].
+  double flux() const;
+  /// Adds to the advanced values' outward velocity [m/s].
+  void add_outward(double speed);
+  /// The advanced values become the present ones.
+  void accept() { now_ = next_; }
+
+  /// Area of the whole side [m^(Dim-1)].
+  double area() const;
+  /// The value that holds at the layer's place nearest to a face.
+  double operator()(const Index<Dim>& face, int component, bool advanced) const;
+
+  /// The cells beside the layer that this rank owns, none if it does not touch the side; the whole side's.
+  Box<Dim> owned_cells() const { return owned_; }
+  Box<Dim> all_cells() const;
+  /// The present values beside owned cells, x first, components together; and the inverse, from the whole side's.
+  std::vector<double> values() const;
+  void set_values(const std::vector<double>& whole);
+
+ private:
+  std::size_t offset(const Box<Dim>& box, Index<Dim> cell, int component) const;
+  Index<Dim> nearest_inside(const Index<Dim>& cell, int component) const;
+
+  const Grid<Dim>& grid_;
+  int axis_;
+  End end_;
+  Box<Dim> owned_;                  ///< cells beside the side
+  Box<Dim> kept_;                   ///< the same with ghosts along the side, as far as the box has cells there
+  std::vector<double> now_, next_;  ///< of `kept_`
+};
+
+extern template class OutflowLayer<2>;
+extern template class OutflowLayer<3>;
+
+}  // namespace washfsi
