@@ -51,7 +51,7 @@ struct Tank {
     return part;
   }
   Point<Dim> integral(Vec field) const {
-    const ConstFaceView<Dim> view(grid.face_dm(), field);
+    const ConstFaceView<Dim> view(grid.wide_face_dm(), field);
     std::vector<double> sums(Dim, 0.0);
     for_each<Dim>(grid.owned(), [&](const Index<Dim>& face) {
       for (int c = 0; c < Dim; ++c) sums[static_cast<std::size_t>(c)] += view(face, c) * grid.cell_volume();
@@ -88,7 +88,7 @@ void expect_adjoint() {
   const Points<Dim> forces = tank.mine(random_points<Dim>(60, 22));
   const petsc::Vector u = tank.grid.face_vector(), f = tank.grid.face_vector();
   {
-    const FaceView<Dim> view(tank.grid.face_dm(), u);
+    const FaceView<Dim> view(tank.grid.wide_face_dm(), u);
     for (int c = 0; c < Dim; ++c)
       for_each<Dim>(tank.grid.inner_faces(c), [&](const Index<Dim>& face) {
         view(face, c) = std::sin(9.1 * tank.grid.face_center(face, c).sum() + c);
@@ -97,7 +97,7 @@ void expect_adjoint() {
   (void)tank.transfer.spread(forces, f);
   double on_grid = 0, on_cloth = 0;
   WASH_PETSC(VecDot(u, f, &on_grid));
-  const petsc::LocalVector local(tank.grid.face_dm(), u);
+  const petsc::LocalVector local(tank.grid.wide_face_dm(), u);
   tank.boundary.fill_homogeneous(local);
   const Points<Dim> velocities = tank.transfer.interpolate(local);
   for (std::size_t m = 0; m < forces.size(); ++m) on_cloth += forces[m].dot(velocities[m]);
@@ -149,10 +149,10 @@ TEST(Transfer, AMarkerNearAWallMovesWithTheShear) {
   Boundary<2> boundary(grid, sides);
   const petsc::Vector velocity = grid.face_vector();
   {
-    const FaceView<2> u(grid.face_dm(), velocity);
+    const FaceView<2> u(grid.wide_face_dm(), velocity);
     for_each<2>(grid.owned(), [&](const Index<2>& face) { u(face, 0) = grid.face_center(face, 0)[1]; });
   }
-  const petsc::LocalVector local(grid.face_dm(), velocity);
+  const petsc::LocalVector local(grid.wide_face_dm(), velocity);
   boundary.fill(local, 0);
   Transfer<2> transfer(grid, boundary, {});
   const double y = 0.1 / 16;

@@ -37,9 +37,9 @@ void expect_linear_fields_extended() {
       for_each<Dim>(grid.owned(),
                     [&](const Index<Dim>& face) { u(face, c) = linear(grid.face_center(face, c), 2.0)[c]; });
   }
-  const petsc::LocalVector local(grid.face_dm(), velocity);
+  const petsc::LocalVector local(grid.wide_face_dm(), velocity);
   boundary.fill(local, 2.0);
-  const ConstFaceView<Dim> u(grid.face_dm(), local);
+  const ConstFaceView<Dim> u(grid.wide_face_dm(), local);
   for (int c = 0; c < Dim; ++c)
     for_each<Dim>(grid.local(), [&](const Index<Dim>& face) {
       int outside = 0;  // beyond two walls at once the foot of one wall is not on the other: only one at a time
@@ -74,13 +74,13 @@ void expect_fold_adjoint_of_fill(bool periodic_in_x) {
         view(i, c) = std::sin(1.7 * static_cast<double>(std::accumulate(i.begin(), i.end(), PetscInt{c})));
       });
   }
-  const petsc::LocalVector filled(grid.face_dm(), u);
+  const petsc::LocalVector filled(grid.wide_face_dm(), u);
   boundary.fill_homogeneous(filled);
-  const petsc::LocalVector force(grid.face_dm());
+  const petsc::LocalVector force(grid.wide_face_dm());
   double left = 0, total = 0;
   {
-    const FaceView<Dim> f(grid.face_dm(), force);
-    const ConstFaceView<Dim> v(grid.face_dm(), filled);
+    const FaceView<Dim> f(grid.wide_face_dm(), force);
+    const ConstFaceView<Dim> v(grid.wide_face_dm(), filled);
     for (int c = 0; c < Dim; ++c)
       for_each<Dim>(grid.local(), [&](const Index<Dim>& i) {
         f(i, c) = std::cos(0.9 * static_cast<double>(i[0] - 2 * i[1]) + rank_of(grid.comm()) + c);
@@ -90,7 +90,7 @@ void expect_fold_adjoint_of_fill(bool periodic_in_x) {
   }
   const Point<Dim> kept = boundary.fold(force);
   WASH_PETSC(VecZeroEntries(folded));
-  WASH_PETSC(DMLocalToGlobal(grid.face_dm(), force, ADD_VALUES, folded));
+  WASH_PETSC(DMLocalToGlobal(grid.wide_face_dm(), force, ADD_VALUES, folded));
   double right = 0, remaining = 0;
   WASH_PETSC(VecDot(u, folded, &right));
   WASH_PETSC(VecSum(folded, &remaining));

@@ -54,8 +54,8 @@ TEST(Grid, GhostsHoldTheNeighboursValues) {
       for (int c = 0; c < 3; ++c) view(i, c) = label(i, c);
     });
   }
-  const petsc::LocalVector local(grid.face_dm(), global);
-  const ConstFaceView<3> view(grid.face_dm(), local);
+  const petsc::LocalVector local(grid.wide_face_dm(), global);
+  const ConstFaceView<3> view(grid.wide_face_dm(), local);
   for_each<3>(grid.local(), [&](const Index<3>& i) {
     for (int c = 0; c < 3; ++c) EXPECT_EQ(view(i, c), label(i, c));
   });

@@ -62,7 +62,7 @@ void Transfer<Dim>::visit_stencil(const Point<Dim>& position, int component, dou
 template <int Dim>
 void Transfer<Dim>::add_to_local(const Points<Dim>& values, Vec local) const {
   WASH_PETSC(VecZeroEntries(local));
-  const FaceView<Dim> field(grid_.face_dm(), local);
+  const FaceView<Dim> field(grid_.wide_face_dm(), local);
   const double per_volume = 1 / grid_.cell_volume();
   for (std::size_t m = 0; m < here_.size(); ++m)
     for (int c = 0; c < Dim; ++c)
@@ -74,10 +74,10 @@ void Transfer<Dim>::add_to_local(const Points<Dim>& values, Vec local) const {
 template <int Dim>
 Point<Dim> Transfer<Dim>::spread(const Points<Dim>& forces, Vec force) const {
   const petsc::LogPart part("spread");
-  const petsc::LocalVector local(grid_.face_dm());
+  const petsc::LocalVector local(grid_.wide_face_dm());
   add_to_local(exchange_.to_cells(forces), local);
   const Point<Dim> kept = grid_.cell_volume() * boundary_.fold(local);
-  WASH_PETSC(DMLocalToGlobal(grid_.face_dm(), local, ADD_VALUES, force));
+  WASH_PETSC(DMLocalToGlobal(grid_.wide_face_dm(), local, ADD_VALUES, force));
   const std::vector<double> reaction = ordered_sum(grid_.comm(), std::vector<double>(kept.data(), kept.data() + Dim));
   return Point<Dim>(reaction.data());
 }
@@ -85,18 +85,18 @@ Point<Dim> Transfer<Dim>::spread(const Points<Dim>& forces, Vec force) const {
 template <int Dim>
 void Transfer<Dim>::spread_mass(const std::vector<double>& masses, Vec density) const {
   const petsc::LogPart part("spread");
-  const petsc::LocalVector local(grid_.face_dm());
+  const petsc::LocalVector local(grid_.wide_face_dm());
   Points<Dim> values;
   for (const double mass : exchange_.to_cells(masses)) values.push_back(Point<Dim>::Constant(mass));
   add_to_local(values, local);
   boundary_.fold_mass(local);
-  WASH_PETSC(DMLocalToGlobal(grid_.face_dm(), local, ADD_VALUES, density));
+  WASH_PETSC(DMLocalToGlobal(grid_.wide_face_dm(), local, ADD_VALUES, density));
 }
 
 template <int Dim>
 Points<Dim> Transfer<Dim>::interpolate(Vec local_velocity) const {
   const petsc::LogPart part("interpolate");
-  const ConstFaceView<Dim> u(grid_.face_dm(), local_velocity);
+  const ConstFaceView<Dim> u(grid_.wide_face_dm(), local_velocity);
   Points<Dim> velocities(here_.size(), Point<Dim>::Zero());
   for (std::size_t m = 0; m < here_.size(); ++m)
     for (int c = 0; c < Dim; ++c)
@@ -113,7 +113,7 @@ std::vector<double> row_sum_mobility(const Transfer<Dim>& transfer, const Grid<D
   const petsc::Vector acceleration = petsc::zeros_like(density);
   (void)transfer.spread(forces, acceleration);
   WASH_PETSC(VecPointwiseDivide(acceleration, acceleration, density));
-  const petsc::LocalVector local(grid.face_dm(), acceleration);
+  const petsc::LocalVector local(grid.wide_face_dm(), acceleration);
   boundary.fill_homogeneous(local);
   std::vector<double> mobility;
   for (const auto& velocity : transfer.interpolate(local)) mobility.push_back(velocity.maxCoeff());

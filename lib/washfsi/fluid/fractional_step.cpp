@@ -19,6 +19,7 @@ FractionalStep<Dim>::FractionalStep(const Grid<Dim>& grid, Boundary<Dim>& bounda
       pressure_tolerance_(options.pressure_tolerance),
       projects_(options.projection),
       upwind_(options.advection == "upwind"),
+      flow_dm_(upwind_ || boundary.has_outflow() ? grid.wide_face_dm() : grid.face_dm()),
       momentum_(grid, boundary, options.viscosity, options.momentum_tolerance),
       poisson_(grid, options.density),
       velocity_(grid.face_vector()),
@@ -49,7 +50,7 @@ void FractionalStep<Dim>::set_initial_velocity(const FluidOptions<Dim>& options)
         if (uniform) u(face, c) = options.initial_velocity[c];
       });
   }
-  if (boundary_.has_outflow()) boundary_.start_outflow(petsc::LocalVector(grid_.face_dm(), velocity_), 0.0);
+  if (boundary_.has_outflow()) boundary_.start_outflow(petsc::LocalVector(flow_dm_, velocity_), 0.0);
   boundary_.set_boundary_faces(velocity_, 0.0);
 }
 
@@ -74,8 +75,7 @@ void FractionalStep<Dim>::predict(double dt, const StepFields& fields) {
   // the guesses: linear extrapolation of the two last velocities, and a pressure that changes at the same rate as
   // before
   const double ratio = has_history_ ? dt / dt_before_ : 0;
-  WASH_PETSC(VecCopy(velocity_, intermediate_));
-  WASH_PETSC(VecAXPBY(intermediate_, -ratio, 1 + ratio, velocity_before_));
+  WASH_PETSC(VecAXPBYPCZ(intermediate_, 1 + ratio, -ratio, 0.0, velocity_, velocity_before_));
   if (has_history_ && ratio != 1) WASH_PETSC(VecScale(phi_, ratio * ratio));
   momentum_.set_step(dt, fields.density, fields.constraint);
   counts_.momentum += static_cast<double>(momentum_.solve(rhs_, time_ + dt, intermediate_));
@@ -85,14 +85,14 @@ void FractionalStep<Dim>::predict(double dt, const StepFields& fields) {
 
 template <int Dim>
 void FractionalStep<Dim>::explicit_terms(double dt, const StepFields& fields) {
-  const petsc::LocalVector local_u(grid_.face_dm(), velocity_), local_p(grid_.cell_dm(), pressure_);
+  const petsc::LocalVector local_u(flow_dm_, velocity_), local_p(grid_.cell_dm(), pressure_);
   boundary_.fill(local_u, time_);
   boundary_.advance_outflow(local_u, time_, dt);
   advect(local_u, fields.density);
   // Adams-Bashforth for steps of different length: 3/2 and -1/2 when they are equal
   const double weight_before = has_history_ ? -0.5 * dt / dt_before_ : 0, weight = 1 - weight_before;
   const Spacing<Dim> h(grid_.spacing());
-  const ConstFaceView<Dim> u(grid_.face_dm(), local_u), f(grid_.face_dm(), fields.force);
+  const ConstFaceView<Dim> u(flow_dm_, local_u), f(grid_.face_dm(), fields.force);
   const ConstFaceView<Dim> rho(grid_.face_dm(), fields.density);
   const ConstFaceView<Dim> now(grid_.face_dm(), advection_), before(grid_.face_dm(), advection_before_);
   const ConstCellView<Dim> p(grid_.cell_dm(), local_p);
@@ -107,7 +107,7 @@ void FractionalStep<Dim>::explicit_terms(double dt, const StepFields& fields) {
 
 template <int Dim>
 void FractionalStep<Dim>::advect(Vec local_velocity, Vec density) {
-  const ConstFaceView<Dim> u(grid_.face_dm(), local_velocity), rho(grid_.face_dm(), density);
+  const ConstFaceView<Dim> u(flow_dm_, local_velocity), rho(grid_.face_dm(), density);
   const FaceView<Dim> result(grid_.face_dm(), advection_);
   const Spacing<Dim> h(grid_.spacing());
   grid_.for_each_inner_face(

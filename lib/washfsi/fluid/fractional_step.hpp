@@ -79,6 +79,7 @@ class FractionalStep {
   Boundary<Dim>& boundary_;  ///< its open sides take part in the step
   double density_, viscosity_, pressure_tolerance_;
   bool projects_, upwind_;
+  DM flow_dm_;  ///< with the ghosts that advection and open sides need
   MomentumSolver<Dim> momentum_;
   PressureSolver<Dim> poisson_;
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "washfsi/fluid/krylov.hpp"
 #include "washfsi/fluid/stencils.hpp"
@@ -43,9 +42,13 @@ MomentumSolver<Dim>::MomentumSolver(const Grid<Dim>& grid, const Boundary<Dim>& 
 
 template <int Dim>
 void MomentumSolver<Dim>::set_step(double dt, Vec density, const Constraint& constraint) {
+  const std::array versions{petsc::Version(density), petsc::Version(constraint.fluid_fraction)};
+  const bool same = dt == dt_ && versions == versions_;
   dt_ = dt;
   density_ = density;
   constraint_ = constraint;
+  versions_ = versions;
+  if (same) return;
   WASH_PETSC(MatAssemblyBegin(matrix_, MAT_FINAL_ASSEMBLY));  // tells the preconditioner of new entries
   WASH_PETSC(MatAssemblyEnd(matrix_, MAT_FINAL_ASSEMBLY));
 }
@@ -94,18 +97,21 @@ template <int Dim>
 void MomentumSolver<Dim>::apply(Vec x, Vec y) const {
   const petsc::LocalVector local(grid_.face_dm(), x);
   boundary_.fill_homogeneous(local);
-  WASH_PETSC(VecCopy(x, y));
-  const ConstFaceView<Dim> u(grid_.face_dm(), local), rho(grid_.face_dm(), density_);
+  const ConstFaceView<Dim> global(grid_.face_dm(), x), u(grid_.face_dm(), local), rho(grid_.face_dm(), density_);
   const FaceView<Dim> result(grid_.face_dm(), y);
-  std::optional<ConstFaceView<Dim>> fraction;
-  if (constraint_.fluid_fraction) fraction.emplace(grid_.face_dm(), constraint_.fluid_fraction);
   const Spacing<Dim> h(grid_.spacing());
   const double half_impulse = 0.5 * viscosity_ * dt_;
+  grid_.for_each_lower_boundary_face([&](const Index<Dim>& face, int c) { result(face, c) = global(face, c); });
   grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
-    const double a = half_impulse / rho(face, c);
-    const double fluid_row = u(face, c) - a * laplacian<Dim>(u, face, c, h);
-    const double H = fraction ? (*fraction)(face, c) : 1;
-    result(face, c) = H == 1 ? fluid_row : H * fluid_row + (1 - H) * diagonal(face, c, a) * u(face, c);
+    result(face, c) = u(face, c) - half_impulse / rho(face, c) * laplacian<Dim>(u, face, c, h);
+  });
+  if (!constraint_.fluid_fraction) return;
+  const ConstFaceView<Dim> fraction(grid_.face_dm(), constraint_.fluid_fraction);
+  grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
+    const double H = fraction(face, c);
+    if (H == 1) return;
+    const double solid_row = diagonal(face, c, half_impulse / rho(face, c)) * u(face, c);
+    result(face, c) = H * result(face, c) + (1 - H) * solid_row;
   });
 }
 
@@ -113,21 +119,22 @@ template <int Dim>
 void MomentumSolver<Dim>::residual(Vec rhs, double time, Vec velocity, Vec result) const {
   const petsc::LocalVector local(grid_.face_dm(), velocity);
   boundary_.fill(local, time);
-  WASH_PETSC(VecZeroEntries(result));
   const ConstFaceView<Dim> u(grid_.face_dm(), local), rho(grid_.face_dm(), density_), b(grid_.face_dm(), rhs);
   const FaceView<Dim> r(grid_.face_dm(), result);
-  std::optional<ConstFaceView<Dim>> fraction, solid;
-  if (constraint_.fluid_fraction) {
-    fraction.emplace(grid_.face_dm(), constraint_.fluid_fraction);
-    solid.emplace(grid_.face_dm(), constraint_.solid_velocity);
-  }
   const Spacing<Dim> h(grid_.spacing());
   const double half_impulse = 0.5 * viscosity_ * dt_;
+  grid_.for_each_lower_boundary_face([&](const Index<Dim>& face, int c) { r(face, c) = 0; });
   grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
-    const double a = half_impulse / rho(face, c);
-    const double fluid_row = b(face, c) - u(face, c) + a * laplacian<Dim>(u, face, c, h);
-    const double H = fraction ? (*fraction)(face, c) : 1;
-    r(face, c) = H == 1 ? fluid_row : H * fluid_row + (1 - H) * diagonal(face, c, a) * ((*solid)(face, c) - u(face, c));
+    r(face, c) = b(face, c) - u(face, c) + half_impulse / rho(face, c) * laplacian<Dim>(u, face, c, h);
+  });
+  if (!constraint_.fluid_fraction) return;
+  const ConstFaceView<Dim> fraction(grid_.face_dm(), constraint_.fluid_fraction);
+  const ConstFaceView<Dim> solid(grid_.face_dm(), constraint_.solid_velocity);
+  grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
+    const double H = fraction(face, c);
+    if (H == 1) return;
+    const double solid_row = diagonal(face, c, half_impulse / rho(face, c)) * (solid(face, c) - u(face, c));
+    r(face, c) = H * r(face, c) + (1 - H) * solid_row;
   });
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+
 #include "washfsi/grid/boundary.hpp"
 #include "washfsi/support/petsc.hpp"
 
@@ -47,6 +49,7 @@ class MomentumSolver {
   double dt_ = 0;
   Vec density_ = nullptr;
   Constraint constraint_;
+  std::array<petsc::Version, 2> versions_;  ///< of density and fluid fraction
   petsc::Matrix matrix_;
   petsc::Solver solver_;
   petsc::Vector residual_, correction_;

@@ -156,6 +156,8 @@ PetscErrorCode PressureSolver<Dim>::assemble_coarse(KSP solver, Mat, Mat precond
 
 template <int Dim>
 void PressureSolver<Dim>::set_density(Vec density) {
+  if (petsc::Version(density) == density_version_) return;
+  density_version_ = petsc::Version(density);
   WASH_PETSC(DMGlobalToLocal(grid_.face_dm(), density, INSERT_VALUES, ratio_));
   double lightest = 0, heaviest = 0;
   WASH_PETSC(VecMin(density, nullptr, &lightest));

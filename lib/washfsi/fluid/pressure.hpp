@@ -16,7 +16,7 @@ class PressureSolver {
   /// Collective. `reference_density` is rho_f.
   PressureSolver(const Grid<Dim>& grid, double reference_density);
 
-  /// Takes the face densities [kg/m3] of this step. Collective.
+  /// Takes the face densities [kg/m3] of this step, if they have changed. Collective.
   void set_density(Vec density);
 
   /// Solves to a residual whose norm is below `tolerance` [1/s]; `phi` holds a guess, then the solution;
@@ -43,6 +43,7 @@ class PressureSolver {
   petsc::NullSpace constants_;
   petsc::Solver solver_;
   bool user_sets_atol_ = false;
+  petsc::Version density_version_;  ///< of the density last taken
   bool assembled_is_uniform_ = false;
 };
 

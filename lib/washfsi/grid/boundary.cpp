@@ -13,7 +13,27 @@ namespace washfsi {
 
 namespace {
 constexpr std::array<End, 2> both_ends{End::lower, End::upper};
+
+// Local vectors come with few ghosts or many.
+DM dm_of(Vec local) {
+  DM dm = nullptr;
+  WASH_PETSC(VecGetDM(local, &dm));
+  return dm;
 }
+
+template <int Dim>
+Box<Dim> ghosted_box(Vec local) {
+  DMDALocalInfo info;
+  WASH_PETSC(DMDAGetLocalInfo(dm_of(local), &info));
+  const Index<3> start{info.gxs, info.gys, info.gzs}, count{info.gxm, info.gym, info.gzm};
+  Box<Dim> box;
+  for (std::size_t d = 0; d < Dim; ++d) {
+    box.lower[d] = start[d];
+    box.upper[d] = start[d] + count[d];
+  }
+  return box;
+}
+}  // namespace
 
 template <int Dim>
 Boundary<Dim>::Boundary(const Grid<Dim>& grid, Sides sides) : grid_(grid), sides_(std::move(sides)) {
@@ -60,7 +80,7 @@ const OutflowLayer<Dim>& Boundary<Dim>::outflow(int axis, End end) const {
 template <int Dim>
 void Boundary<Dim>::start_outflow(Vec local_velocity, double time) {
   if (!has_outflow()) return;
-  const ConstFaceView<Dim> u(grid_.face_dm(), local_velocity);
+  const ConstFaceView<Dim> u(dm_of(local_velocity), local_velocity);
   for (auto& layer : outflows_) layer.start(u);
   balance_outflow(time);
   next_outflow_time_ = time;
@@ -70,7 +90,7 @@ void Boundary<Dim>::start_outflow(Vec local_velocity, double time) {
 template <int Dim>
 void Boundary<Dim>::advance_outflow(Vec local_velocity, double time, double dt) {
   if (!has_outflow()) return;
-  const ConstFaceView<Dim> u(grid_.face_dm(), local_velocity);
+  const ConstFaceView<Dim> u(dm_of(local_velocity), local_velocity);
   std::vector<double> inner;
   for (const auto& layer : outflows_) inner.push_back(layer.inner_flux(u));
   inner = ordered_sum(grid_.comm(), inner);
@@ -180,14 +200,14 @@ void Boundary<Dim>::visit_boundary_faces(int axis, End end, const Box<Dim>& part
   for_each<Dim>(plane, visit);
 }
 
-// Calls visit(ghost, mirror) for the ghosts beyond one side and the face that each mirrors.
+// Calls visit(ghost, mirror) for the ghosts of `part` beyond one side and the face that each mirrors.
 template <int Dim>
 template <class Visit>
-void Boundary<Dim>::visit_ghosts(int axis, End end, int component, Visit&& visit) const {
+void Boundary<Dim>::visit_ghosts(int axis, End end, int component, const Box<Dim>& part, Visit&& visit) const {
   const auto d = static_cast<std::size_t>(axis);
   const bool normal = component == axis;  // faces lie in the boundary, not half a cell from it
   const PetscInt n = grid_.cells()[d];
-  Box<Dim> beyond = grid_.local();
+  Box<Dim> beyond = part;
   if (end == End::lower)
     beyond.upper[d] = 0;
   else
@@ -202,15 +222,16 @@ void Boundary<Dim>::visit_ghosts(int axis, End end, int component, Visit&& visit
 
 template <int Dim>
 void Boundary<Dim>::fill(Vec local_velocity, double time) const {
-  const FaceView<Dim> u(grid_.face_dm(), local_velocity);
+  const FaceView<Dim> u(dm_of(local_velocity), local_velocity);
+  const Box<Dim> part = ghosted_box<Dim>(local_velocity);
   for (int axis = 0; axis < Dim; ++axis)  // later axes complete the corners of earlier ones
     for (const End end : both_ends) {
       if (!touches(axis, end)) continue;
-      visit_boundary_faces(axis, end, grid_.local(),
+      visit_boundary_faces(axis, end, part,
                            [&](const Index<Dim>& face) { u(face, axis) = value(axis, end, face, axis, time); });
       for (int c = 0; c < Dim; ++c) {
         const double sign = mirror_sign(axis, end, c);  // u(ghost) = (1 - sign) u_wall + sign u(mirror)
-        visit_ghosts(axis, end, c, [&](const Index<Dim>& ghost, const Index<Dim>& mirror) {
+        visit_ghosts(axis, end, c, part, [&](const Index<Dim>& ghost, const Index<Dim>& mirror) {
           const double shift = sign < 1 ? (1 - sign) * value(axis, end, ghost, c, time) : 0;
           u(ghost, c) = shift + sign * u(mirror, c);
         });
@@ -220,14 +241,15 @@ void Boundary<Dim>::fill(Vec local_velocity, double time) const {
 
 template <int Dim>
 void Boundary<Dim>::fill_homogeneous(Vec local_velocity) const {
-  const FaceView<Dim> u(grid_.face_dm(), local_velocity);
+  const FaceView<Dim> u(dm_of(local_velocity), local_velocity);
+  const Box<Dim> part = ghosted_box<Dim>(local_velocity);
   for (int axis = 0; axis < Dim; ++axis)
     for (const End end : both_ends) {
       if (!touches(axis, end)) continue;
-      visit_boundary_faces(axis, end, grid_.local(), [&](const Index<Dim>& face) { u(face, axis) = 0; });
+      visit_boundary_faces(axis, end, part, [&](const Index<Dim>& face) { u(face, axis) = 0; });
       for (int c = 0; c < Dim; ++c) {
         const double sign = mirror_sign(axis, end, c);
-        visit_ghosts(axis, end, c,
+        visit_ghosts(axis, end, c, part,
                      [&](const Index<Dim>& ghost, const Index<Dim>& mirror) { u(ghost, c) = sign * u(mirror, c); });
       }
     }
@@ -235,21 +257,22 @@ void Boundary<Dim>::fill_homogeneous(Vec local_velocity) const {
 
 template <int Dim>
 Point<Dim> Boundary<Dim>::fold_with(Vec local, bool keep_sign) const {
-  const FaceView<Dim> f(grid_.face_dm(), local);
+  const FaceView<Dim> f(dm_of(local), local);
+  const Box<Dim> part = ghosted_box<Dim>(local);
   Point<Dim> kept = Point<Dim>::Zero();
   for (int axis = Dim; axis-- > 0;)  // the reverse of `fill`
     for (const End end : both_ends) {
       if (!touches(axis, end)) continue;
       for (int c = 0; c < Dim; ++c) {
         const double sign = keep_sign ? 1 : mirror_sign(axis, end, c);
-        visit_ghosts(axis, end, c, [&](const Index<Dim>& ghost, const Index<Dim>& mirror) {
+        visit_ghosts(axis, end, c, part, [&](const Index<Dim>& ghost, const Index<Dim>& mirror) {
           f(mirror, c) += sign * f(ghost, c);
           kept[c] += (1 - sign) * f(ghost, c);
           f(ghost, c) = 0;
         });
       }
       if (keep_sign) continue;
-      visit_boundary_faces(axis, end, grid_.local(),
+      visit_boundary_faces(axis, end, part,
                            [&](const Index<Dim>& face) { kept[axis] += std::exchange(f(face, axis), 0.0); });
     }
   return kept;

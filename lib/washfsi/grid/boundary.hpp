@@ -22,7 +22,8 @@ class Boundary {
   /// Collective. Errors: InputError if there is no outflow and the prescribed velocities have a net flux.
   Boundary(const Grid<Dim>& grid, Sides sides);
 
-  /// Fills boundary faces and ghosts of a local face vector whose inner ghosts are up to date.
+  /// Fills boundary faces and ghosts of a local face vector, of `face_dm` or `wide_face_dm`, whose inner ghosts are up
+  /// to date.
   void fill(Vec local_velocity, double time) const;
   /// The linear part of `fill`: as if all walls were at rest.
   void fill_homogeneous(Vec local_velocity) const;
@@ -34,10 +35,10 @@ class Boundary {
   /// Sets the owned faces in the lower boundaries of a global velocity.
   void set_boundary_faces(Vec velocity, double time) const;
 
-  /// The open sides start with the values inside, at `time`. `local_velocity` holds this rank's ghosts. Collective.
+  /// The open sides start with the values inside, at `time`. `local_velocity` has wide ghosts. Collective.
   void start_outflow(Vec local_velocity, double time);
   /// What the open sides will hold after a step from `time` by `dt`, for all calls with a later time; the velocity is
-  /// that at `time`, filled. May be repeated. Collective.
+  /// that at `time`, filled, with wide ghosts. May be repeated. Collective.
   void advance_outflow(Vec local_velocity, double time, double dt);
   /// The advanced values become the present ones.
   void accept_outflow();
@@ -56,7 +57,7 @@ class Boundary {
 
  private:
   template <class Visit>
-  void visit_ghosts(int axis, End end, int component, Visit&& visit) const;
+  void visit_ghosts(int axis, End end, int component, const Box<Dim>& part, Visit&& visit) const;
   template <class Visit>
   void visit_boundary_faces(int axis, End end, const Box<Dim>& part, Visit&& visit) const;
   Point<Dim> fold_with(Vec local, bool keep_sign) const;

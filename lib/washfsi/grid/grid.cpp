@@ -78,11 +78,12 @@ Grid<Dim>::Grid(MPI_Comm comm, const GridShape<Dim>& shape) : comm_(comm), shape
   for (int d = 0; d < Dim; ++d)
     spacing_[d] = (shape_.upper[d] - shape_.lower[d]) / static_cast<double>(shape_.cells[static_cast<std::size_t>(d)]);
   create_partition();
-  cell_dm_ = create_sibling<Dim>(stencil_dm_, 1, shape_.ghost_width);
-  face_dm_ = create_sibling<Dim>(stencil_dm_, Dim, shape_.ghost_width);
+  cell_dm_ = create_sibling<Dim>(stencil_dm_, 1, 1);
+  face_dm_ = create_sibling<Dim>(stencil_dm_, Dim, 1);
+  wide_face_dm_ = create_sibling<Dim>(stencil_dm_, Dim, shape_.ghost_width);
 
   DMDALocalInfo info;
-  WASH_PETSC(DMDAGetLocalInfo(cell_dm_, &info));
+  WASH_PETSC(DMDAGetLocalInfo(wide_face_dm_, &info));
   const Index<3> start{info.xs, info.ys, info.zs}, count{info.xm, info.ym, info.zm};
   const Index<3> ghost_start{info.gxs, info.gys, info.gzs}, ghost_count{info.gxm, info.gym, info.gzm};
   for (std::size_t d = 0; d < Dim; ++d) {

@@ -18,7 +18,7 @@ struct GridShape {
   Point<Dim> lower = Point<Dim>::Zero();  ///< [m]
   Point<Dim> upper = Point<Dim>::Ones();  ///< [m]
   std::array<bool, Dim> periodic{};
-  PetscInt ghost_width = 3;  ///< cells around each rank's part: delta half width + 1
+  PetscInt ghost_width = 3;  ///< layers of ghosts where they are wide: delta half width + 1, at least 2
 };
 
 /// The staggered (MAC) grid: one partition of the box into ranks; a cell owns its lower faces. Cell fields
@@ -43,13 +43,16 @@ class Grid {
   double cell_count() const;
 
   DM cell_dm() const { return cell_dm_; }
+  /// One ghost layer: what divergence, Laplacian and central advection need.
   DM face_dm() const { return face_dm_; }
+  /// `ghost_width` layers; its global vectors are those of `face_dm`.
+  DM wide_face_dm() const { return wide_face_dm_; }
   /// Cell DM with one ghost layer and a star stencil: for the pressure operator and its preconditioners;
   /// its application context is this grid.
   DM stencil_dm() const { return stencil_dm_; }
 
   const Box<Dim>& owned() const { return owned_; }
-  /// Owned cells and ghosts.
+  /// Owned cells and all `ghost_width` layers of ghosts.
   const Box<Dim>& local() const { return local_; }
   /// Owned faces normal to `axis` that are unknowns: all but the face in the lower boundary.
   Box<Dim> inner_faces(int axis) const;
@@ -58,6 +61,17 @@ class Grid {
   void for_each_inner_face(Kernel&& kernel) const {
     for_each_component<Dim>(
         [&](auto c) { for_each<Dim>(inner_faces(c), [&](const Index<Dim>& face) { kernel(face, c); }); });
+  }
+
+  /// Calls kernel(face, c) for the other owned faces: those in the lower boundaries.
+  template <class Kernel>
+  void for_each_lower_boundary_face(Kernel&& kernel) const {
+    for (int axis = 0; axis < Dim; ++axis) {
+      const auto d = static_cast<std::size_t>(axis);
+      Box<Dim> plane = owned_;
+      plane.upper[d] = inner_faces(axis).lower[d];
+      for_each<Dim>(plane, [&](const Index<Dim>& face) { kernel(face, axis); });
+    }
   }
 
   Point<Dim> cell_center(const Index<Dim>& cell) const;
@@ -82,7 +96,7 @@ class Grid {
   MPI_Comm comm_;
   GridShape<Dim> shape_;
   Point<Dim> spacing_;
-  petsc::Dm cell_dm_, face_dm_, stencil_dm_;
+  petsc::Dm cell_dm_, face_dm_, wide_face_dm_, stencil_dm_;
   Box<Dim> owned_, local_;
   std::array<std::vector<PetscInt>, Dim> part_ends_;  ///< per direction, end of each rank's range of cells
 };

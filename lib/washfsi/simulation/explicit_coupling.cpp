@@ -22,7 +22,7 @@ Points<Dim> marker_velocities(const System<Dim>& system) {
   const petsc::Vector masked = petsc::zeros_like(system.fluid.velocity());
   WASH_PETSC(VecCopy(system.fluid.velocity(), masked));
   system.mask.hold(masked);
-  const petsc::LocalVector local(system.grid.face_dm(), masked);
+  const petsc::LocalVector local(system.grid.wide_face_dm(), masked);
   system.boundary.fill(local, system.fluid.time());
   return system.transfer.interpolate(local);
 }

@@ -52,6 +52,7 @@ System<Dim>::System(MPI_Comm comm, const SystemOptions<Dim>& options, std::vecto
       gravity(options.gravity),
       density(grid.face_vector()),
       force(grid.face_vector()) {
+  WASH_PETSC(VecSet(density, fluid_density));
   const Points<Dim> all = place_cloths<Dim>(cloths, options.placements, bodies, grid.lower(), grid.upper());
   positions.assign(all.begin() + cloths.begin(), all.begin() + cloths.end());
   velocities.assign(positions.size(), Point<Dim>::Zero());
@@ -62,6 +63,7 @@ System<Dim>::System(MPI_Comm comm, const SystemOptions<Dim>& options, std::vecto
 template <int Dim>
 void System<Dim>::locate_cloth() {
   transfer.locate(positions);
+  if (cloths.marker_count() == 0) return;
   WASH_PETSC(VecSet(density, fluid_density));
   transfer.spread_mass(cloths.marker_masses(), density);
 }

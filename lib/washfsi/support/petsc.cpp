@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/support/petsc.hpp"
 
+#include <petsc/private/petscimpl.h>  // PetscObjectStateGet is documented for users but declared here
+
 namespace washfsi::petsc {
 
 void check(PetscErrorCode code, const char* call, const char* function, const char* file, int line) {
@@ -56,6 +58,12 @@ LogPart::LogPart(const char* name) {
 LogPart::~LogPart() {
   (void)PetscLogEventEnd(event_, 0, 0, 0, 0);
   (void)PetscLogStagePop();
+}
+
+Version::Version(Vec vector) {
+  if (!vector) return;
+  WASH_PETSC(PetscObjectGetId(reinterpret_cast<PetscObject>(vector), &id));
+  WASH_PETSC(PetscObjectStateGet(reinterpret_cast<PetscObject>(vector), &state));
 }
 
 }  // namespace washfsi::petsc

@@ -111,6 +111,16 @@ class LocalVector {
   Vec vector_ = nullptr;
 };
 
+/// Tells whether an object has been written to since: PETSc counts its changes.
+struct Version {
+  PetscObjectId id = 0;
+  PetscObjectState state = 0;
+
+  Version() = default;
+  explicit Version(Vec vector);  ///< null is a version too
+  bool operator==(const Version&) const = default;
+};
+
 /// While it lives, a failing PETSc call prints nothing; `message` keeps the first thing PETSc said.
 class MutedErrors {
  public:
