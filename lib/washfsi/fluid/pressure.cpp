@@ -179,10 +179,20 @@ void PressureSolver<Dim>::set_density(Vec density, Vec fluid_fraction) {
   close_boundary_faces();
   // Where the density varies little, the preconditioner of the uniform one serves; otherwise it follows each step.
   // A function of this step's density alone, so that a restarted run has the same preconditioner.
-  const bool nearly_uniform = least > 1 / 1.5 && most < 1.5;
+  const bool nearly_uniform = (least > 1 / 1.5 && most < 1.5) || uses_transform();
   if (nearly_uniform && assembled_is_uniform_) return;
   assembled_is_uniform_ = nearly_uniform;
   assemble();
+}
+
+// The transform never looks at the assembled matrix.
+template <int Dim>
+bool PressureSolver<Dim>::uses_transform() const {
+  PC pc = nullptr;
+  WASH_PETSC(KSPGetPC(solver_, &pc));
+  PetscBool same = PETSC_FALSE;
+  WASH_PETSC(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(static_cast<PC>(pc)), "transform", &same));
+  return same == PETSC_TRUE;
 }
 
 // No flux through the sides of the box.

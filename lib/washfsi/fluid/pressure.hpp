@@ -34,6 +34,7 @@ class PressureSolver {
   static PetscErrorCode multiply(Mat matrix, Vec x, Vec y);
   static PetscErrorCode assemble_coarse(KSP solver, Mat matrix, Mat preconditioner, void* context);
   void apply(Vec x, Vec y);
+  bool uses_transform() const;
   void close_boundary_faces();
   void assemble();
   void set_preconditioner_defaults();
