@@ -8,14 +8,12 @@ environment: WASHFSI_PROGRAM is the program, WASHFSI_SOURCE the root of the sour
 import json
 import pathlib
 import subprocess
-import sys
 import tempfile
 from typing import NamedTuple
 
 import numpy as np
 
-sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "program"))
-from support import CAVITY, SOURCE, command, read_columns  # noqa: E402  (found by the line above)
+from tables import CAVITY, SOURCE, command, print_head, print_row, read_columns  # noqa: F401  (for the tests)
 
 REFERENCE = SOURCE / "tests" / "verification" / "reference" / "cavity"
 RANKS = 2
@@ -176,17 +174,6 @@ def largest(values):
 def order(coarse, fine, ratio):
     """Order of convergence that two errors show, the grids being finer by a ratio."""
     return np.log(coarse / fine) / np.log(ratio)
-
-
-def print_row(*words):
-    """Prints a row of a Markdown table."""
-    print("|", " | ".join(str(word) for word in words), "|", flush=True)
-
-
-def print_head(*words):
-    """Prints the first two rows of a Markdown table."""
-    print_row(*words)
-    print("|" + "---|" * len(words), flush=True)
 
 
 def percent(value):

@@ -103,8 +103,8 @@ void Mask<Dim>::find_cuts(const PosedBodies<Dim>& posed, double time) {
   cuts_.clear();
   const auto arm_towards = [&](const CutFace<Dim>& cut, PetscInt step) -> typename CutFace<Dim>::Arm {
     const Index<Dim> neighbour = shifted<Dim>(cut.face, cut.axis, step);
-    const bool beyond = grid_.inside(neighbour) != neighbour && !grid_.periodic(cut.axis);
-    if (beyond || near_body(neighbour, cut.component) < 0) return {};
+    if (near_body(neighbour, cut.component) < 0) return {};
+    if (!grid_.periodic(cut.axis) && grid_.inside(neighbour) != neighbour) return {};  // beyond the box
     const auto body = static_cast<std::size_t>(near_body(neighbour, cut.component));
     const Point<Dim> from = grid_.face_center(cut.face, cut.component);
     const Point<Dim> to = grid_.face_center(neighbour, cut.component);
@@ -116,6 +116,7 @@ void Mask<Dim>::find_cuts(const PosedBodies<Dim>& posed, double time) {
   grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
     if (near_body(face, c) >= 0) return;
     for (int axis = 0; axis < Dim; ++axis) {
+      if (near_body(shifted<Dim>(face, axis, -1), c) < 0 && near_body(shifted<Dim>(face, axis, 1), c) < 0) continue;
       CutFace<Dim> cut{face, c, axis, {}, {}};
       cut.lower = arm_towards(cut, -1);
       cut.upper = arm_towards(cut, 1);

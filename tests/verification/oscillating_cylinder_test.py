@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A cylinder that oscillates in water at rest: first harmonic of the force against Stokes' solution.
+
+Prints the table of docs/verification.md. Arguments: methods, by default mapping cut_stencil. The harmonic is that of the
+last two of five periods, by the forcing and by the balance of momentum.
+"""
+
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy as np
+
+from tables import SOURCE, command, print_head, print_row, read_columns
+
+RANKS = 2
+DIAMETER, SPEED, FREQUENCY, VISCOSITY, DENSITY = 1, 0.3, 1, 0.05, 1
+OMEGA = 2 * np.pi * FREQUENCY
+PERIODS_SEEN = 2
+MOST_OFF = {"mapping": 0.05, "ghost": 0.05, "cut_stencil": 0.03}  # of the part, for each of both
+
+
+def bessel_k(order, z):
+    """Modified Bessel function of the second kind, Re z > 0, by its integral over exp(-z cosh t) cosh(order t)."""
+    t, step = np.linspace(0, 12, 200001, retstep=True)
+    values = np.exp(-z * np.cosh(t)) * np.cosh(order * t)
+    return step * (values.sum() - 0.5 * (values[0] + values[-1]))
+
+
+def stokes():
+    """Force in phase with the velocity U sin(w t) and in phase with the acceleration [N/m] (Stokes 1851)."""
+    z = DIAMETER / 2 * np.sqrt(1j * OMEGA / VISCOSITY)
+    factor = 1 + 4 * bessel_k(1, z) / (z * bessel_k(0, z))
+    scale = DENSITY * np.pi * DIAMETER ** 2 / 4 * OMEGA * SPEED
+    return scale * factor.imag, -scale * factor.real
+
+
+def first_harmonic(history, column, dt):
+    """The same of a computed force. Loads are means over a step, so they belong to its middle."""
+    time = history["time"] - 0.5 * dt
+    last = history["time"] > history["time"][-1] - PERIODS_SEEN / FREQUENCY + 0.5 * dt
+    force = history[column][last]
+    return 2 * np.mean(force * np.sin(OMEGA * time[last])), 2 * np.mean(force * np.cos(OMEGA * time[last]))
+
+
+def main():
+    methods, passed, exact = sys.argv[1:] or ["mapping", "cut_stencil"], True, stokes()
+    print_head("method", "loads by", "with the velocity", "over exact", "with the acceleration", "over exact")
+    print_row("Stokes", "", f"{exact[0]:.4f}", "1", f"{exact[1]:.4f}", "1")
+    for method in methods:
+        with tempfile.TemporaryDirectory(prefix="washfsi_") as folder:
+            subprocess.run(command(RANKS, "-options_file", SOURCE / "inputs" / "oscillating_cylinder.opts",
+                                   "-body_method", method, "-output_dir", folder),
+                           check=True, stdout=subprocess.DEVNULL)
+            history = read_columns(Path(folder) / "history.csv")
+        for way, column in (("forcing", "cylinder_force_x"), ("balance", "cylinder_balance_force_x")):
+            found = first_harmonic(history, column, history["dt"][-1])
+            print_row(method, way, *(f"{word:.4f}" for pair in zip(found, np.divide(found, exact)) for word in pair))
+            passed &= max(abs(np.divide(found, exact) - 1)) <= MOST_OFF[method]
+    return 0 if passed else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
