@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "washfsi/body/combinations.hpp"
+#include "washfsi/body/primitives.hpp"
 #include "washfsi/fluid/diagnostics.hpp"
 #include "washfsi/fluid/fractional_step.hpp"
 

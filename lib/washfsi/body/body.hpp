@@ -6,7 +6,6 @@
 
 #include "washfsi/body/motion.hpp"
 #include "washfsi/body/shape.hpp"
-#include "washfsi/support/options.hpp"
 
 namespace washfsi {
 
@@ -22,6 +21,7 @@ struct Body {
     return shape->distance(motion.in_body_frame(place, time));
   }
 
+  /// Errors: InputError. Collective.
   static Body from_options(Options& options, const std::string& name);
 };
 

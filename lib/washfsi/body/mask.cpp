@@ -92,7 +92,7 @@ void Mask<Dim>::add_constraint_force(Vec constraint_force, Vec density, double t
     const double inertia = (1 - fraction(face, c)) * rho(face, c) * motion.acceleration(place, time)[c];
     Point<Dim> force = Point<Dim>::Zero();
     force[c] = grid_.cell_volume() * (inertia - f(face, c));
-    sums.add(b, place - motion.center, force);
+    sums.add(b, place - motion.center_at(time), force);
   });
 }
 
@@ -112,7 +112,7 @@ void Mask<Dim>::add_wall_pressure(Vec pressure, double time, Sums& sums) const {
         if (bodies_[b].distance(place, time) > 0) continue;
         Point<Dim> force = Point<Dim>::Zero();
         force[d] = (at_upper ? area : 0) * p(cell) - (at_lower ? area : 0) * p(cell);
-        sums.add(b, place - bodies_[b].motion.center, force);
+        sums.add(b, place - bodies_[b].motion.center_at(time), force);
         break;
       }
     });

@@ -6,8 +6,8 @@
 
 namespace washfsi {
 
-/// Force and torque of the water and cloth ON a body; the torque is about the body's centre [N, N m; per unit depth in
-/// the plane].
+/// Force and torque of the water and cloth ON a body; the torque is about where the body's centre is [N, N m; per unit
+/// depth in the plane].
 template <int Dim>
 struct Load {
   Point<Dim> force = Point<Dim>::Zero();
