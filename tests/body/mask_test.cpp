@@ -33,7 +33,7 @@ struct Couette {
         grid(PETSC_COMM_WORLD, shape(n)),
         boundary(grid, {}),
         fluid(grid, boundary, liquid(viscosity)),
-        mask(grid, bodies),
+        mask(grid, bodies, BodyMethod::mapping),
         density(grid.face_vector()),
         force(grid.face_vector()) {
     WASH_PETSC(VecSet(density, 1.0));
@@ -52,7 +52,7 @@ struct Couette {
   }
   std::vector<Load<2>> step(double dt) {
     mask.update(fluid.time() + dt);
-    fluid.advance(dt, {density, force, {mask.fluid_fraction(), mask.solid_velocity()}});
+    fluid.advance(dt, {density, force, mask.constraint()});
     return mask.loads(fluid.constraint_force(), density, fluid.pressure(), fluid.time());
   }
 

@@ -17,15 +17,21 @@ Body<Dim> Body<Dim>::from_options(Options& options, const std::string& name) {
   return body;
 }
 
+BodyMethod body_method_from_options(Options& options) {
+  std::string method = "mapping", mask = "sharp";
+  options.block("", "Bodies and water", [&](OptionBlock& block) {
+    block.choice("body_method", method, {"mapping", "cut_stencil"},
+                 "how bodies hold the water: mapping is the thesis's (4.2-6) with (4.2-12); cut_stencil, more accurate,"
+                 " also lets viscous stencils end at the walls");
+    block.choice("body_mask", mask, {"sharp"}, "mask of the solid");
+  });
+  return method == "mapping" ? BodyMethod::mapping : BodyMethod::cut_stencil;
+}
+
 template <int Dim>
 std::vector<Body<Dim>> bodies_from_options(Options& options) {
   std::vector<std::string> names;
-  std::string method = "mapping", mask = "sharp";
-  options.block("", "Bodies", [&](OptionBlock& block) {
-    block.names("bodies", names, "names of the rigid bodies");
-    block.choice("body_method", method, {"mapping"}, "how bodies hold the water: thesis (4.2-6) with (4.2-12)");
-    block.choice("body_mask", mask, {"sharp"}, "mask of the solid");
-  });
+  options.block("", "Bodies", [&](OptionBlock& block) { block.names("bodies", names, "names of the rigid bodies"); });
   if (options.help() && names.empty()) names = {"drum"};  // so that -help shows a body's options
   std::vector<Body<Dim>> bodies;
   for (const auto& name : names) options.claim_prefix(name, "-bodies");

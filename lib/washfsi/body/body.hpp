@@ -9,6 +9,9 @@
 
 namespace washfsi {
 
+/// How bodies hold the water: by the sharp mask alone (4.2-6), or with viscous stencils that end at the walls as well.
+enum class BodyMethod { mapping, cut_stencil };
+
 /// A named solid: a shape that moves rigidly.
 template <int Dim>
 struct Body {
@@ -24,6 +27,9 @@ struct Body {
   /// Errors: InputError. Collective.
   static Body from_options(Options& options, const std::string& name);
 };
+
+/// -body_method.
+BodyMethod body_method_from_options(Options& options);
 
 /// All bodies named by -bodies. Errors: InputError.
 template <int Dim>

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/body/mask.hpp"
 
+#include <algorithm>
+
 #include "washfsi/support/collective.hpp"
 
 namespace washfsi {
 
 template <int Dim>
-Mask<Dim>::Mask(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies)
+Mask<Dim>::Mask(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies, BodyMethod method)
     : grid_(grid),
       bodies_(bodies),
+      method_(method),
       fraction_(grid.face_vector()),
       solid_velocity_(grid.face_vector()),
       body_(grid.face_vector()),
@@ -54,6 +57,56 @@ void Mask<Dim>::update(double time) {
       if (distance_to(b, place) == 0) fraction(face, c) = 0.5;
       if (!at_rest) solid(face, c) = bodies_[b].motion.velocity(place, time)[c];
     });
+  if (method_ == BodyMethod::cut_stencil) find_cuts(time);
+}
+
+template <int Dim>
+Constraint<Dim> Mask<Dim>::constraint() const {
+  if (empty()) return {};
+  return {fraction_, solid_velocity_, method_ == BodyMethod::cut_stencil ? &cuts_ : nullptr};
+}
+
+template <int Dim>
+void Mask<Dim>::find_cuts(double time) {
+  const ConstFaceView<Dim> fraction(grid_.face_dm(), fraction_);
+  const FaceView<Dim> holder(grid_.face_dm(), body_);
+  cuts_.clear();
+  for (int c = 0; c < Dim; ++c)
+    for_each<Dim>(grid_.inner_faces(c), [&](const Index<Dim>& face) {
+      if (fraction(face, c) < 1) return;
+      const double here = nearest_distance(bodies_, grid_.face_center(face, c), time);
+      if (here > grid_.spacing().maxCoeff()) return;
+      for (int axis = 0; axis < Dim; ++axis) {
+        CutFace<Dim> cut{face, c, axis, {}, {}};
+        int body = -1;
+        cut.lower = arm_towards(face, c, axis, -1, time, here, body);
+        cut.upper = arm_towards(face, c, axis, 1, time, here, body);
+        if (body < 0) continue;
+        cuts_.push_back(cut);
+        holder(face, c) = body;  // what holds this face back is the body's load
+      }
+    });
+}
+
+// The arm of a stencil that starts `here` from the nearest body; `body` becomes the body that cuts it.
+template <int Dim>
+typename CutFace<Dim>::Arm Mask<Dim>::arm_towards(const Index<Dim>& face, int component, int axis, int step,
+                                                  double time, double here, int& body) const {
+  constexpr double shortest = 1e-3;
+  Point<Dim> place = grid_.face_center(face, component);
+  const Point<Dim> start = place;
+  place[axis] += step * grid_.spacing()[axis];
+  if (!grid_.contains(place)) return {};
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const double there = bodies_[b].distance(place, time);
+    if (there > 0) continue;
+    const double from = std::max(here, bodies_[b].distance(start, time));
+    const double length = std::max(shortest, from / (from - there));
+    const Point<Dim> wall = start + length * (place - start);
+    body = static_cast<int>(b);
+    return {true, length, bodies_[b].motion.velocity(wall, time)[component]};
+  }
+  return {};
 }
 
 template <int Dim>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "washfsi/body/body.hpp"
+#include "washfsi/grid/constraint.hpp"
 #include "washfsi/grid/grid.hpp"
 
 namespace washfsi {
@@ -19,7 +20,7 @@ struct Load {
 template <int Dim>
 class Mask {
  public:
-  Mask(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies);
+  Mask(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies, BodyMethod method);
 
   /// Places the bodies as they are at `time`.
   void update(double time);
@@ -27,6 +28,8 @@ class Mask {
   Vec fluid_fraction() const { return fraction_; }        ///< H, on faces
   Vec solid_velocity() const { return solid_velocity_; }  ///< on faces [m/s]
   bool empty() const { return bodies_.empty(); }
+  /// What the momentum equation needs of it; valid until the next `update`.
+  Constraint<Dim> constraint() const;
 
   /// velocity becomes H velocity + (1 - H) solid velocity: what moves the markers. Collective.
   void hold(Vec velocity) const;
@@ -38,12 +41,17 @@ class Mask {
 
  private:
   void place_bodies_at_rest();
+  void find_cuts(double time);
+  typename CutFace<Dim>::Arm arm_towards(const Index<Dim>& face, int component, int axis, int step, double time,
+                                         double here, int& body) const;
   struct Sums;
   void add_constraint_force(Vec constraint_force, Vec density, double time, Sums& sums) const;
   void add_wall_pressure(Vec pressure, double time, Sums& sums) const;
 
   const Grid<Dim>& grid_;
   const std::vector<Body<Dim>>& bodies_;
+  BodyMethod method_;
+  std::vector<CutFace<Dim>> cuts_;
   petsc::Vector fraction_, solid_velocity_;
   petsc::Vector body_;     ///< number of the body that holds each face; -1 in fluid
   petsc::Vector resting_;  ///< number of the body at rest that holds each face, before any moving one; -1 if none

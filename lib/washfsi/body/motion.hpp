@@ -33,6 +33,8 @@ struct RigidMotion {
 
   /// Whether the body never moves.
   bool at_rest() const;
+  /// Whether it only turns, always at `angular_speed`.
+  bool turns_steadily() const { return !table && frequency == 0 && translation.isZero(0); }
   Point<Dim> center_at(double time) const { return state(time).center; }  ///< [m]
   double angle(double time) const { return state(time).angle; }           ///< since t = 0, or as the table says [rad]
   double angular_velocity(double time) const { return state(time).angular_velocity; }          ///< [rad/s]

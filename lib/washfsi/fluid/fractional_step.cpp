@@ -61,14 +61,14 @@ void FractionalStep<Dim>::set_time(double time) {
 }
 
 template <int Dim>
-void FractionalStep<Dim>::advance(double dt, const StepFields& fields) {
+void FractionalStep<Dim>::advance(double dt, const StepFields<Dim>& fields) {
   predict(dt, fields);
   project();
   finish();
 }
 
 template <int Dim>
-void FractionalStep<Dim>::predict(double dt, const StepFields& fields) {
+void FractionalStep<Dim>::predict(double dt, const StepFields<Dim>& fields) {
   const petsc::LogPart part("momentum");
   dt_ = dt;
   explicit_terms(dt, fields);
@@ -84,7 +84,7 @@ void FractionalStep<Dim>::predict(double dt, const StepFields& fields) {
 }
 
 template <int Dim>
-void FractionalStep<Dim>::explicit_terms(double dt, const StepFields& fields) {
+void FractionalStep<Dim>::explicit_terms(double dt, const StepFields<Dim>& fields) {
   const petsc::LocalVector local_u(flow_dm_, velocity_), local_p(grid_.cell_dm(), pressure_);
   boundary_.fill(local_u, time_);
   boundary_.advance_outflow(local_u, time_, dt);

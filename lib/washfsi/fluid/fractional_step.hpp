@@ -24,10 +24,11 @@ struct SolverCounts {
 };
 
 /// What a step is given, as fields on faces: density [kg/m3], force density [N/m3] and solids.
+template <int Dim>
 struct StepFields {
   Vec density = nullptr;
   Vec force = nullptr;
-  Constraint constraint;
+  Constraint<Dim> constraint;
 };
 
 template <int Dim>
@@ -36,10 +37,10 @@ class FractionalStep {
   FractionalStep(const Grid<Dim>& grid, Boundary<Dim>& boundary, const FluidOptions<Dim>& options);
 
   /// One whole step: predict, project, finish. Collective. Errors: DivergedError.
-  void advance(double dt, const StepFields& fields);
+  void advance(double dt, const StepFields<Dim>& fields);
 
   /// Phases 1 and 2: u* from u^n. Collective.
-  void predict(double dt, const StepFields& fields);
+  void predict(double dt, const StepFields<Dim>& fields);
   /// Phase 3: makes the intermediate velocity divergence free and updates the pressure. Collective.
   void project();
   /// Phase 4: the intermediate velocity becomes u^(n+1). Collective.
@@ -71,7 +72,7 @@ class FractionalStep {
   void set_counts(const SolverCounts& counts) { counts_ = counts; }
 
  private:
-  void explicit_terms(double dt, const StepFields& fields);
+  void explicit_terms(double dt, const StepFields<Dim>& fields);
   void advect(Vec local_velocity, Vec density);
   void set_initial_velocity(const FluidOptions<Dim>& options);
 

@@ -41,7 +41,7 @@ MomentumSolver<Dim>::MomentumSolver(const Grid<Dim>& grid, const Boundary<Dim>& 
 }
 
 template <int Dim>
-void MomentumSolver<Dim>::set_step(double dt, Vec density, const Constraint& constraint) {
+void MomentumSolver<Dim>::set_step(double dt, Vec density, const Constraint<Dim>& constraint) {
   const std::array versions{petsc::Version(density), petsc::Version(constraint.fluid_fraction)};
   const bool same = dt == dt_ && versions == versions_;
   dt_ = dt;
@@ -74,6 +74,9 @@ PetscErrorCode MomentumSolver<Dim>::get_diagonal(Mat matrix, Vec result) {
     self.grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
       diagonal(face, c) = self.diagonal(face, c, self.viscosity_ * self.dt_ / (2 * rho(face, c)));
     });
+    self.visit_cuts([&](const CutFace<Dim>& cut, double weight) {
+      diagonal(cut.face, cut.component) += weight * (2 / (cut.lower.length * cut.upper.length) - 2);
+    });
   });
 }
 
@@ -91,6 +94,30 @@ double MomentumSolver<Dim>::diagonal(const Index<Dim>& face, int c, double diffu
     sum += weight / (grid_.spacing()[d] * grid_.spacing()[d]);
   }
   return 1 + diffusivity * sum;
+}
+
+/// The second difference of a component along a cut axis, times 1/h^2 of the stencil that ends at the walls, less that
+/// of the regular stencil; `wall_factor` 0 takes the walls at rest.
+template <int Dim, class Velocity>
+double cut_correction(const Velocity& u, const CutFace<Dim>& cut, double wall_factor) {
+  const double here = u(cut.face, cut.component);
+  const double below = u(shifted<Dim>(cut.face, cut.axis, -1), cut.component);
+  const double above = u(shifted<Dim>(cut.face, cut.axis, 1), cut.component);
+  const double lower = cut.lower.cut ? wall_factor * cut.lower.wall_velocity : below;
+  const double upper = cut.upper.cut ? wall_factor * cut.upper.wall_velocity : above;
+  const double slopes = (upper - here) / cut.upper.length - (here - lower) / cut.lower.length;
+  return 2 * slopes / (cut.lower.length + cut.upper.length) - (above - 2 * here + below);
+}
+
+// Calls visit(cut, mu dt / (rho h^2)) for each cut face.
+template <int Dim>
+template <class Visit>
+void MomentumSolver<Dim>::visit_cuts(Visit&& visit) const {
+  if (!constraint_.cuts) return;
+  const ConstFaceView<Dim> rho(grid_.face_dm(), density_);
+  const Spacing<Dim> h(grid_.spacing());
+  for (const CutFace<Dim>& cut : *constraint_.cuts)
+    visit(cut, viscosity_ * dt_ * h.inverse_square[cut.axis] / rho(cut.face, cut.component));
 }
 
 template <int Dim>
@@ -112,6 +139,9 @@ void MomentumSolver<Dim>::apply(Vec x, Vec y) const {
     if (H == 1) return;
     const double solid_row = diagonal(face, c, half_impulse / rho(face, c)) * u(face, c);
     result(face, c) = H * result(face, c) + (1 - H) * solid_row;
+  });
+  visit_cuts([&](const CutFace<Dim>& cut, double weight) {
+    result(cut.face, cut.component) -= weight * cut_correction<Dim>(u, cut, 0);
   });
 }
 
@@ -135,6 +165,9 @@ void MomentumSolver<Dim>::residual(Vec rhs, double time, Vec velocity, Vec resul
     if (H == 1) return;
     const double solid_row = diagonal(face, c, half_impulse / rho(face, c)) * (solid(face, c) - u(face, c));
     r(face, c) = H * r(face, c) + (1 - H) * solid_row;
+  });
+  visit_cuts([&](const CutFace<Dim>& cut, double weight) {
+    r(cut.face, cut.component) += weight * cut_correction<Dim>(u, cut, 1);
   });
 }
 
@@ -169,11 +202,14 @@ void MomentumSolver<Dim>::constraint_force(Vec rhs, double time, Vec velocity, V
   const ConstFaceView<Dim> fraction(grid_.face_dm(), constraint_.fluid_fraction);
   const FaceView<Dim> f(grid_.face_dm(), force);
   const Spacing<Dim> h(grid_.spacing());
-  grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
-    if (fraction(face, c) == 1) return;
+  const auto held = [&](const Index<Dim>& face, int c) {
     const double viscous = 0.5 * viscosity_ * laplacian<Dim>(u, face, c, h);
     f(face, c) = rho(face, c) * (u(face, c) - b(face, c)) / dt_ - viscous;
+  };
+  grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
+    if (fraction(face, c) != 1) held(face, c);
   });
+  visit_cuts([&](const CutFace<Dim>& cut, double) { held(cut.face, cut.component); });
 }
 
 template class MomentumSolver<2>;

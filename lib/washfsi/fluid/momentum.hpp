@@ -4,20 +4,17 @@
 #include <array>
 
 #include "washfsi/grid/boundary.hpp"
+#include "washfsi/grid/constraint.hpp"
 #include "washfsi/support/petsc.hpp"
 
 namespace washfsi {
 
-/// Where solids hold the velocity: a fraction H (1 in fluid, 0 in solid) and a velocity [m/s], on faces.
-/// Null vectors: no solids.
-struct Constraint {
-  Vec fluid_fraction = nullptr;
-  Vec solid_velocity = nullptr;
-};
-
 /// The implicit half of a step: u* - (mu dt / 2 rho) lap u* = b in fluid, u* = u_solid in solids (4.2-6, 4.2-7),
 ///   H (u* - (mu dt / 2 rho) lap u* - b) + (1 - H) D (u* - u_solid) = 0,   D = the diagonal of the fluid row,
-/// rows scaled so that the diagonal is near 1. Matrix-free GMRES with Jacobi, PETSc prefix momentum_.
+/// On cut faces lap u* has its regular part at both times, and what the wall's true place adds to it (Shortley and
+/// Weller, J. Appl. Phys. 9 (1938) 334) at the new time with full weight:
+///   u* - (mu dt / 2 rho) lap u* - (mu dt / rho) (lap_cut - lap) u* = b.
+/// Rows scaled so that the diagonal is near 1. Matrix-free GMRES with Jacobi, PETSc prefix momentum_.
 template <int Dim>
 class MomentumSolver {
  public:
@@ -25,7 +22,7 @@ class MomentumSolver {
   MomentumSolver(const Grid<Dim>& grid, const Boundary<Dim>& boundary, double viscosity, double tolerance);
 
   /// Fixes the coefficients of this step. The vectors must live until the next call. Collective.
-  void set_step(double dt, Vec density, const Constraint& constraint);
+  void set_step(double dt, Vec density, const Constraint<Dim>& constraint);
 
   /// Solves for u* at time `time`; `velocity` holds a guess and then u*. Returns the number of iterations.
   /// Collective. Errors: DivergedError.
@@ -41,6 +38,8 @@ class MomentumSolver {
   void apply(Vec x, Vec y) const;
   void residual(Vec rhs, double time, Vec velocity, Vec result) const;
   double diagonal(const Index<Dim>& face, int c, double diffusivity) const;
+  template <class Visit>
+  void visit_cuts(Visit&& visit) const;
   double largest_speed(Vec rhs) const;
 
   const Grid<Dim>& grid_;
@@ -48,7 +47,7 @@ class MomentumSolver {
   double viscosity_, tolerance_;
   double dt_ = 0;
   Vec density_ = nullptr;
-  Constraint constraint_;
+  Constraint<Dim> constraint_;
   std::array<petsc::Version, 2> versions_;  ///< of density and fluid fraction
   petsc::Matrix matrix_;
   petsc::Solver solver_;

@@ -10,7 +10,8 @@ FluidOptions<Dim> FluidOptions<Dim>::from_options(Options& options) {
   options.block("", "Fluid", [&](OptionBlock& block) {
     block.real("fluid_density", fluid.density, "kg/m3", positive, "density of the water");
     block.real("fluid_viscosity", fluid.viscosity, "Pa s", non_negative, "dynamic viscosity of the water");
-    block.choice("fluid_initial", fluid.initial, {"rest", "taylor_green", "uniform"}, "velocity at the start");
+    block.choice("fluid_initial", fluid.initial, {"rest", "taylor_green", "couette", "uniform"},
+                 "velocity at the start; couette: steady flow between a turning drum and a turning cylinder in it");
     block.template point<Dim>("fluid_initial_velocity", fluid.initial_velocity, "m/s",
                               "velocity of -fluid_initial uniform");
     block.boolean("fluid_projection", fluid.projection, "make the velocity divergence free");

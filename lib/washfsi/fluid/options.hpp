@@ -10,9 +10,9 @@ namespace washfsi {
 /// The liquid and how its equations are advanced.
 template <int Dim>
 struct FluidOptions {
-  double density = 1000;                             ///< [kg/m3]
-  double viscosity = 1e-3;                           ///< dynamic [Pa s]
-  std::string initial = "rest";                      ///< rest | taylor_green | uniform
+  double density = 1000;         ///< [kg/m3]
+  double viscosity = 1e-3;       ///< dynamic [Pa s]
+  std::string initial = "rest";  ///< rest | taylor_green | couette (set by who knows the bodies) | uniform
   Point<Dim> initial_velocity = Point<Dim>::Zero();  ///< of `uniform` [m/s]
   std::string advection = "central";                 ///< central | upwind
   bool projection = true;                            ///< false: the cloth tests of thesis 3.5.1, where u = u*

@@ -37,9 +37,7 @@ void ExplicitCoupling<Dim>::advance(System<Dim>& system, double dt) {
   system.wall_reaction = system.transfer.spread(forces, system.force);
 
   system.mask.update(system.fluid.time() + dt);
-  const Constraint constraint =
-      system.mask.empty() ? Constraint{} : Constraint{system.mask.fluid_fraction(), system.mask.solid_velocity()};
-  system.fluid.advance(dt, {system.density, system.force, constraint});
+  system.fluid.advance(dt, {system.density, system.force, system.mask.constraint()});
 
   system.velocities = marker_velocities(system);
   for (std::size_t m = 0; m < system.positions.size(); ++m) system.positions[m] += dt * system.velocities[m];

@@ -17,6 +17,72 @@ GridShape<Dim> with_ghosts_for(GridShape<Dim> shape, const DeltaOptions& delta) 
   return shape;
 }
 
+// Whether a body holds all sides of the box at the start, as a drum does.
+template <int Dim>
+bool fills_the_sides(const Body<Dim>& body, const GridShape<Dim>& shape) {
+  const Point<Dim> extent = shape.upper - shape.lower;
+  bool filled = true;
+  for (std::size_t d = 0; d < Dim; ++d) {
+    Box<Dim> side{{}, shape.cells};
+    side.upper[d] = 2;  // both ends
+    for_each<Dim>(side, [&](const Index<Dim>& face) {
+      Point<Dim> place;
+      for (std::size_t e = 0; e < Dim; ++e) {
+        const auto axis = static_cast<int>(e);
+        const double cells = e == d ? 1 : static_cast<double>(shape.cells[e]);
+        const double position = e == d ? static_cast<double>(face[e]) : static_cast<double>(face[e]) + 0.5;
+        place[axis] = shape.lower[axis] + extent[axis] * position / cells;
+      }
+      filled = filled && body.distance(place, 0) <= 0;
+    });
+  }
+  return filled;
+}
+
+// A turning drum that fills the box up to its walls takes them along: they have its velocity.
+template <int Dim>
+typename Boundary<Dim>::Sides sides_with_drum(const SystemOptions<Dim>& options, const std::vector<Body<Dim>>& bodies) {
+  typename Boundary<Dim>::Sides sides = options.grid.sides;
+  for (const auto& body : bodies) {
+    if (body.motion.at_rest() || !fills_the_sides(body, options.grid.shape)) continue;
+    for (auto& axis : sides)
+      for (auto& side : axis)
+        if (side.kind == BoundaryKind::wall)
+          side.motion = [motion = body.motion](const Point<Dim>& place, double time) {
+            return motion.velocity(place, time);
+          };
+  }
+  return sides;
+}
+
+// Steady circular flow between two concentric bodies that turn steadily: u = (A r + B/r) e_theta (4.3-1). A circle's
+// radius is the distance of its centre from its surface.
+template <int Dim>
+void start_couette(System<Dim>& system) {
+  const auto& bodies = system.bodies;
+  if (bodies.size() != 2 || bodies[0].motion.center != bodies[1].motion.center || !bodies[0].motion.turns_steadily() ||
+      !bodies[1].motion.turns_steadily())
+    throw InputError(
+        "-fluid_initial couette: needs two -bodies with one centre, a drum and a cylinder, that turn steadily");
+  const Point<Dim> center = bodies[0].motion.center;
+  const bool drum_first = bodies[0].distance(center, 0) > 0;
+  const auto &drum = bodies[drum_first ? 0 : 1], &cylinder = bodies[drum_first ? 1 : 0];
+  const double ro = drum.distance(center, 0), ri = -cylinder.distance(center, 0);
+  if (!(ri > 0 && ro > ri))
+    throw InputError("-fluid_initial couette: needs a drum (-..._inverted) and in it a cylinder with the same centre");
+  const double wo = drum.motion.angular_speed, wi = cylinder.motion.angular_speed;
+  const double a = (wo * ro * ro - wi * ri * ri) / (ro * ro - ri * ri);
+  const double b = (wi - wo) * ri * ri * ro * ro / (ro * ro - ri * ri);
+  const FaceView<Dim> u(system.grid.face_dm(), system.fluid.velocity());
+  for (int c = 0; c < 2; ++c)
+    for_each<Dim>(system.grid.owned(), [&](const Index<Dim>& face) {
+      const Point<Dim> arm = system.grid.face_center(face, c) - center;
+      const double r = arm.template head<2>().norm();
+      const double turning = r < ri ? wi : r > ro ? wo : a + b / (r * r);
+      u(face, c) = turning * (c == 0 ? -arm[1] : arm[0]);
+    });
+}
+
 }  // namespace
 
 template <int Dim>
@@ -33,6 +99,7 @@ SystemOptions<Dim> SystemOptions<Dim>::from_options(Options& options) {
                      ": cloth needs a grid of two dimensions (nx,ny in -grid_cells)");
   for (const ClothGroup& group : system.cloths)
     system.placements.push_back(PlacementOptions<Dim>::from_options(options, group.name));
+  system.body_method = body_method_from_options(options);
   system.delta = DeltaOptions::from_options(options);
   system.contact = ContactOptions::from_options(options);
   return system;
@@ -41,9 +108,9 @@ SystemOptions<Dim> SystemOptions<Dim>::from_options(Options& options) {
 template <int Dim>
 System<Dim>::System(MPI_Comm comm, const SystemOptions<Dim>& options, std::vector<Body<Dim>> rigid_bodies)
     : grid(comm, with_ghosts_for(options.grid.shape, options.delta)),
-      boundary(grid, options.grid.sides),
+      boundary(grid, sides_with_drum(options, rigid_bodies)),
       bodies(std::move(rigid_bodies)),
-      mask(grid, bodies),
+      mask(grid, bodies, options.body_method),
       fluid(grid, boundary, options.fluid),
       cloths(comm, options.cloths),
       transfer(grid, boundary, options.delta),
@@ -58,6 +125,7 @@ System<Dim>::System(MPI_Comm comm, const SystemOptions<Dim>& options, std::vecto
   velocities.assign(positions.size(), Point<Dim>::Zero());
   contact_loads.resize(bodies.size());
   locate_cloth();
+  if (options.fluid.initial == "couette") start_couette(*this);
 }
 
 template <int Dim>

@@ -19,6 +19,7 @@ struct SystemOptions {
   Point<Dim> gravity = Point<Dim>::Zero();  ///< acts on the cloths' excess mass: p is measured from hydrostatic [m/s2]
   std::vector<ClothGroup> cloths;
   std::vector<PlacementOptions<Dim>> placements;
+  BodyMethod body_method = BodyMethod::mapping;
   DeltaOptions delta;
   ContactOptions contact;
 

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <numbers>
+
+#include "washfsi/body/combinations.hpp"
+#include "washfsi/body/mask.hpp"
+#include "washfsi/body/primitives.hpp"
+#include "washfsi/fluid/fractional_step.hpp"
+#include "washfsi/support/collective.hpp"
+
+namespace washfsi::test {
+
+/// The circular Couette flow of thesis 4.3.1 between two turning cylinders, Re = 131, w_i/w_o = 6.13, r_i/r_o = 0.34,
+/// in a box of 2.83 r_o, started from the exact field. The outer cylinder fills the box, whose walls turn with it.
+class CircularCouette {
+ public:
+  static constexpr double ro = 1, ri = 0.34, wo = 1, wi = 6.13, half_box = 0.5 * 2.83;
+  static constexpr double viscosity = wo * ro * (ro - ri) / 131;
+
+  struct Errors {
+    double rms = 0, max = 0;                    ///< of |u_theta - exact| / exact at cell centres in fluid
+    double inner_torque = 0, outer_torque = 0;  ///< computed over exact
+  };
+
+  /// `shift`: of the cylinders' centre within a cell, in cells.
+  CircularCouette(PetscInt n, const Point<2>& shift, BodyMethod method)
+      : center_(shift * 2 * half_box / static_cast<double>(n)),
+        bodies_(cylinders(center_)),
+        grid_(PETSC_COMM_WORLD, shape(n)),
+        boundary_(grid_, turning_walls(center_)),
+        fluid_(grid_, boundary_, liquid()),
+        mask_(grid_, bodies_, method),
+        density_(grid_.face_vector()),
+        force_(grid_.face_vector()) {
+    WASH_PETSC(VecSet(density_, 1.0));
+    const FaceView<2> u(grid_.face_dm(), fluid_.velocity());
+    for (int c = 0; c < 2; ++c)
+      for_each<2>(grid_.owned(), [&](const Index<2>& face) {
+        const Point<2> arm = grid_.face_center(face, c) - center_;
+        u(face, c) = exact(arm.norm()) / std::max(arm.norm(), 1e-12) * (c == 0 ? -arm[1] : arm[0]);
+      });
+  }
+
+  Errors run(double time, double courant) {
+    const double dt = courant * grid_.spacing()[0] / (wi * ri);
+    const int steps = static_cast<int>(std::ceil(time / dt));
+    for (int n = 0; n < steps; ++n) {
+      mask_.update(fluid_.time() + dt);
+      fluid_.advance(dt, {density_, force_, mask_.constraint()});
+    }
+    return errors();
+  }
+
+ private:
+  static double exact(double r) {
+    if (r < ri) return wi * r;
+    if (r > ro) return wo * r;
+    const double b = (wi - wo) * ri * ri * ro * ro / (ro * ro - ri * ri);
+    const double a = (wo * ro * ro - wi * ri * ri) / (ro * ro - ri * ri);
+    return a * r + b / r;
+  }
+  static std::vector<Body<2>> cylinders(const Point<2>& center) {
+    std::vector<Body<2>> bodies(2);
+    bodies[0].shape = std::make_unique<Inverted<2>>(std::make_unique<Sphere<2>>(ro));
+    bodies[0].motion.center = center;
+    bodies[0].motion.angular_speed = wo;
+    bodies[1].shape = std::make_unique<Sphere<2>>(ri);
+    bodies[1].motion.center = center;
+    bodies[1].motion.angular_speed = wi;
+    return bodies;
+  }
+  static Boundary<2>::Sides turning_walls(const Point<2>& center) {
+    Boundary<2>::Sides sides;
+    for (auto& axis : sides)
+      for (auto& side : axis)
+        side.motion = [center](const Point<2>& x, double) -> Point<2> {
+          return {-wo * (x[1] - center[1]), wo * (x[0] - center[0])};
+        };
+    return sides;
+  }
+  static GridShape<2> shape(PetscInt n) {
+    GridShape<2> shape;
+    shape.cells = {n, n};
+    shape.lower = {-half_box, -half_box};
+    shape.upper = {half_box, half_box};
+    return shape;
+  }
+  static FluidOptions<2> liquid() {
+    FluidOptions<2> options;
+    options.density = 1;
+    options.viscosity = viscosity;
+    return options;
+  }
+
+  Errors errors() {
+    const petsc::LocalVector local(grid_.face_dm(), fluid_.velocity());
+    boundary_.fill(local, fluid_.time());
+    const ConstFaceView<2> u(grid_.face_dm(), local);
+    double sum = 0, count = 0, worst = 0;
+    for_each<2>(grid_.owned(), [&](const Index<2>& cell) {
+      const Point<2> arm = grid_.cell_center(cell) - center_;
+      const double r = arm.norm();
+      if (r <= ri || r >= ro) return;
+      const double ux = 0.5 * (u(cell, 0) + u(shifted<2>(cell, 0, 1), 0));
+      const double uy = 0.5 * (u(cell, 1) + u(shifted<2>(cell, 1, 1), 1));
+      const double error = std::abs((arm[0] * uy - arm[1] * ux) / r - exact(r)) / exact(r);
+      sum += error * error;
+      count += 1;
+      worst = std::max(worst, error);
+    });
+    const double torque = 4 * std::numbers::pi * viscosity * (wi - wo) * ri * ri * ro * ro / (ro * ro - ri * ri);
+    const auto loads = mask_.loads(fluid_.constraint_force(), density_, fluid_.pressure(), fluid_.time());
+    return {std::sqrt(ordered_sum(grid_.comm(), sum) / ordered_sum(grid_.comm(), count)), largest(grid_.comm(), worst),
+            -loads[1].torque[0] / torque, loads[0].torque[0] / torque};
+  }
+
+  Point<2> center_;
+  std::vector<Body<2>> bodies_;
+  Grid<2> grid_;
+  Boundary<2> boundary_;
+  FractionalStep<2> fluid_;
+  Mask<2> mask_;
+  petsc::Vector density_, force_;
+};
+
+}  // namespace washfsi::test
