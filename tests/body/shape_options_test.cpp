@@ -45,7 +45,7 @@ template <int Dim>
 ShapePtr<Dim> read(const std::string& text) {
   const Database database(text);
   Options options(PETSC_COMM_WORLD);
-  auto shape = shape_from_options<Dim>(options, "a");
+  auto shape = shape_from_options<Dim>(options, "a", 0.01);
   options.reject_unread();
   return shape;
 }
@@ -150,7 +150,7 @@ TEST(BodyOptions, ResolvedOptionsGiveTheSameBody) {
   const auto body = [&](const std::string& text) {
     const Database database(text);
     Options options(PETSC_COMM_WORLD);
-    auto read_body = Body<2>::from_options(options, "a");
+    auto read_body = Body<2>::from_options(options, "a", 0.01);
     resolved = options.resolved();
     return read_body;
   };
@@ -166,9 +166,10 @@ TEST(BodyOptions, ResolvedOptionsGiveTheSameBody) {
 
 /// Reads a motion from a file with this content.
 RigidMotion<2> motion_of(const std::string& content, const std::string& more = "") {
-  if (rank_of(PETSC_COMM_WORLD) == 0) std::ofstream("motion_table.csv") << content;
+  const std::string path = "motion_table_" + std::to_string(ranks_of(PETSC_COMM_WORLD)) + ".csv";
+  if (rank_of(PETSC_COMM_WORLD) == 0) std::ofstream(path) << content;
   MPI_Barrier(PETSC_COMM_WORLD);
-  const Database database("-a_motion_file motion_table.csv " + more);
+  const Database database("-a_motion_file " + path + " " + more);
   Options options(PETSC_COMM_WORLD);
   return RigidMotion<2>::from_options(options, "a");
 }

@@ -102,6 +102,13 @@ class WrongInputs(ProgramTest):
             table.write_text(content)
             self.assert_refused(WRONG_INPUT, ["-drum_motion_file", words], *CASE, "-drum_motion_file", table)
 
+    def test_stl_file_that_is_none(self):
+        (self.folder / "part.stl").write_text("solid part\nfacet normal 0 0 1\n")
+        case = ["-grid_cells", "8,8,8", "-time_end", 1, "-time_step", 0.1, "-bodies", "part", "-part_shape", "stl"]
+        self.assert_refused(WRONG_INPUT, ["-part_file part.stl", "cut short"], *case, "-part_file", "part.stl")
+        self.assert_refused(WRONG_INPUT, ["-part_file nowhere.stl"], *case, "-part_file", "nowhere.stl")
+        self.assert_refused(WRONG_INPUT, ["-part_file"], *case)
+
     def test_options_file_that_is_none(self):
         for line in ("grid_cells = 64 64", "-grid_cells 64 64", "-grid_cells = 64,64"):
             with self.subTest(line):

@@ -9,10 +9,10 @@
 namespace washfsi {
 
 template <int Dim>
-Body<Dim> Body<Dim>::from_options(Options& options, const std::string& name) {
+Body<Dim> Body<Dim>::from_options(Options& options, const std::string& name, double sample_spacing) {
   Body<Dim> body;
   body.name = name;
-  body.shape = shape_from_options<Dim>(options, name);
+  body.shape = shape_from_options<Dim>(options, name, sample_spacing);
   body.motion = RigidMotion<Dim>::from_options(options, name);
   return body;
 }
@@ -29,13 +29,13 @@ BodyMethod body_method_from_options(Options& options) {
 }
 
 template <int Dim>
-std::vector<Body<Dim>> bodies_from_options(Options& options) {
+std::vector<Body<Dim>> bodies_from_options(Options& options, double cell) {
   std::vector<std::string> names;
   options.block("", "Bodies", [&](OptionBlock& block) { block.names("bodies", names, "names of the rigid bodies"); });
   if (options.help() && names.empty()) names = {"drum"};  // so that -help shows a body's options
   std::vector<Body<Dim>> bodies;
   for (const auto& name : names) options.claim_prefix(name, "-bodies");
-  for (const auto& name : names) bodies.push_back(Body<Dim>::from_options(options, name));
+  for (const auto& name : names) bodies.push_back(Body<Dim>::from_options(options, name, 0.5 * cell));
   return bodies;
 }
 
@@ -48,8 +48,8 @@ double nearest_distance(const std::vector<Body<Dim>>& bodies, const Point<Dim>& 
 
 template struct Body<2>;
 template struct Body<3>;
-template std::vector<Body<2>> bodies_from_options<2>(Options&);
-template std::vector<Body<3>> bodies_from_options<3>(Options&);
+template std::vector<Body<2>> bodies_from_options<2>(Options&, double);
+template std::vector<Body<3>> bodies_from_options<3>(Options&, double);
 template double nearest_distance<2>(const std::vector<Body<2>>&, const Point<2>&, double);
 template double nearest_distance<3>(const std::vector<Body<3>>&, const Point<3>&, double);
 

@@ -24,16 +24,16 @@ struct Body {
     return shape->distance(motion.in_body_frame(place, time));
   }
 
-  /// Errors: InputError. Collective.
-  static Body from_options(Options& options, const std::string& name);
+  /// `sample_spacing` [m]: default for shapes that are kept on a lattice. Errors: InputError. Collective.
+  static Body from_options(Options& options, const std::string& name, double sample_spacing);
 };
 
 /// -body_method.
 BodyMethod body_method_from_options(Options& options);
 
-/// All bodies named by -bodies. Errors: InputError.
+/// All bodies named by -bodies, in a grid whose smallest cell is `cell` wide [m]. Errors: InputError. Collective.
 template <int Dim>
-std::vector<Body<Dim>> bodies_from_options(Options& options);
+std::vector<Body<Dim>> bodies_from_options(Options& options, double cell);
 
 /// Distance to the nearest body [m]; very large without bodies.
 template <int Dim>

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <optional>
 #include <sstream>
 
 #include "washfsi/support/collective.hpp"
@@ -31,20 +29,6 @@ std::vector<Row> clamped_slopes(const std::vector<double>& times, const std::vec
   }
   for (std::size_t k = last; k-- > 1;) slopes[k] -= upper[k] * slopes[k + 1];
   return slopes;
-}
-
-// Rank 0's file on every rank; nothing if it cannot be read.
-std::optional<std::string> read_file(MPI_Comm comm, const std::string& path) {
-  std::string marked = "-";
-  if (rank_of(comm) == 0) {
-    std::ifstream file(path);
-    std::string content;
-    std::getline(file, content, '\0');  // a folder opens, but cannot be read
-    if (file.is_open() && !file.bad()) marked = "+" + content;
-  }
-  marked = from_first_rank(comm, marked);
-  if (marked[0] == '-') return std::nullopt;
-  return marked.substr(1);
 }
 
 std::string trimmed(const std::string& word) {
@@ -74,7 +58,7 @@ MotionTable<Dim>::MotionTable(std::vector<double> times, std::vector<Row> rows)
 template <int Dim>
 MotionTable<Dim> MotionTable<Dim>::read(MPI_Comm comm, const std::string& path, const std::string& option) {
   const std::string columns = Dim == 2 ? "time,x,y,angle" : "time,x,y,z,angle", start = option + " " + path + ": ";
-  const auto text = read_file(comm, path);
+  const auto text = file_from_first_rank(comm, path);
   if (!text) throw InputError(start + "cannot be read");
   std::vector<double> times;
   std::vector<Row> rows;

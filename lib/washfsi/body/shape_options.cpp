@@ -8,6 +8,7 @@
 #include "washfsi/body/combinations.hpp"
 #include "washfsi/body/polygon.hpp"
 #include "washfsi/body/primitives.hpp"
+#include "washfsi/body/stl_shape.hpp"
 #include "washfsi/body/sweeps.hpp"
 #include "washfsi/body/vaned.hpp"
 #include "washfsi/support/errors.hpp"
@@ -26,7 +27,8 @@ bool is_one_of(const std::string& word, const std::vector<std::string>& words) {
 template <int Dim>
 class ShapeReader {
  public:
-  ShapeReader(Options& options, std::string name) : options_(options), name_(std::move(name)) {
+  ShapeReader(Options& options, std::string name, double sample_spacing) : options_(options), name_(std::move(name)) {
+    stl_.sample_spacing = sample_spacing;
     options_.block(name_ + "_", "Shape " + name_, [&](OptionBlock& block) { read(block); });
   }
 
@@ -44,6 +46,7 @@ class ShapeReader {
     read_straight(block);
     read_outlines(block);
     if (used({"vaned"})) read_vaned(block);
+    if (Dim == 3 && used({"stl"})) stl_.read(block);
     if (used(combinations)) {
       block.require("parts", "the names of the parts of the shape");
       block.names("parts", parts_, "names of the parts (union, intersection, difference: the first minus the others)");
@@ -132,6 +135,8 @@ class ShapeReader {
     if (kind_ == "capsule") return std::make_unique<Capsule<Dim>>(from_, to_, radius_);
     if constexpr (Dim == 2)
       return outline();
+    else if (kind_ == "stl")
+      return shape_from_stl(options_.comm(), stl_, name_);
     else if (kind_ == "revolution")
       return std::make_unique<Revolved>(std::make_unique<Polygon>(corners_, Polygon::Kind::profile));
     else
@@ -165,8 +170,8 @@ class ShapeReader {
   static std::vector<std::string> kinds() {
     if (Dim == 2)
       return {"sphere", "box", "halfspace", "capsule", "polygon", "vaned", "union", "intersection", "difference"};
-    return {"sphere",     "box",   "cylinder", "halfspace",    "capsule",   "polygon",
-            "revolution", "vaned", "union",    "intersection", "difference"};
+    return {"sphere",     "box",   "cylinder", "halfspace", "capsule",      "polygon",
+            "revolution", "vaned", "stl",      "union",     "intersection", "difference"};
   }
 
   // -help shows the options of every kind.
@@ -191,6 +196,7 @@ class ShapeReader {
   Point<Dim> from_ = Point<Dim>::Zero(), to_ = Point<Dim>::Zero();
   Points<2> corners_;
   VanedDimensions vaned_;
+  StlOptions stl_;
   std::vector<std::string> parts_;
   double rounding_ = 0, turn_ = 0;
   Point<Dim> offset_ = Point<Dim>::Zero();
@@ -201,16 +207,17 @@ class ShapeReader {
 }  // namespace
 
 template <int Dim>
-ShapePtr<Dim> shape_from_options(Options& options, const std::string& name) {
-  const ShapeReader<Dim> reader(options, name);
+ShapePtr<Dim> shape_from_options(Options& options, const std::string& name, double sample_spacing) {
+  const ShapeReader<Dim> reader(options, name, sample_spacing);
   if (options.help()) return nullptr;  // sizes may be missing, and no shape is needed
   for (const auto& part : reader.parts()) options.claim_prefix(name + "_" + part, "-" + name + "_parts");
   ShapeList<Dim> parts;
-  for (const auto& part : reader.parts()) parts.push_back(shape_from_options<Dim>(options, name + "_" + part));
+  for (const auto& part : reader.parts())
+    parts.push_back(shape_from_options<Dim>(options, name + "_" + part, sample_spacing));
   return reader.build(std::move(parts));
 }
 
-template ShapePtr<2> shape_from_options<2>(Options&, const std::string&);
-template ShapePtr<3> shape_from_options<3>(Options&, const std::string&);
+template ShapePtr<2> shape_from_options<2>(Options&, const std::string&, double);
+template ShapePtr<3> shape_from_options<3>(Options&, const std::string&, double);
 
 }  // namespace washfsi
