@@ -3,7 +3,9 @@
 
 #include <numbers>
 
+#include "support/gather.hpp"
 #include "washfsi/body/combinations.hpp"
+#include "washfsi/body/control_volume.hpp"
 #include "washfsi/body/mask.hpp"
 #include "washfsi/body/primitives.hpp"
 #include "washfsi/fluid/fractional_step.hpp"
@@ -19,18 +21,20 @@ class CircularCouette {
   static constexpr double viscosity = wo * ro * (ro - ri) / 131;
 
   struct Errors {
-    double rms = 0, max = 0;                    ///< of |u_theta - exact| / exact at cell centres in fluid
-    double inner_torque = 0, outer_torque = 0;  ///< computed over exact
+    double rms = 0, max = 0;                      ///< of |u_theta - exact| / exact at cell centres in fluid
+    double inner_torque = 0, outer_torque = 0;    ///< computed over exact
+    double inner_balance = 0, outer_balance = 0;  ///< the same by the balance of momentum
   };
 
   /// `shift`: of the cylinders' centre within a cell, in cells.
-  CircularCouette(PetscInt n, const Point<2>& shift, BodyMethod method)
+  CircularCouette(PetscInt n, const Point<2>& shift, const BodyTreatment& treatment, MPI_Comm comm = PETSC_COMM_WORLD)
       : center_(shift * 2 * half_box / static_cast<double>(n)),
         bodies_(cylinders(center_)),
-        grid_(PETSC_COMM_WORLD, shape(n)),
+        grid_(comm, shape(n)),
         boundary_(grid_, turning_walls(center_)),
         fluid_(grid_, boundary_, liquid()),
-        mask_(grid_, bodies_, method),
+        mask_(grid_, bodies_, treatment),
+        control_volumes_(grid_, boundary_, bodies_),
         density_(grid_.face_vector()),
         force_(grid_.face_vector()) {
     WASH_PETSC(VecSet(density_, 1.0));
@@ -47,9 +51,15 @@ class CircularCouette {
     const int steps = static_cast<int>(std::ceil(time / dt));
     for (int n = 0; n < steps; ++n) {
       mask_.update(fluid_.time() + dt);
+      extrapolate(dt);
       fluid_.advance(dt, {density_, force_, mask_.constraint()});
     }
-    return errors();
+    return errors(dt);
+  }
+
+  /// The velocity on every rank of the world.
+  std::vector<double> velocity(bool everywhere) const {
+    return gather<2, 2>(grid_, grid_.face_dm(), fluid_.velocity(), everywhere);
   }
 
  private:
@@ -93,7 +103,13 @@ class CircularCouette {
     return options;
   }
 
-  Errors errors() {
+  void extrapolate(double dt) {
+    const petsc::LocalVector local(grid_.wide_face_dm(), fluid_.velocity());
+    boundary_.fill(local, fluid_.time());
+    mask_.extrapolate(local, fluid_.time() + dt);
+  }
+
+  Errors errors(double dt) {
     const petsc::LocalVector local(grid_.face_dm(), fluid_.velocity());
     boundary_.fill(local, fluid_.time());
     const ConstFaceView<2> u(grid_.face_dm(), local);
@@ -110,9 +126,17 @@ class CircularCouette {
       worst = std::max(worst, error);
     });
     const double torque = 4 * std::numbers::pi * viscosity * (wi - wo) * ri * ri * ro * ro / (ro * ro - ri * ri);
-    const auto loads = mask_.loads(fluid_.constraint_force(), density_, fluid_.pressure(), fluid_.time());
-    return {std::sqrt(ordered_sum(grid_.comm(), sum) / ordered_sum(grid_.comm(), count)), largest(grid_.comm(), worst),
-            -loads[1].torque[0] / torque, loads[0].torque[0] / torque};
+    const double middle = fluid_.time() - 0.5 * dt;
+    const auto loads = mask_.loads(fluid_.constraint_force(), density_, fluid_.pressure(), middle);
+    const auto balance =
+        control_volumes_.loads({fluid_.velocity_before(), fluid_.velocity(), fluid_.pressure(), density_, force_,
+                                mask_.fluid_fraction(), viscosity, fluid_.time(), dt});
+    return {std::sqrt(ordered_sum(grid_.comm(), sum) / ordered_sum(grid_.comm(), count)),
+            largest(grid_.comm(), worst),
+            -loads[1].torque[0] / torque,
+            loads[0].torque[0] / torque,
+            -balance[1].torque[0] / torque,
+            balance[0].torque[0] / torque};
   }
 
   Point<2> center_;
@@ -121,6 +145,7 @@ class CircularCouette {
   Boundary<2> boundary_;
   FractionalStep<2> fluid_;
   Mask<2> mask_;
+  ControlVolumes<2> control_volumes_;
   petsc::Vector density_, force_;
 };
 

@@ -7,6 +7,7 @@
 
 #include "washfsi/body/combinations.hpp"
 #include "washfsi/body/primitives.hpp"
+#include "washfsi/body/vaned.hpp"
 #include "washfsi/fluid/diagnostics.hpp"
 #include "washfsi/fluid/fractional_step.hpp"
 
@@ -33,7 +34,7 @@ struct Couette {
         grid(PETSC_COMM_WORLD, shape(n)),
         boundary(grid, {}),
         fluid(grid, boundary, liquid(viscosity)),
-        mask(grid, bodies, BodyMethod::mapping),
+        mask(grid, bodies, {}),
         density(grid.face_vector()),
         force(grid.face_vector()) {
     WASH_PETSC(VecSet(density, 1.0));
@@ -122,6 +123,42 @@ TEST(Mask, HoldsTheSolidVelocity) {
       EXPECT_NEAR(u(face, 0), turning ? -3 * place[1] : 0.0, 1e-13);
     }
   });
+}
+
+/// A turning body with vanes and a ball, named in this order, in a drum at rest; both reach into the drum.
+std::vector<Body<2>> crowd() {
+  std::vector<Body<2>> bodies(3);
+  bodies[0].shape = vaned({0.2, 0.7, 0.1, 3});
+  bodies[0].motion.angular_speed = 2;
+  bodies[1].shape = std::make_unique<Inverted<2>>(std::make_unique<Sphere<2>>(0.6));
+  bodies[2].shape = std::make_unique<Sphere<2>>(0.25);
+  bodies[2].motion.center = {0.4, 0.1};
+  bodies[2].motion.angular_speed = -1;
+  return bodies;
+}
+
+// Placing bodies part by part skips no face, also where bodies overlap: the one named first holds.
+TEST(Mask, EqualsADirectSearchOverAllFaces) {
+  GridShape<2> shape;
+  shape.cells = {45, 38};
+  shape.lower = {-0.8, -0.7};
+  shape.upper = {0.8, 0.7};
+  const Grid<2> grid(PETSC_COMM_WORLD, shape);
+  const auto bodies = crowd();
+  Mask<2> mask(grid, bodies, {});
+  for (const double time : {0.0, 0.3, 1.1}) {
+    mask.update(time);
+    const ConstFaceView<2> fraction(grid.face_dm(), mask.fluid_fraction()),
+        solid(grid.face_dm(), mask.solid_velocity());
+    for (int c = 0; c < 2; ++c)
+      for_each<2>(grid.owned(), [&](const Index<2>& face) {
+        const Point<2> place = grid.face_center(face, c);
+        std::size_t b = 0;
+        while (b < bodies.size() && bodies[b].distance(place, time) > 0) ++b;
+        EXPECT_EQ(fraction(face, c), b == bodies.size() ? 1 : 0);
+        EXPECT_NEAR(solid(face, c), b == bodies.size() ? 0 : bodies[b].motion.velocity(place, time)[c], 1e-14);
+      });
+  }
 }
 
 }  // namespace

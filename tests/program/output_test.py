@@ -20,14 +20,14 @@ TIMES = [0, 0.01, 0.02, 0.03, 0.04, 0.05]
 FILES = ["resolved.opts", "summary.json", "history.csv", "profiles/middle.csv", "cloth_final.csv", "checkpoint.h5",
          "flow.xdmf", "flow.h5", "cloth.xdmf", "cloth.h5", "bodies.xdmf", "bodies.h5"]
 SUMMARY = ["program", "version", "git", "case", "status", "ranks", "steps", "time", "wall_seconds", "seconds_per_step",
-           "iterations", "max_divergence", "peak_memory_bytes", "bodies", "cloths"]
+           "iterations", "max_divergence", "peak_memory_bytes", "bodies", "walls", "cloths"]
 HISTORY = ["step", "time", "dt", "cfl", "kinetic_energy", "max_divergence"]
 BODIES, CLOTHS, MARKERS = ["drum", "agitator"], ["long", "short"], 400
 SOLVER_OPTION = re.compile(r"-(momentum|pressure|cloth)_(ksp|pc|snes)_")  # PETSc's own, listed under its objects
 
 
 class Agitator:
-    """The vaned agitator of resolved.opts, as Vaned in lib/washfsi/body/shape.cpp."""
+    """The vaned agitator of resolved.opts, as in lib/washfsi/body/vaned.cpp."""
 
     def __init__(self, options):
         self.hub, self.tip, self.thickness, self.vanes, self.speed, self.frequency = (
@@ -88,7 +88,7 @@ class Output(ProgramTest):
         self.assertEqual(set(summary["iterations"]), {"momentum", "pressure", "cloth"})
         self.assertEqual(list(summary["bodies"]), BODIES)
         for body in summary["bodies"].values():
-            self.assertEqual(set(body), {"force", "torque"})
+            self.assertEqual(set(body), {"force", "torque", "power"})
             self.assertEqual(len(body["force"]), 2)
         self.assertEqual(list(summary["cloths"]), CLOTHS)
         for cloth in summary["cloths"].values():
@@ -96,7 +96,7 @@ class Output(ProgramTest):
 
     def test_history(self):
         names, units, rows = read_table(self.out / "history.csv")
-        wanted = [f"{body}_{measure}" for body in BODIES for measure in ("force_x", "force_y", "torque")]
+        wanted = [f"{body}_{measure}" for body in BODIES for measure in ("force_x", "force_y", "torque", "power")]
         wanted += [f"{cloth}_{measure}" for cloth in CLOTHS
                    for measure in ("elastic_energy", "stress_mean", "center_x", "center_y")]
         self.assertEqual(names[:len(HISTORY)], HISTORY)

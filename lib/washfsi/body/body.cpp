@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
 #include "washfsi/body/shape_options.hpp"
+#include "washfsi/support/errors.hpp"
 
 namespace washfsi {
 
@@ -17,15 +19,25 @@ Body<Dim> Body<Dim>::from_options(Options& options, const std::string& name, dou
   return body;
 }
 
-BodyMethod body_method_from_options(Options& options) {
+BodyTreatment BodyTreatment::from_options(Options& options) {
+  static const std::map<std::string, BodyMethod> methods{{"mapping", BodyMethod::mapping},
+                                                         {"mapping_variable", BodyMethod::mapping_variable},
+                                                         {"ghost", BodyMethod::ghost},
+                                                         {"cut_stencil", BodyMethod::cut_stencil}};
   std::string method = "mapping", mask = "sharp";
   options.block("", "Bodies and water", [&](OptionBlock& block) {
-    block.choice("body_method", method, {"mapping", "cut_stencil"},
-                 "how bodies hold the water: mapping is the thesis's (4.2-6) with (4.2-12); cut_stencil, more accurate,"
-                 " also lets viscous stencils end at the walls");
-    block.choice("body_mask", mask, {"sharp"}, "mask of the solid");
+    block.choice("body_method", method, {"mapping", "mapping_variable", "ghost", "cut_stencil"},
+                 "how bodies hold the water: mapping is the thesis's (4.2-6) with the plain projection (4.2-12),"
+                 " mapping_variable with (4.2-9); ghost extrapolates velocities through the wall; with cut_stencil, the"
+                 " most accurate, viscous stencils end at the walls");
+    block.choice("body_mask", mask, {"sharp", "smooth"},
+                 "mask of the solid; smooth over two spacings to either side, for the mapping methods");
   });
-  return method == "mapping" ? BodyMethod::mapping : BodyMethod::cut_stencil;
+  const BodyTreatment treatment{methods.at(method), mask == "smooth"};
+  if (treatment.smooth && (treatment.method == BodyMethod::ghost || treatment.method == BodyMethod::cut_stencil))
+    throw InputError("-body_mask smooth: needs -body_method mapping or mapping_variable; " + method +
+                     " puts the wall where it is");
+  return treatment;
 }
 
 template <int Dim>

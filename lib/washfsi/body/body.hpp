@@ -9,8 +9,18 @@
 
 namespace washfsi {
 
-/// How bodies hold the water: by the sharp mask alone (4.2-6), or with viscous stencils that end at the walls as well.
-enum class BodyMethod { mapping, cut_stencil };
+/// How bodies hold the water: by the mask (4.2-6) with the plain projection (4.2-12) or with the variable one (4.2-9);
+/// by velocities extrapolated through the wall (Yokoi); by the mask with viscous stencils that end at the walls.
+enum class BodyMethod { mapping, mapping_variable, ghost, cut_stencil };
+
+/// -body_method and -body_mask.
+struct BodyTreatment {
+  BodyMethod method = BodyMethod::mapping;
+  bool smooth = false;  ///< the mask; the mapping methods only
+
+  /// Errors: InputError.
+  static BodyTreatment from_options(Options& options);
+};
 
 /// A named solid: a shape that moves rigidly.
 template <int Dim>
@@ -28,8 +38,39 @@ struct Body {
   static Body from_options(Options& options, const std::string& name, double sample_spacing);
 };
 
-/// -body_method.
-BodyMethod body_method_from_options(Options& options);
+/// All bodies at one moment, for many places.
+template <int Dim>
+class PosedBodies {
+ public:
+  /// The bodies must outlive it.
+  PosedBodies(const std::vector<Body<Dim>>& bodies, double time) : bodies_(bodies) {
+    for (const auto& body : bodies) poses_.push_back(body.motion.pose(time));
+  }
+  std::size_t size() const { return bodies_.size(); }
+  /// Signed distance of one body [m]: negative in the solid.
+  double distance(std::size_t body, const Point<Dim>& place) const {
+    return bodies_[body].shape->distance(poses_[body].in_body_frame(place));
+  }
+  /// Unit vector out of a body: the direction in which its distance grows, over differences of `step` [m].
+  Point<Dim> normal(std::size_t body, const Point<Dim>& place, double step) const {
+    Point<Dim> slope;
+    for (int d = 0; d < Dim; ++d) {
+      const Point<Dim> aside = step * Point<Dim>::Unit(d);
+      slope[d] = distance(body, place + aside) - distance(body, place - aside);
+    }
+    return slope.normalized();
+  }
+  /// The first body that a place is in; `size()` if it is in none.
+  std::size_t holder(const Point<Dim>& place) const {
+    std::size_t body = 0;
+    while (body < size() && distance(body, place) > 0) ++body;
+    return body;
+  }
+
+ private:
+  const std::vector<Body<Dim>>& bodies_;
+  std::vector<typename RigidMotion<Dim>::Pose> poses_;
+};
 
 /// All bodies named by -bodies, in a grid whose smallest cell is `cell` wide [m]. Errors: InputError. Collective.
 template <int Dim>

@@ -2,111 +2,148 @@
 #include "washfsi/body/mask.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
-#include "washfsi/support/collective.hpp"
+#include "washfsi/body/subdivide.hpp"
+#include "washfsi/grid/interpolate.hpp"
 
 namespace washfsi {
 
 template <int Dim>
-Mask<Dim>::Mask(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies, BodyMethod method)
+Mask<Dim>::Mask(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies, const BodyTreatment& treatment)
     : grid_(grid),
       bodies_(bodies),
-      method_(method),
+      treatment_(treatment),
+      smoothing_(treatment.smooth ? 2 * grid.spacing().maxCoeff() : 0),
       fraction_(grid.face_vector()),
       solid_velocity_(grid.face_vector()),
+      held_velocity_(grid.face_vector()),
       body_(grid.face_vector()),
-      resting_(grid.face_vector()) {
-  place_bodies_at_rest();
+      resting_fraction_(grid.face_vector()),
+      resting_body_(grid.face_vector()),
+      any_moves_(std::any_of(bodies.begin(), bodies.end(), [](const auto& body) { return !body.motion.at_rest(); })) {
+  WASH_PETSC(VecSet(fraction_, 1.0));
+  WASH_PETSC(VecSet(body_, -1.0));
+  const PosedBodies<Dim> posed(bodies_, 0);
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    if (bodies_[b].motion.at_rest()) place(posed, b, 0);
+  WASH_PETSC(VecCopy(fraction_, resting_fraction_));
+  WASH_PETSC(VecCopy(body_, resting_body_));
+  if (treatment_.method == BodyMethod::cut_stencil) find_cuts(posed, 0);
   update(0);
 }
 
 template <int Dim>
-void Mask<Dim>::place_bodies_at_rest() {
-  const FaceView<Dim> holder(grid_.face_dm(), resting_);
-  for (int c = 0; c < Dim; ++c)
-    for_each<Dim>(grid_.owned(), [&](const Index<Dim>& face) {
-      holder(face, c) = -1;
-      const Point<Dim> place = grid_.face_center(face, c);
-      for (std::size_t b = 0; b < bodies_.size() && holder(face, c) < 0; ++b)
-        if (bodies_[b].motion.at_rest() && bodies_[b].distance(place, 0) <= 0) holder(face, c) = static_cast<double>(b);
-    });
+void Mask<Dim>::update(double time) {
+  if (!any_moves_) return;
+  const petsc::LogPart part("bodies");
+  const PosedBodies<Dim> posed(bodies_, time);
+  WASH_PETSC(VecCopy(resting_fraction_, fraction_));
+  WASH_PETSC(VecCopy(resting_body_, body_));
+  WASH_PETSC(VecZeroEntries(solid_velocity_));
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    if (!bodies_[b].motion.at_rest()) place(posed, b, time);
+  if (treatment_.method == BodyMethod::cut_stencil) find_cuts(posed, time);
 }
 
+// H as a function of the signed distance (thesis 4.2).
 template <int Dim>
-void Mask<Dim>::update(double time) {
-  const petsc::LogPart part("bodies");
+double Mask<Dim>::fluid_share(double distance) const {
+  if (std::abs(distance) >= smoothing_) return distance > 0 ? 1 : distance < 0 ? 0 : 0.5;
+  const double x = distance / smoothing_;
+  return 0.5 * (1 + x + std::sin(std::numbers::pi * x) / std::numbers::pi);
+}
+
+// Where bodies overlap, a face is held by the one that leaves the water least; among equals, by the one named first.
+template <int Dim>
+void Mask<Dim>::place(const PosedBodies<Dim>& posed, std::size_t body, double time) {
   const FaceView<Dim> fraction(grid_.face_dm(), fraction_), solid(grid_.face_dm(), solid_velocity_);
   const FaceView<Dim> holder(grid_.face_dm(), body_);
-  const ConstFaceView<Dim> resting(grid_.face_dm(), resting_);
-  std::vector<typename RigidMotion<Dim>::Pose> poses;
-  for (const auto& body : bodies_) poses.push_back(body.motion.pose(time));
-  const auto distance_to = [&](std::size_t b, const Point<Dim>& place) {
-    return bodies_[b].shape->distance(poses[b].in_body_frame(place));
+  const RigidMotion<Dim>& motion = bodies_[body].motion;
+  const bool moves = !motion.at_rest();
+  const auto number = static_cast<double>(body);
+  const auto hold = [&](const Index<Dim>& face, int c, const Point<Dim>& place, double share) {
+    const double before = fraction(face, c);
+    if (share == 1 || share > before || (share == before && holder(face, c) < number)) return;
+    fraction(face, c) = share;
+    holder(face, c) = number;
+    solid(face, c) = moves ? motion.velocity(place, time)[c] : 0;
   };
-  for (int c = 0; c < Dim; ++c)
-    for_each<Dim>(grid_.owned(), [&](const Index<Dim>& face) {
-      const Point<Dim> place = grid_.face_center(face, c);
-      const bool at_rest = resting(face, c) >= 0;
-      std::size_t b = at_rest ? static_cast<std::size_t>(resting(face, c)) : 0;
-      while (!at_rest && b < bodies_.size() && (bodies_[b].motion.at_rest() || distance_to(b, place) > 0)) ++b;
-      const bool fluid = b == bodies_.size();
-      holder(face, c) = fluid ? -1 : static_cast<double>(b);
-      fraction(face, c) = fluid ? 1 : 0;
-      solid(face, c) = 0;
-      if (fluid) return;
-      if (distance_to(b, place) == 0) fraction(face, c) = 0.5;
-      if (!at_rest) solid(face, c) = bodies_[b].motion.velocity(place, time)[c];
-    });
-  if (method_ == BodyMethod::cut_stencil) find_cuts(time);
+  subdivide<Dim>(
+      grid_, grid_.owned(), smoothing_, [&](const Point<Dim>& place) { return posed.distance(body, place); },
+      [&](const Box<Dim>& part, int sign) {
+        if (sign < 0)
+          for_each<Dim>(part, [&](const Index<Dim>& face) {
+            for (int c = 0; c < Dim; ++c) hold(face, c, grid_.face_center(face, c), 0);
+          });
+      },
+      [&](const Index<Dim>& face) {
+        for (int c = 0; c < Dim; ++c) {
+          const Point<Dim> place = grid_.face_center(face, c);
+          hold(face, c, place, fluid_share(posed.distance(body, place)));
+        }
+      });
 }
 
 template <int Dim>
 Constraint<Dim> Mask<Dim>::constraint() const {
   if (empty()) return {};
-  return {fraction_, solid_velocity_, method_ == BodyMethod::cut_stencil ? &cuts_ : nullptr};
+  return {fraction_, extrapolates() ? held_velocity_ : solid_velocity_,
+          treatment_.method == BodyMethod::cut_stencil ? &cuts_ : nullptr,
+          treatment_.method == BodyMethod::mapping_variable};
 }
 
 template <int Dim>
-void Mask<Dim>::find_cuts(double time) {
-  const ConstFaceView<Dim> fraction(grid_.face_dm(), fraction_);
+void Mask<Dim>::find_cuts(const PosedBodies<Dim>& posed, double time) {
+  constexpr double shortest = 1e-3;
+  const petsc::LocalVector local_body(grid_.face_dm(), body_);
+  const ConstFaceView<Dim> near_body(grid_.face_dm(), local_body);
   const FaceView<Dim> holder(grid_.face_dm(), body_);
   cuts_.clear();
-  for (int c = 0; c < Dim; ++c)
-    for_each<Dim>(grid_.inner_faces(c), [&](const Index<Dim>& face) {
-      if (fraction(face, c) < 1) return;
-      const double here = nearest_distance(bodies_, grid_.face_center(face, c), time);
-      if (here > grid_.spacing().maxCoeff()) return;
-      for (int axis = 0; axis < Dim; ++axis) {
-        CutFace<Dim> cut{face, c, axis, {}, {}};
-        int body = -1;
-        cut.lower = arm_towards(face, c, axis, -1, time, here, body);
-        cut.upper = arm_towards(face, c, axis, 1, time, here, body);
-        if (body < 0) continue;
-        cuts_.push_back(cut);
-        holder(face, c) = body;  // what holds this face back is the body's load
-      }
-    });
+  const auto arm_towards = [&](const CutFace<Dim>& cut, PetscInt step) -> typename CutFace<Dim>::Arm {
+    const Index<Dim> neighbour = shifted<Dim>(cut.face, cut.axis, step);
+    const bool beyond = grid_.inside(neighbour) != neighbour && !grid_.periodic(cut.axis);
+    if (beyond || near_body(neighbour, cut.component) < 0) return {};
+    const auto body = static_cast<std::size_t>(near_body(neighbour, cut.component));
+    const Point<Dim> from = grid_.face_center(cut.face, cut.component);
+    const Point<Dim> to = grid_.face_center(neighbour, cut.component);
+    const double here = posed.distance(body, from), there = posed.distance(body, to);
+    const double length = std::max(shortest, here / (here - there));
+    holder(cut.face, cut.component) = static_cast<double>(body);  // what holds this face back is the body's load
+    return {true, length, bodies_[body].motion.velocity(from + length * (to - from), time)[cut.component]};
+  };
+  grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
+    if (near_body(face, c) >= 0) return;
+    for (int axis = 0; axis < Dim; ++axis) {
+      CutFace<Dim> cut{face, c, axis, {}, {}};
+      cut.lower = arm_towards(cut, -1);
+      cut.upper = arm_towards(cut, 1);
+      if (cut.lower.cut || cut.upper.cut) cuts_.push_back(cut);
+    }
+  });
 }
 
-// The arm of a stencil that starts `here` from the nearest body; `body` becomes the body that cuts it.
 template <int Dim>
-typename CutFace<Dim>::Arm Mask<Dim>::arm_towards(const Index<Dim>& face, int component, int axis, int step,
-                                                  double time, double here, int& body) const {
-  constexpr double shortest = 1e-3;
-  Point<Dim> place = grid_.face_center(face, component);
-  const Point<Dim> start = place;
-  place[axis] += step * grid_.spacing()[axis];
-  if (!grid_.contains(place)) return {};
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    const double there = bodies_[b].distance(place, time);
-    if (there > 0) continue;
-    const double from = std::max(here, bodies_[b].distance(start, time));
-    const double length = std::max(shortest, from / (from - there));
-    const Point<Dim> wall = start + length * (place - start);
-    body = static_cast<int>(b);
-    return {true, length, bodies_[b].motion.velocity(wall, time)[component]};
-  }
-  return {};
+void Mask<Dim>::extrapolate(Vec local_velocity, double time) {
+  if (!extrapolates()) return;
+  WASH_PETSC(VecCopy(solid_velocity_, held_velocity_));
+  const PosedBodies<Dim> posed(bodies_, time);
+  const ConstFaceView<Dim> u(grid_.wide_face_dm(), local_velocity);
+  const ConstFaceView<Dim> holder(grid_.face_dm(), body_);
+  const FaceView<Dim> held(grid_.face_dm(), held_velocity_);
+  const double reach = grid_.spacing().minCoeff();  // from the wall to where the water's velocity is taken
+  grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
+    if (holder(face, c) < 0) return;
+    const auto body = static_cast<std::size_t>(holder(face, c));
+    const Point<Dim> place = grid_.face_center(face, c);
+    const double depth = -posed.distance(body, place);
+    if (depth > reach) return;
+    const Point<Dim> normal = posed.normal(body, place, 1e-3 * reach);
+    const Point<Dim> wall = place + depth * normal, probe = wall + reach * normal;
+    const double wall_velocity = bodies_[body].motion.velocity(wall, time)[c];
+    held(face, c) = wall_velocity + depth / reach * (wall_velocity - interpolate_face<Dim>(grid_, u, probe, c));
+  });
 }
 
 template <int Dim>
@@ -120,21 +157,8 @@ void Mask<Dim>::hold(Vec velocity) const {
   });
 }
 
-/// Force and torque of each body, one after another in a flat list.
 template <int Dim>
-struct Mask<Dim>::Sums {
-  static constexpr std::size_t width = Dim + rotation_components<Dim>;
-  std::vector<double> values;
-
-  void add(std::size_t body, const Point<Dim>& arm, const Point<Dim>& force) {
-    const Rotation<Dim> torque = cross<Dim>(arm, force);
-    for (std::size_t c = 0; c < Dim; ++c) values[width * body + c] += force[static_cast<int>(c)];
-    for (std::size_t r = Dim; r < width; ++r) values[width * body + r] += torque[static_cast<int>(r - Dim)];
-  }
-};
-
-template <int Dim>
-void Mask<Dim>::add_constraint_force(Vec constraint_force, Vec density, double time, Sums& sums) const {
+void Mask<Dim>::add_constraint_force(Vec constraint_force, Vec density, double time, Loads<Dim>& loads) const {
   const ConstFaceView<Dim> f(grid_.face_dm(), constraint_force), rho(grid_.face_dm(), density);
   const ConstFaceView<Dim> holder(grid_.face_dm(), body_), fraction(grid_.face_dm(), fraction_);
   grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
@@ -145,46 +169,35 @@ void Mask<Dim>::add_constraint_force(Vec constraint_force, Vec density, double t
     const double inertia = (1 - fraction(face, c)) * rho(face, c) * motion.acceleration(place, time)[c];
     Point<Dim> force = Point<Dim>::Zero();
     force[c] = grid_.cell_volume() * (inertia - f(face, c));
-    sums.add(b, place - motion.center_at(time), force);
+    loads[b].add(place - motion.center_at(time), force);
   });
 }
 
 // A drum reaches to the box, whose walls take a part of what the water does to it: the pressure of their cells.
 template <int Dim>
-void Mask<Dim>::add_wall_pressure(Vec pressure, double time, Sums& sums) const {
+void Mask<Dim>::add_wall_pressure(Vec pressure, double time, Loads<Dim>& loads) const {
   const ConstCellView<Dim> p(grid_.cell_dm(), pressure);
-  for (int d = 0; d < Dim; ++d) {
-    if (grid_.periodic(d)) continue;
-    const auto axis = static_cast<std::size_t>(d);
-    const double area = grid_.cell_volume() / grid_.spacing()[d];
-    for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) {
-      const bool at_lower = cell[axis] == 0, at_upper = cell[axis] == grid_.cells()[axis] - 1;
-      if (!at_lower && !at_upper) return;
-      const Point<Dim> place = grid_.cell_center(cell);
-      for (std::size_t b = 0; b < bodies_.size(); ++b) {
-        if (bodies_[b].distance(place, time) > 0) continue;
+  const PosedBodies<Dim> posed(bodies_, time);
+  for (int axis = 0; axis < Dim; ++axis)
+    for (const End end : {End::lower, End::upper}) {
+      const double area = (end == End::upper ? 1 : -1) * grid_.cell_volume() / grid_.spacing()[axis];
+      for_each<Dim>(grid_.cells_beside(axis, end), [&](const Index<Dim>& cell) {
+        const Point<Dim> place = grid_.cell_center(cell);
+        const std::size_t b = posed.holder(place);
+        if (b == bodies_.size()) return;
         Point<Dim> force = Point<Dim>::Zero();
-        force[d] = (at_upper ? area : 0) * p(cell) - (at_lower ? area : 0) * p(cell);
-        sums.add(b, place - bodies_[b].motion.center_at(time), force);
-        break;
-      }
-    });
-  }
+        force[axis] = area * p(cell);
+        loads[b].add(place - bodies_[b].motion.center_at(time), force);
+      });
+    }
 }
 
 template <int Dim>
-std::vector<Load<Dim>> Mask<Dim>::loads(Vec constraint_force, Vec density, Vec pressure, double time) const {
-  Sums sums{std::vector<double>(Sums::width * bodies_.size(), 0.0)};
-  add_constraint_force(constraint_force, density, time, sums);
-  add_wall_pressure(pressure, time, sums);
-  sums.values = ordered_sum(grid_.comm(), sums.values);
-  std::vector<Load<Dim>> loads(bodies_.size());
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    const double* values = &sums.values[Sums::width * b];
-    loads[b].force = Point<Dim>(values);
-    loads[b].torque = Eigen::Map<const Rotation<Dim>>(values + Dim);
-  }
-  return loads;
+Loads<Dim> Mask<Dim>::loads(Vec constraint_force, Vec density, Vec pressure, double time) const {
+  Loads<Dim> loads(bodies_.size());
+  add_constraint_force(constraint_force, density, time, loads);
+  add_wall_pressure(pressure, time, loads);
+  return ordered_sum<Dim>(grid_.comm(), loads);
 }
 
 template class Mask<2>;

@@ -80,7 +80,7 @@ void FractionalStep<Dim>::predict(double dt, const StepFields<Dim>& fields) {
   momentum_.set_step(dt, fields.density, fields.constraint);
   counts_.momentum += static_cast<double>(momentum_.solve(rhs_, time_ + dt, intermediate_));
   if (fields.constraint.fluid_fraction) momentum_.constraint_force(rhs_, time_ + dt, intermediate_, constraint_force_);
-  poisson_.set_density(fields.density);
+  poisson_.set_density(fields.density, fields.constraint.in_projection ? fields.constraint.fluid_fraction : nullptr);
 }
 
 template <int Dim>

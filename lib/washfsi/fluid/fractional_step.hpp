@@ -46,9 +46,11 @@ class FractionalStep {
   /// Phase 4: the intermediate velocity becomes u^(n+1). Collective.
   void finish();
 
-  Vec velocity() const { return velocity_; }  ///< u^n [m/s]
-  Vec pressure() const { return pressure_; }  ///< p^(n-1/2) [Pa]
-  double time() const { return time_; }       ///< t^n [s]
+  Vec velocity() const { return velocity_; }                ///< u^n [m/s]
+  Vec velocity_before() const { return velocity_before_; }  ///< u^(n-1); u^n before the first step
+  Vec pressure() const { return pressure_; }                ///< p^(n-1/2) [Pa]
+  double viscosity() const { return viscosity_; }           ///< [Pa s]
+  double time() const { return time_; }                     ///< t^n [s]
   void set_time(double time);
   /// Length of the last step [s]; 0 before the first, which advects by forward Euler: u^(n-1) is not known then.
   double last_step() const { return has_history_ ? dt_before_ : 0; }

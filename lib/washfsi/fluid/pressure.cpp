@@ -64,6 +64,7 @@ template <int Dim>
 PressureSolver<Dim>::PressureSolver(const Grid<Dim>& grid, double reference_density)
     : grid_(grid), reference_density_(reference_density) {
   WASH_PETSC(DMCreateLocalVector(grid.face_dm(), ratio_.put()));
+  specific_volume_ = grid.face_vector();
   WASH_PETSC(DMCreateLocalVector(grid.stencil_dm(), local_phi_.put()));
   WASH_PETSC(VecZeroEntries(local_phi_));
 
@@ -155,31 +156,58 @@ PetscErrorCode PressureSolver<Dim>::assemble_coarse(KSP solver, Mat, Mat precond
 }
 
 template <int Dim>
-void PressureSolver<Dim>::set_density(Vec density) {
-  if (petsc::Version(density) == density_version_) return;
-  density_version_ = petsc::Version(density);
-  WASH_PETSC(DMGlobalToLocal(grid_.face_dm(), density, INSERT_VALUES, ratio_));
-  double lightest = 0, heaviest = 0;
-  WASH_PETSC(VecMin(density, nullptr, &lightest));
-  WASH_PETSC(VecMax(density, nullptr, &heaviest));
+void PressureSolver<Dim>::set_density(Vec density, Vec fluid_fraction) {
+  constexpr double least_fraction = 1e-2;  // so that the equation stays solvable within solids
+  const std::array versions{petsc::Version(density), petsc::Version(fluid_fraction)};
+  if (versions == versions_) return;
+  versions_ = versions;
   {
-    const FaceView<Dim> ratio(grid_.face_dm(), ratio_);
-    for (int d = 0; d < Dim; ++d) {
-      const auto axis = static_cast<std::size_t>(d);
-      Box<Dim> faces = grid_.owned();
-      ++faces.upper[axis];  // the upper faces of the last owned cells
-      for_each<Dim>(faces, [&](const Index<Dim>& face) {
-        const bool in_boundary = !grid_.periodic(d) && (face[axis] == 0 || face[axis] == grid_.cells()[axis]);
-        ratio(face, d) = in_boundary ? 0 : reference_density_ / ratio(face, d);
-      });
-    }
+    const FaceView<Dim> ratio(grid_.face_dm(), specific_volume_);
+    const ConstFaceView<Dim> rho(grid_.face_dm(), density),
+        fraction(grid_.face_dm(), fluid_fraction ? fluid_fraction : density);
+    const bool variable = fluid_fraction != nullptr;
+    for_each<Dim>(grid_.owned(), [&](const Index<Dim>& face) {
+      for (int d = 0; d < Dim; ++d)
+        ratio(face, d) =
+            (variable ? std::max(fraction(face, d), least_fraction) : 1) * reference_density_ / rho(face, d);
+    });
   }
+  double least = 0, most = 0;
+  WASH_PETSC(VecMin(specific_volume_, nullptr, &least));
+  WASH_PETSC(VecMax(specific_volume_, nullptr, &most));
+  WASH_PETSC(DMGlobalToLocal(grid_.face_dm(), specific_volume_, INSERT_VALUES, ratio_));
+  close_boundary_faces();
   // Where the density varies little, the preconditioner of the uniform one serves; otherwise it follows each step.
   // A function of this step's density alone, so that a restarted run has the same preconditioner.
-  const bool nearly_uniform = heaviest < 1.5 * reference_density_ && lightest > reference_density_ / 1.5;
+  const bool nearly_uniform = (least > 1 / 1.5 && most < 1.5) || uses_transform();
   if (nearly_uniform && assembled_is_uniform_) return;
   assembled_is_uniform_ = nearly_uniform;
   assemble();
+}
+
+// The transform never looks at the assembled matrix.
+template <int Dim>
+bool PressureSolver<Dim>::uses_transform() const {
+  PC pc = nullptr;
+  WASH_PETSC(KSPGetPC(solver_, &pc));
+  PetscBool same = PETSC_FALSE;
+  WASH_PETSC(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(static_cast<PC>(pc)), "transform", &same));
+  return same == PETSC_TRUE;
+}
+
+// No flux through the sides of the box.
+template <int Dim>
+void PressureSolver<Dim>::close_boundary_faces() {
+  const FaceView<Dim> ratio(grid_.face_dm(), ratio_);
+  for (int d = 0; d < Dim; ++d) {
+    if (grid_.periodic(d)) continue;
+    const auto axis = static_cast<std::size_t>(d);
+    Box<Dim> faces = grid_.owned();
+    ++faces.upper[axis];  // the upper faces of the last owned cells
+    for_each<Dim>(faces, [&](const Index<Dim>& face) {
+      if (face[axis] == 0 || face[axis] == grid_.cells()[axis]) ratio(face, d) = 0;
+    });
+  }
 }
 
 template <int Dim>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+
 #include "washfsi/grid/grid.hpp"
 #include "washfsi/support/petsc.hpp"
 
@@ -16,8 +18,9 @@ class PressureSolver {
   /// Collective. `reference_density` is rho_f.
   PressureSolver(const Grid<Dim>& grid, double reference_density);
 
-  /// Takes the face densities [kg/m3] of this step, if they have changed. Collective.
-  void set_density(Vec density);
+  /// Takes the face densities [kg/m3] of this step, if they have changed. With the fluid's share H on faces, the
+  /// equation is that of (4.2-9), H/rho in place of 1/rho, H not below 1e-2. Collective.
+  void set_density(Vec density, Vec fluid_fraction = nullptr);
 
   /// Solves to a residual whose norm is below `tolerance` [1/s]; `phi` holds a guess, then the solution;
   /// `minus_divergence` is used up.
@@ -31,19 +34,22 @@ class PressureSolver {
   static PetscErrorCode multiply(Mat matrix, Vec x, Vec y);
   static PetscErrorCode assemble_coarse(KSP solver, Mat matrix, Mat preconditioner, void* context);
   void apply(Vec x, Vec y);
+  bool uses_transform() const;
+  void close_boundary_faces();
   void assemble();
   void set_preconditioner_defaults();
   void configure_multigrid();
 
   const Grid<Dim>& grid_;
   double reference_density_;
-  petsc::Vector ratio_;      ///< rho_f/rho on faces, local, 0 on boundary faces
-  petsc::Vector local_phi_;  ///< ghosted; ghosts beyond the boundary stay 0
+  petsc::Vector specific_volume_;  ///< rho_f/rho, or H rho_f/rho, on faces
+  petsc::Vector ratio_;            ///< the same, local, 0 on boundary faces
+  petsc::Vector local_phi_;        ///< ghosted; ghosts beyond the boundary stay 0
   petsc::Matrix matrix_, assembled_;
   petsc::NullSpace constants_;
   petsc::Solver solver_;
   bool user_sets_atol_ = false;
-  petsc::Version density_version_;  ///< of the density last taken
+  std::array<petsc::Version, 2> versions_;  ///< of density and H last taken
   bool assembled_is_uniform_ = false;
 };
 

@@ -30,6 +30,7 @@ struct Constraint {
   Vec fluid_fraction = nullptr;
   Vec solid_velocity = nullptr;
   const std::vector<CutFace<Dim>>* cuts = nullptr;  ///< of this rank's faces
+  bool in_projection = false;                       ///< whether the projection knows of H too (4.2-9)
 };
 
 }  // namespace washfsi

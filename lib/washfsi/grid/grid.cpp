@@ -126,6 +126,17 @@ double Grid<Dim>::cell_count() const {
 }
 
 template <int Dim>
+Box<Dim> Grid<Dim>::cells_beside(int axis, End end) const {
+  const auto d = static_cast<std::size_t>(axis);
+  Box<Dim> cells = owned_;
+  if (end == End::lower)
+    cells.upper[d] = std::min<PetscInt>(cells.upper[d], periodic(axis) ? 0 : 1);
+  else
+    cells.lower[d] = std::max(cells.lower[d], shape_.cells[d] - (periodic(axis) ? 0 : 1));
+  return cells;
+}
+
+template <int Dim>
 Box<Dim> Grid<Dim>::inner_faces(int axis) const {
   Box<Dim> box = owned_;
   const auto d = static_cast<std::size_t>(axis);

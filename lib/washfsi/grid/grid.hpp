@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "washfsi/grid/index.hpp"
+#include "washfsi/grid/side.hpp"
 #include "washfsi/grid/view.hpp"
 #include "washfsi/support/petsc.hpp"
 #include "washfsi/support/point.hpp"
@@ -59,6 +60,8 @@ class Grid {
   const Box<Dim>& owned() const { return owned_; }
   /// Owned cells and all `ghost_width` layers of ghosts.
   const Box<Dim>& local() const { return local_; }
+  /// Owned cells along a side of the box; none along periodic directions.
+  Box<Dim> cells_beside(int axis, End end) const;
   /// Owned faces normal to `axis` that are unknowns: all but the face in the lower boundary.
   Box<Dim> inner_faces(int axis) const;
   /// Calls kernel(face, c) for all of them, component by component; c is a compile-time constant.

@@ -4,42 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "washfsi/grid/interpolate.hpp"
 #include "washfsi/output/history.hpp"
 #include "washfsi/support/collective.hpp"
 #include "washfsi/support/errors.hpp"
 #include "washfsi/support/hdf5_file.hpp"
 
 namespace washfsi {
-
-namespace {
-
-/// Linear interpolation of value(index) given on points at lower + (i + offset_d) h_d.
-template <int Dim, class Value>
-double interpolate_linearly(const Grid<Dim>& grid, const Point<Dim>& place, const Point<Dim>& offset,
-                            const Value& value) {
-  Index<Dim> base;
-  Point<Dim> fraction;
-  for (int d = 0; d < Dim; ++d) {
-    const double coordinate = (place[d] - grid.lower()[d]) / grid.spacing()[d] - offset[d];
-    const double floor = std::floor(coordinate);
-    base[static_cast<std::size_t>(d)] = static_cast<PetscInt>(floor);
-    fraction[d] = coordinate - floor;
-  }
-  double sum = 0;
-  for (unsigned corner = 0; corner < (1U << Dim); ++corner) {
-    Index<Dim> index = base;
-    double weight = 1;
-    for (int d = 0; d < Dim; ++d) {
-      const bool upper = (corner >> d) & 1U;
-      if (upper) ++index[static_cast<std::size_t>(d)];
-      weight *= upper ? fraction[d] : 1 - fraction[d];
-    }
-    if (weight != 0) sum += weight * value(index);
-  }
-  return sum;
-}
-
-}  // namespace
 
 template <int Dim>
 void Profile<Dim>::write(const Grid<Dim>& grid, const Boundary<Dim>& boundary, Vec velocity, Vec pressure, double time,
@@ -57,10 +28,7 @@ void Profile<Dim>::write(const Grid<Dim>& grid, const Boundary<Dim>& boundary, V
     const Point<Dim> place = place_of(i);
     if (grid.owner(grid.cell_of(place)) != rank_of(grid.comm())) continue;
     for (int c = 0; c < Dim; ++c) {
-      Point<Dim> offset = Point<Dim>::Constant(0.5);
-      offset[c] = 0;
-      samples[i * (Dim + 1) + static_cast<std::size_t>(c)] =
-          interpolate_linearly<Dim>(grid, place, offset, [&](const Index<Dim>& index) { return u(index, c); });
+      samples[i * (Dim + 1) + static_cast<std::size_t>(c)] = interpolate_face<Dim>(grid, u, place, c);
     }
     samples[i * (Dim + 1) + Dim] =
         interpolate_linearly<Dim>(grid, place, Point<Dim>::Constant(0.5), [&](Index<Dim> index) {

@@ -15,6 +15,16 @@ void add_external_forces(System<Dim>& system, Points<Dim>& forces) {
   for (std::size_t m = 0; m < forces.size(); ++m) forces[m] += masses[m] * system.gravity + contact[m];
 }
 
+// Places the bodies as they are at `time`.
+template <int Dim>
+void hold_bodies(System<Dim>& system, double time) {
+  system.mask.update(time);
+  if (!system.mask.extrapolates()) return;
+  const petsc::LocalVector local(system.grid.wide_face_dm(), system.fluid.velocity());
+  system.boundary.fill(local, system.fluid.time());
+  system.mask.extrapolate(local, time);
+}
+
 }  // namespace
 
 template <int Dim>
@@ -36,7 +46,7 @@ void ExplicitCoupling<Dim>::advance(System<Dim>& system, double dt) {
   WASH_PETSC(VecZeroEntries(system.force));
   system.wall_reaction = system.transfer.spread(forces, system.force);
 
-  system.mask.update(system.fluid.time() + dt);
+  hold_bodies(system, system.fluid.time() + dt);
   system.fluid.advance(dt, {system.density, system.force, system.mask.constraint()});
 
   system.velocities = marker_velocities(system);

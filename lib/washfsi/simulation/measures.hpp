@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+
+#include "washfsi/body/control_volume.hpp"
+#include "washfsi/body/wall_loads.hpp"
 #include "washfsi/fluid/diagnostics.hpp"
 #include "washfsi/output/history.hpp"
 #include "washfsi/simulation/system.hpp"
@@ -29,7 +33,14 @@ class Measures {
   void observe_start(double dt);
 
   const FlowDiagnostics<Dim>& flow() const { return flow_; }
-  const std::vector<Load<Dim>>& loads() const { return loads_; }
+  const Loads<Dim>& loads() const { return loads_; }  ///< on each body in the last step, by what held the water
+  /// The same by the balance of momentum round each body; zero if that is not measured.
+  const Loads<Dim>& balance_loads() const { return balance_loads_; }
+  bool has_balance() const { return control_volumes_.has_value(); }
+  const std::vector<double>& powers() const { return powers_; }  ///< that each body puts into the water [W; W/m]
+  /// Sides of the box that are walls, by name, and the loads on them.
+  std::vector<std::string> wall_names() const;
+  const Loads<Dim>& loads_on_walls() const { return wall_loads_; }
   const std::vector<GroupMeasures>& groups() const { return groups_; }
   double largest_divergence() const { return largest_divergence_; }
 
@@ -44,7 +55,7 @@ class Measures {
   std::size_t totals_count() const { return 2 + groups_.size(); }
 
  private:
-  void measure_loads();
+  void measure_loads(double dt);
   void measure_cloth(double dt, bool accumulate);
   void measure_stress(double dt, bool accumulate);
   void measure_places();
@@ -52,7 +63,10 @@ class Measures {
 
   const System<Dim>& system_;
   FlowDiagnostics<Dim> flow_;
-  std::vector<Load<Dim>> loads_;
+  std::vector<SideName> walls_;
+  std::optional<ControlVolumes<Dim>> control_volumes_;
+  Loads<Dim> loads_, balance_loads_, wall_loads_;
+  std::vector<double> powers_;
   std::vector<GroupMeasures> groups_;
   std::vector<Point<Dim>> centers_;
   std::vector<std::size_t> group_of_;

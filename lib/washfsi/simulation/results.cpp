@@ -67,6 +67,21 @@ void Results<Dim>::write_final() const {
                             system_.velocities);
 }
 
+namespace {
+
+template <int Dim>
+nlohmann::ordered_json json_of(const Load<Dim>& load) {
+  nlohmann::ordered_json json;
+  json["force"] = std::vector<double>(load.force.data(), load.force.data() + Dim);
+  if (Dim == 2)
+    json["torque"] = load.torque[0];
+  else
+    json["torque"] = std::vector<double>(load.torque.data(), load.torque.data() + rotation_components<Dim>);
+  return json;
+}
+
+}  // namespace
+
 template <int Dim>
 void Results<Dim>::write_summary(const RunSummary& summary) const {
   const SolverCounts& counts = system_.fluid.counts();
@@ -87,14 +102,14 @@ void Results<Dim>::write_summary(const RunSummary& summary) const {
   json["peak_memory_bytes"] = std::llround(peak_memory(system_.grid.comm()));
   json["bodies"] = nlohmann::ordered_json::object();
   for (std::size_t b = 0; b < system_.bodies.size(); ++b) {
-    const Load<Dim>& load = measures_.loads()[b];
     auto& body = json["bodies"][system_.bodies[b].name];
-    body["force"] = std::vector<double>(load.force.data(), load.force.data() + Dim);
-    if (Dim == 2)
-      body["torque"] = load.torque[0];
-    else
-      body["torque"] = std::vector<double>(load.torque.data(), load.torque.data() + rotation_components<Dim>);
+    body = json_of(measures_.loads()[b]);
+    body["power"] = measures_.powers()[b];
+    if (measures_.has_balance()) body["balance"] = json_of(measures_.balance_loads()[b]);
   }
+  json["walls"] = nlohmann::ordered_json::object();
+  const auto walls = measures_.wall_names();
+  for (std::size_t w = 0; w < walls.size(); ++w) json["walls"][walls[w]] = json_of(measures_.loads_on_walls()[w]);
   json["cloths"] = nlohmann::ordered_json::object();
   for (std::size_t g = 0; g < measures_.groups().size(); ++g) {
     const GroupMeasures& group = measures_.groups()[g];

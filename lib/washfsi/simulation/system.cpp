@@ -12,8 +12,11 @@ namespace {
 
 // Ghost layers that hold the stencil of a marker anywhere in an owned cell.
 template <int Dim>
-GridShape<Dim> with_ghosts_for(GridShape<Dim> shape, const DeltaOptions& delta) {
+GridShape<Dim> with_ghosts_for(GridShape<Dim> shape, const SystemOptions<Dim>& options) {
+  const DeltaOptions& delta = options.delta;
   shape.ghost_width = static_cast<PetscInt>(std::ceil(std::max(delta.spread_width, delta.interpolate_width))) + 1;
+  // a probe lies at most two spacings from the face that it serves
+  if (options.treatment.method == BodyMethod::ghost) shape.ghost_width = std::max<PetscInt>(shape.ghost_width, 3);
   return shape;
 }
 
@@ -99,7 +102,11 @@ SystemOptions<Dim> SystemOptions<Dim>::from_options(Options& options) {
                      ": cloth needs a grid of two dimensions (nx,ny in -grid_cells)");
   for (const ClothGroup& group : system.cloths)
     system.placements.push_back(PlacementOptions<Dim>::from_options(options, group.name));
-  system.body_method = body_method_from_options(options);
+  system.treatment = BodyTreatment::from_options(options);
+  options.block("", "Loads", [&](OptionBlock& block) {
+    block.boolean("body_balance", system.balance_loads,
+                  "measure the loads on bodies by the balance of momentum round them too: a check");
+  });
   system.delta = DeltaOptions::from_options(options);
   system.contact = ContactOptions::from_options(options);
   return system;
@@ -107,14 +114,15 @@ SystemOptions<Dim> SystemOptions<Dim>::from_options(Options& options) {
 
 template <int Dim>
 System<Dim>::System(MPI_Comm comm, const SystemOptions<Dim>& options, std::vector<Body<Dim>> rigid_bodies)
-    : grid(comm, with_ghosts_for(options.grid.shape, options.delta)),
+    : grid(comm, with_ghosts_for(options.grid.shape, options)),
       boundary(grid, sides_with_drum(options, rigid_bodies)),
       bodies(std::move(rigid_bodies)),
-      mask(grid, bodies, options.body_method),
+      mask(grid, bodies, options.treatment),
       fluid(grid, boundary, options.fluid),
       cloths(comm, options.cloths),
       transfer(grid, boundary, options.delta),
       fluid_density(options.fluid.density),
+      balance_loads(options.balance_loads),
       contact(options.contact),
       gravity(options.gravity),
       density(grid.face_vector()),

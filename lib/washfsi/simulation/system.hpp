@@ -19,7 +19,8 @@ struct SystemOptions {
   Point<Dim> gravity = Point<Dim>::Zero();  ///< acts on the cloths' excess mass: p is measured from hydrostatic [m/s2]
   std::vector<ClothGroup> cloths;
   std::vector<PlacementOptions<Dim>> placements;
-  BodyMethod body_method = BodyMethod::mapping;
+  BodyTreatment treatment;
+  bool balance_loads = false;  ///< whether loads are measured by the balance of momentum too
   DeltaOptions delta;
   ContactOptions contact;
 
@@ -47,13 +48,14 @@ struct System {
   Transfer<Dim> transfer;
 
   double fluid_density;  ///< [kg/m3]
+  bool balance_loads;    ///< whether loads are measured by the balance of momentum too
   ContactOptions contact;
   Point<Dim> gravity;                             ///< [m/s2]
   petsc::Vector density;                          ///< of the last step, on faces [kg/m3]
   petsc::Vector force;                            ///< of cloth on water in the last step, on faces [N/m3]
   Points<Dim> positions;                          ///< X^n of this rank's markers [m]
   Points<Dim> velocities;                         ///< U^n [m/s]
-  std::vector<Load<Dim>> contact_loads;           ///< of this rank's markers on each body in the last step
+  Loads<Dim> contact_loads;                       ///< of this rank's markers on each body in the last step
   Point<Dim> wall_reaction = Point<Dim>::Zero();  ///< part of the cloth's force that walls took in the last step [N]
 };
 

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/body/control_volume.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "washfsi/body/subdivide.hpp"
+
+namespace washfsi {
+
+namespace {
+
+constexpr double width_in_cells = 16;
+
+/// From 1 for x <= 1/4 to 0 for x >= 3/4, with two continuous derivatives.
+double smooth_step(double x) {
+  const double y = std::clamp(2 * x - 0.5, 0.0, 1.0);
+  return 1 - y * y * y * (10 - y * (15 - 6 * y));
+}
+
+/// Velocity in the middle of a cell.
+template <int Dim>
+Point<Dim> cell_velocity(const ConstFaceView<Dim>& u, const Index<Dim>& cell) {
+  Point<Dim> mean;
+  for (int c = 0; c < Dim; ++c) mean[c] = 0.5 * (u(cell, c) + u(shifted<Dim>(cell, c, 1), c));
+  return mean;
+}
+
+/// Central difference in the middle of a cell of values in the middle of cells.
+template <int Dim, class Value>
+auto central_difference(const Value& value, const Index<Dim>& cell, int axis, double spacing) {
+  const auto above = value(shifted<Dim>(cell, axis, 1)), below = value(shifted<Dim>(cell, axis, -1));
+  return decltype(above)((above - below) / (2 * spacing));
+}
+
+}  // namespace
+
+template <int Dim>
+ControlVolumes<Dim>::ControlVolumes(const Grid<Dim>& grid, const Boundary<Dim>& boundary,
+                                    const std::vector<Body<Dim>>& bodies)
+    : grid_(grid),
+      boundary_(boundary),
+      bodies_(bodies),
+      width_(width_in_cells * grid.spacing().maxCoeff()),
+      all_at_rest_(std::all_of(bodies.begin(), bodies.end(), [](const auto& body) { return body.motion.at_rest(); })),
+      weights_(bodies.size()),
+      mean_velocity_(grid.face_vector()) {
+  const PosedBodies<Dim> posed(bodies_, 0);
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    WASH_PETSC(DMCreateLocalVector(grid.cell_dm(), weights_[b].put()));
+    weigh(posed, b, weights_[b]);
+  }
+}
+
+template <int Dim>
+double ControlVolumes<Dim>::distance_to_sides(const Point<Dim>& place) const {
+  double nearest = std::numeric_limits<double>::max();
+  for (int d = 0; d < Dim; ++d)
+    if (!grid_.periodic(d)) nearest = std::min({nearest, place[d] - grid_.lower()[d], grid_.upper()[d] - place[d]});
+  return nearest;
+}
+
+// By the share of the way from the body to the next wall, or to the end of the layer.
+template <int Dim>
+double ControlVolumes<Dim>::weight_at(const PosedBodies<Dim>& posed, std::size_t body, const Point<Dim>& place) const {
+  const double own = posed.distance(body, place);
+  double others = distance_to_sides(place);
+  for (std::size_t b = 0; b < posed.size(); ++b)
+    if (b < body || (b > body && own > 0)) others = std::min(others, posed.distance(b, place));
+  const bool held_by_earlier = own <= 0 && body > 0 && others <= 0 && grid_.contains(place);
+  if (own <= 0) return held_by_earlier ? 0 : 1;
+  return others <= 0 ? 0 : smooth_step(own / std::min(own + others, width_));
+}
+
+template <int Dim>
+void ControlVolumes<Dim>::weigh(const PosedBodies<Dim>& posed, std::size_t body, Vec weight) const {
+  WASH_PETSC(VecZeroEntries(weight));
+  const CellView<Dim> w(grid_.cell_dm(), weight);
+  Box<Dim> cells = grid_.owned();
+  for (std::size_t d = 0; d < Dim; ++d) {
+    --cells.lower[d];
+    ++cells.upper[d];
+  }
+  const auto weigh_cell = [&](const Index<Dim>& cell) { w(cell) = weight_at(posed, body, grid_.cell_center(cell)); };
+  subdivide<Dim>(
+      grid_, cells, width_, [&](const Point<Dim>& place) { return posed.distance(body, place); },
+      [&](const Box<Dim>& part, int sign) {
+        if (sign < 0) for_each<Dim>(part, weigh_cell);
+      },
+      weigh_cell);
+}
+
+template <int Dim>
+Loads<Dim> ControlVolumes<Dim>::loads(const Step& step) {
+  WASH_PETSC(VecAXPBYPCZ(mean_velocity_, 0.5, 0.5, 0.0, step.velocity_before, step.velocity));
+  const petsc::LocalVector local_velocity(grid_.face_dm(), mean_velocity_);
+  boundary_.fill(local_velocity, step.time);
+  const double middle = step.time - 0.5 * step.dt;
+  const PosedBodies<Dim> posed(bodies_, middle);
+  Loads<Dim> loads(bodies_.size());
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    if (!all_at_rest_) weigh(posed, b, weights_[b]);
+    add_stress(step, weights_[b], local_velocity, bodies_[b].motion.center_at(middle), loads[b]);
+    add_inertia(step, weights_[b], bodies_[b].motion, loads[b]);
+  }
+  return ordered_sum<Dim>(grid_.comm(), loads);
+}
+
+template <int Dim>
+void ControlVolumes<Dim>::add_stress(const Step& step, Vec weight, Vec local_velocity, const Point<Dim>& center,
+                                     Load<Dim>& load) const {
+  const ConstCellView<Dim> w(grid_.cell_dm(), weight), p(grid_.cell_dm(), step.pressure);
+  const ConstFaceView<Dim> u(grid_.face_dm(), local_velocity), rho(grid_.face_dm(), step.density);
+  const Point<Dim> h = grid_.spacing();
+  for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) {
+    Point<Dim> slope;
+    for (int d = 0; d < Dim; ++d) slope[d] = central_difference<Dim>(w, cell, d, h[d]);
+    if (slope.isZero(0)) return;
+    const Point<Dim> velocity = cell_velocity<Dim>(u, cell);
+    Eigen::Matrix<double, Dim, Dim> rate;  // rate(c, d) = du_c/dx_d
+    for (int d = 0; d < Dim; ++d) {
+      rate.col(d) =
+          central_difference<Dim>([&](const Index<Dim>& at) { return cell_velocity<Dim>(u, at); }, cell, d, h[d]);
+      rate(d, d) = (u(shifted<Dim>(cell, d, 1), d) - u(cell, d)) / h[d];
+    }
+    const Point<Dim> viscous = step.viscosity * (rate + rate.transpose()) * slope;
+    const Point<Dim> carried = rho(cell, 0) * velocity.dot(slope) * velocity;
+    load.add(grid_.cell_center(cell) - center, grid_.cell_volume() * (carried + p(cell) * slope - viscous));
+  });
+}
+
+template <int Dim>
+void ControlVolumes<Dim>::add_inertia(const Step& step, Vec weight, const RigidMotion<Dim>& motion,
+                                      Load<Dim>& load) const {
+  const ConstCellView<Dim> w(grid_.cell_dm(), weight);
+  const ConstFaceView<Dim> before(grid_.face_dm(), step.velocity_before), after(grid_.face_dm(), step.velocity);
+  const ConstFaceView<Dim> rho(grid_.face_dm(), step.density), f(grid_.face_dm(), step.force);
+  const ConstFaceView<Dim> fraction(grid_.face_dm(), step.fluid_fraction);
+  const double middle = step.time - 0.5 * step.dt;
+  const Point<Dim> center = motion.center_at(middle);
+  grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
+    const double share = 0.5 * (w(face) + w(shifted<Dim>(face, c, -1)));
+    if (share == 0) return;
+    const Point<Dim> place = grid_.face_center(face, c);
+    double inertia = f(face, c) - rho(face, c) * (after(face, c) - before(face, c)) / step.dt;
+    inertia *= share;
+    if (share == 1 && fraction(face, c) < 1)
+      inertia += (1 - fraction(face, c)) * rho(face, c) * motion.acceleration(place, middle)[c];
+    Point<Dim> part = Point<Dim>::Zero();
+    part[c] = grid_.cell_volume() * inertia;
+    load.add(place - center, part);
+  });
+}
+
+template class ControlVolumes<2>;
+template class ControlVolumes<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "washfsi/support/collective.hpp"
+#include "washfsi/support/point.hpp"
+
+namespace washfsi {
+
+/// Force and torque of the water and cloth ON a body or wall [N, N m; per unit depth in the plane].
+template <int Dim>
+struct Load {
+  Point<Dim> force = Point<Dim>::Zero();
+  Rotation<Dim> torque = Rotation<Dim>::Zero();  ///< about where the body's centre is
+
+  /// A force at the end of an arm from the centre.
+  void add(const Point<Dim>& arm, const Point<Dim>& part) {
+    force += part;
+    torque += cross<Dim>(arm, part);
+  }
+};
+
+template <int Dim>
+using Loads = std::vector<Load<Dim>>;
+
+/// Sums over the ranks, load by load. Collective.
+template <int Dim>
+Loads<Dim> ordered_sum(MPI_Comm comm, const Loads<Dim>& mine) {
+  constexpr std::size_t width = Dim + rotation_components<Dim>;
+  std::vector<double> values;
+  for (const Load<Dim>& load : mine) {
+    values.insert(values.end(), load.force.data(), load.force.data() + Dim);
+    values.insert(values.end(), load.torque.data(), load.torque.data() + rotation_components<Dim>);
+  }
+  values = ordered_sum(comm, values);
+  Loads<Dim> sums(mine.size());
+  for (std::size_t b = 0; b < sums.size(); ++b) {
+    sums[b].force = Point<Dim>(&values[width * b]);
+    sums[b].torque = Eigen::Map<const Rotation<Dim>>(&values[width * b + Dim]);
+  }
+  return sums;
+}
+
+}  // namespace washfsi

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/body/wall_loads.hpp"
+
+namespace washfsi {
+
+template <int Dim>
+std::vector<SideName> exposed_walls(const Grid<Dim>& grid, const Boundary<Dim>& boundary,
+                                    const std::vector<Body<Dim>>& bodies) {
+  const PosedBodies<Dim> posed(bodies, 0);
+  std::vector<SideName> sides;
+  for (int axis = 0; axis < Dim; ++axis)
+    for (const End end : {End::lower, End::upper}) {
+      const BoundaryKind kind = boundary.side(axis, end).kind;
+      bool exposed = false;
+      for_each<Dim>(grid.cells_beside(axis, end), [&](const Index<Dim>& cell) {
+        const std::size_t holder = posed.holder(grid.cell_center(cell));
+        exposed = exposed || holder == bodies.size() || !bodies[holder].motion.at_rest();
+      });
+      exposed = any_rank(grid.comm(), exposed);
+      if (exposed && (kind == BoundaryKind::wall || kind == BoundaryKind::slip)) sides.push_back({axis, end});
+    }
+  return sides;
+}
+
+namespace {
+
+/// Force per area on a side beside a cell: the pressure continued linearly to the wall, and the friction.
+template <int Dim>
+Point<Dim> traction(const ConstFaceView<Dim>& u, const ConstCellView<Dim>& p, const Index<Dim>& cell, SideName side,
+                    bool slips, double viscosity, double spacing) {
+  const int outwards = side.end == End::upper ? 1 : -1;
+  const Index<Dim> inner = shifted<Dim>(cell, side.axis, -outwards), outer = shifted<Dim>(cell, side.axis, outwards);
+  Point<Dim> result;
+  for (int c = 0; c < Dim; ++c) result[c] = -viscosity * (u(outer, c) - u(cell, c)) / spacing;
+  const double pressure = 1.5 * p(cell) - 0.5 * p(inner);
+  // a rigid wall has no stretching along it, so none across; along a slip side the water may stretch
+  const Index<Dim> next = shifted<Dim>(cell, side.axis, 1);
+  const double stretching = slips ? (u(next, side.axis) - u(cell, side.axis)) / spacing : 0;
+  result[side.axis] = outwards * (pressure - 2 * viscosity * stretching);
+  return result;
+}
+
+}  // namespace
+
+template <int Dim>
+Loads<Dim> wall_loads(const Grid<Dim>& grid, const Boundary<Dim>& boundary, const std::vector<Body<Dim>>& bodies,
+                      const std::vector<SideName>& sides, Vec velocity, Vec pressure, double viscosity, double time) {
+  const petsc::LocalVector local_velocity(grid.face_dm(), velocity), local_pressure(grid.cell_dm(), pressure);
+  boundary.fill(local_velocity, time);
+  const ConstFaceView<Dim> u(grid.face_dm(), local_velocity);
+  const ConstCellView<Dim> p(grid.cell_dm(), local_pressure);
+  const PosedBodies<Dim> posed(bodies, time);
+  const Point<Dim> middle = 0.5 * (grid.lower() + grid.upper());
+  Loads<Dim> loads(sides.size());
+  for (std::size_t s = 0; s < sides.size(); ++s) {
+    const auto [axis, end] = sides[s];
+    const double spacing = grid.spacing()[axis], area = grid.cell_volume() / spacing;
+    const bool slips = boundary.side(axis, end).kind == BoundaryKind::slip;
+    for_each<Dim>(grid.cells_beside(axis, end), [&](const Index<Dim>& cell) {
+      Point<Dim> place = grid.cell_center(cell);
+      if (posed.holder(place) < bodies.size()) return;
+      place[axis] = end == End::upper ? grid.upper()[axis] : grid.lower()[axis];
+      loads[s].add(place - middle, area * traction<Dim>(u, p, cell, sides[s], slips, viscosity, spacing));
+    });
+  }
+  return ordered_sum<Dim>(grid.comm(), loads);
+}
+
+template std::vector<SideName> exposed_walls<2>(const Grid<2>&, const Boundary<2>&, const std::vector<Body<2>>&);
+template std::vector<SideName> exposed_walls<3>(const Grid<3>&, const Boundary<3>&, const std::vector<Body<3>>&);
+template Loads<2> wall_loads<2>(const Grid<2>&, const Boundary<2>&, const std::vector<Body<2>>&,
+                                const std::vector<SideName>&, Vec, Vec, double, double);
+template Loads<3> wall_loads<3>(const Grid<3>&, const Boundary<3>&, const std::vector<Body<3>>&,
+                                const std::vector<SideName>&, Vec, Vec, double, double);
+
+}  // namespace washfsi

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/body/body.hpp"
+#include "washfsi/body/load.hpp"
+#include "washfsi/grid/boundary.hpp"
+
+namespace washfsi {
+
+/// A side of the box.
+struct SideName {
+  int axis;
+  End end;
+};
+
+/// The sides that are walls or slip and not covered by bodies at rest everywhere. Collective.
+template <int Dim>
+std::vector<SideName> exposed_walls(const Grid<Dim>& grid, const Boundary<Dim>& boundary,
+                                    const std::vector<Body<Dim>>& bodies);
+
+/// Load of the water on each of these sides where no body covers it, pressure and friction; torques about the middle of
+/// the box. Velocity [m/s] and pressure [Pa] are global, at `time`. Collective.
+template <int Dim>
+Loads<Dim> wall_loads(const Grid<Dim>& grid, const Boundary<Dim>& boundary, const std::vector<Body<Dim>>& bodies,
+                      const std::vector<SideName>& sides, Vec velocity, Vec pressure, double viscosity, double time);
+
+}  // namespace washfsi
