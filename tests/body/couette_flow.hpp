@@ -4,8 +4,10 @@
 #include <numbers>
 
 #include "support/gather.hpp"
+#include "washfsi/body/combinations.hpp"
 #include "washfsi/body/control_volume.hpp"
 #include "washfsi/body/mask.hpp"
+#include "washfsi/body/primitives.hpp"
 #include "washfsi/fluid/fractional_step.hpp"
 #include "washfsi/support/collective.hpp"
 
@@ -71,9 +73,11 @@ class CircularCouette {
   static std::vector<Body<2>> cylinders(const Point<2>& center) {
     std::vector<Body<2>> bodies(2);
     bodies[0].shape = std::make_unique<Inverted<2>>(std::make_unique<Sphere<2>>(ro));
-    bodies[0].motion = {center, wo, 0};
+    bodies[0].motion.center = center;
+    bodies[0].motion.angular_speed = wo;
     bodies[1].shape = std::make_unique<Sphere<2>>(ri);
-    bodies[1].motion = {center, wi, 0};
+    bodies[1].motion.center = center;
+    bodies[1].motion.angular_speed = wi;
     return bodies;
   }
   static Boundary<2>::Sides turning_walls(const Point<2>& center) {

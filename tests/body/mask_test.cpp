@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include "washfsi/body/combinations.hpp"
+#include "washfsi/body/primitives.hpp"
+#include "washfsi/body/vaned.hpp"
 #include "washfsi/fluid/diagnostics.hpp"
 #include "washfsi/fluid/fractional_step.hpp"
 
@@ -125,7 +128,7 @@ TEST(Mask, HoldsTheSolidVelocity) {
 /// A turning body with vanes and a ball, named in this order, in a drum at rest; both reach into the drum.
 std::vector<Body<2>> crowd() {
   std::vector<Body<2>> bodies(3);
-  bodies[0].shape = std::make_unique<Vaned>(Vaned::Dimensions{0.2, 0.7, 0.1, 3});
+  bodies[0].shape = vaned({0.2, 0.7, 0.1, 3});
   bodies[0].motion.angular_speed = 2;
   bodies[1].shape = std::make_unique<Inverted<2>>(std::make_unique<Sphere<2>>(0.6));
   bodies[2].shape = std::make_unique<Sphere<2>>(0.25);

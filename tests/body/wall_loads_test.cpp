@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "washfsi/body/combinations.hpp"
+#include "washfsi/body/primitives.hpp"
+
 namespace washfsi::test {
 namespace {
 

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "washfsi/body/combinations.hpp"
+#include "washfsi/body/primitives.hpp"
+#include "washfsi/body/vaned.hpp"
 #include "washfsi/support/errors.hpp"
 
 namespace washfsi::test {
@@ -13,7 +16,7 @@ std::vector<Body<2>> washtub() {
   bodies[0].name = "drum";
   bodies[0].shape = std::make_unique<Inverted<2>>(std::make_unique<Sphere<2>>(0.3186));
   bodies[1].name = "agitator";
-  bodies[1].shape = std::make_unique<Vaned>(Vaned::Dimensions{.tip_radius = 0.191});
+  bodies[1].shape = vaned({.tip_radius = 0.191});
   return bodies;
 }
 

@@ -29,6 +29,11 @@ WRONG_OPTIONS = [
     ("number with a unit", ["-drum_radius", "0.3m"], ["-drum_radius 0.3m"]),
     ("whole number too large", ["-long_count", "99999999999"], ["-long_count 99999999999"]),
     ("unknown shape", ["-agitator_shape", "teapot"], ["-agitator_shape teapot", "vaned"]),
+    ("shape without its size", ["-drum_shape", "box"], ["-drum_size"]),
+    ("combination without parts", ["-drum_shape", "union"], ["-drum_parts"]),
+    ("polygon that crosses itself", ["-drum_shape", "polygon", "-drum_vertices", "0,0,3,0,0,1,2,2"],
+     ["-drum_vertices 0,0,3,0,0,1,2,2", "cross"]),
+    ("no such table of a motion", ["-drum_motion_file", "nowhere.csv"], ["-drum_motion_file nowhere.csv"]),
     ("one name for two parts", ["-bodies", "drum,agitator,long"], ["-bodies long"]),
     ("body named twice", ["-bodies", "drum,drum"], ["-bodies drum,drum"]),
     ("no such options file", ["-options_file", "nowhere.opts"], ["-options_file nowhere.opts"]),
@@ -90,6 +95,19 @@ class WrongInputs(ProgramTest):
     def test_checkpoint_that_is_none(self):
         (self.folder / "checkpoint.h5").write_text("no HDF5 file")
         self.assert_refused(WRONG_INPUT, ["-restart checkpoint.h5"], *CASE, "-restart", "checkpoint.h5")
+
+    def test_table_of_a_motion_that_is_none(self):
+        table = self.folder / "motion.csv"
+        for content, words in [("", "at least 2 rows"), ("0,0,0,0\n1,0,0\n", "line 2"), ("0,0,0,0\n0,0,0,1\n", "line 2")]:
+            table.write_text(content)
+            self.assert_refused(WRONG_INPUT, ["-drum_motion_file", words], *CASE, "-drum_motion_file", table)
+
+    def test_stl_file_that_is_none(self):
+        (self.folder / "part.stl").write_text("solid part\nfacet normal 0 0 1\n")
+        case = ["-grid_cells", "8,8,8", "-time_end", 1, "-time_step", 0.1, "-bodies", "part", "-part_shape", "stl"]
+        self.assert_refused(WRONG_INPUT, ["-part_file part.stl", "cut short"], *case, "-part_file", "part.stl")
+        self.assert_refused(WRONG_INPUT, ["-part_file nowhere.stl"], *case, "-part_file", "nowhere.stl")
+        self.assert_refused(WRONG_INPUT, ["-part_file"], *case)
 
     def test_options_file_that_is_none(self):
         for line in ("grid_cells = 64 64", "-grid_cells 64 64", "-grid_cells = 64,64"):

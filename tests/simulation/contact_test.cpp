@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "washfsi/body/primitives.hpp"
 #include "washfsi/support/collective.hpp"
 
 namespace washfsi::test {

@@ -6,7 +6,6 @@
 
 #include "washfsi/body/motion.hpp"
 #include "washfsi/body/shape.hpp"
-#include "washfsi/support/options.hpp"
 
 namespace washfsi {
 
@@ -35,7 +34,8 @@ struct Body {
     return shape->distance(motion.in_body_frame(place, time));
   }
 
-  static Body from_options(Options& options, const std::string& name);
+  /// `sample_spacing` [m]: default for shapes that are kept on a lattice. Errors: InputError. Collective.
+  static Body from_options(Options& options, const std::string& name, double sample_spacing);
 };
 
 /// All bodies at one moment, for many places.
@@ -72,9 +72,9 @@ class PosedBodies {
   std::vector<typename RigidMotion<Dim>::Pose> poses_;
 };
 
-/// All bodies named by -bodies. Errors: InputError.
+/// All bodies named by -bodies, in a grid whose smallest cell is `cell` wide [m]. Errors: InputError. Collective.
 template <int Dim>
-std::vector<Body<Dim>> bodies_from_options(Options& options);
+std::vector<Body<Dim>> bodies_from_options(Options& options, double cell);
 
 /// Distance to the nearest body [m]; very large without bodies.
 template <int Dim>

@@ -100,7 +100,7 @@ Loads<Dim> ControlVolumes<Dim>::loads(const Step& step) {
   Loads<Dim> loads(bodies_.size());
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     if (!all_at_rest_) weigh(posed, b, weights_[b]);
-    add_stress(step, weights_[b], local_velocity, bodies_[b].motion.center, loads[b]);
+    add_stress(step, weights_[b], local_velocity, bodies_[b].motion.center_at(middle), loads[b]);
     add_inertia(step, weights_[b], bodies_[b].motion, loads[b]);
   }
   return ordered_sum<Dim>(grid_.comm(), loads);
@@ -137,6 +137,7 @@ void ControlVolumes<Dim>::add_inertia(const Step& step, Vec weight, const RigidM
   const ConstFaceView<Dim> rho(grid_.face_dm(), step.density), f(grid_.face_dm(), step.force);
   const ConstFaceView<Dim> fraction(grid_.face_dm(), step.fluid_fraction);
   const double middle = step.time - 0.5 * step.dt;
+  const Point<Dim> center = motion.center_at(middle);
   grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
     const double share = 0.5 * (w(face) + w(shifted<Dim>(face, c, -1)));
     if (share == 0) return;
@@ -147,7 +148,7 @@ void ControlVolumes<Dim>::add_inertia(const Step& step, Vec weight, const RigidM
       inertia += (1 - fraction(face, c)) * rho(face, c) * motion.acceleration(place, middle)[c];
     Point<Dim> part = Point<Dim>::Zero();
     part[c] = grid_.cell_volume() * inertia;
-    load.add(place - motion.center, part);
+    load.add(place - center, part);
   });
 }
 

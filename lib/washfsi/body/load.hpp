@@ -12,7 +12,7 @@ namespace washfsi {
 template <int Dim>
 struct Load {
   Point<Dim> force = Point<Dim>::Zero();
-  Rotation<Dim> torque = Rotation<Dim>::Zero();  ///< about the body's centre
+  Rotation<Dim> torque = Rotation<Dim>::Zero();  ///< about where the body's centre is
 
   /// A force at the end of an arm from the centre.
   void add(const Point<Dim>& arm, const Point<Dim>& part) {

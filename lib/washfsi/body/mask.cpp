@@ -170,7 +170,7 @@ void Mask<Dim>::add_constraint_force(Vec constraint_force, Vec density, double t
     const double inertia = (1 - fraction(face, c)) * rho(face, c) * motion.acceleration(place, time)[c];
     Point<Dim> force = Point<Dim>::Zero();
     force[c] = grid_.cell_volume() * (inertia - f(face, c));
-    loads[b].add(place - motion.center, force);
+    loads[b].add(place - motion.center_at(time), force);
   });
 }
 
@@ -188,7 +188,7 @@ void Mask<Dim>::add_wall_pressure(Vec pressure, double time, Loads<Dim>& loads) 
         if (b == bodies_.size()) return;
         Point<Dim> force = Point<Dim>::Zero();
         force[axis] = area * p(cell);
-        loads[b].add(place - bodies_[b].motion.center, force);
+        loads[b].add(place - bodies_[b].motion.center_at(time), force);
       });
     }
 }

@@ -1,40 +1,54 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "washfsi/support/point.hpp"
+#include <memory>
+
+#include "washfsi/body/motion_table.hpp"
+#include "washfsi/body/pose.hpp"
+#include "washfsi/support/options.hpp"
 
 namespace washfsi {
 
-/// A rigid rotation about a centre (about z in space): steady, or Omega(t) = Omega_max sin(2 pi f t) (5.4-1).
+/// A rigid motion: rotation about a centre (about z in space) and translation of the centre. Both are steady, or both
+/// oscillate, Omega(t) = Omega_max sin(2 pi f t) (5.4-1) and V(t) = V_max sin(2 pi f t); or a table gives both.
 template <int Dim>
 struct RigidMotion {
-  Point<Dim> center = Point<Dim>::Zero();  ///< [m]
-  double angular_speed = 0;                ///< Omega, or Omega_max [rad/s]
-  double frequency = 0;                    ///< f [Hz]; 0: steady
+  using Pose = washfsi::Pose<Dim>;
 
-  bool at_rest() const { return angular_speed == 0; }
-  double angle(double time) const;                 ///< turned since t = 0 [rad]
-  double angular_velocity(double time) const;      ///< [rad/s]
-  double angular_acceleration(double time) const;  ///< [rad/s2]
+  Point<Dim> center = Point<Dim>::Zero();                   ///< at t = 0; what the table's displacements start from [m]
+  double angular_speed = 0;                                 ///< Omega, or Omega_max [rad/s]
+  double frequency = 0;                                     ///< f [Hz]; 0: steady
+  Point<Dim> translation = Point<Dim>::Zero();              ///< V, or V_max [m/s]
+  std::shared_ptr<const MotionTable<Dim>> table = nullptr;  ///< instead of the speeds and f
+
+  /// The options of one body. Errors: InputError. Collective.
+  static RigidMotion from_options(Options& options, const std::string& name);
+
+  /// Position and rates of the frame at one moment.
+  struct State {
+    Point<Dim> center, velocity, acceleration;             ///< of the centre [m, m/s, m/s2]
+    double angle, angular_velocity, angular_acceleration;  ///< [rad, rad/s, rad/s2]
+  };
+  State state(double time) const;
+
+  /// Whether the body never moves.
+  bool at_rest() const;
+  /// Whether it only turns, always at `angular_speed`.
+  bool turns_steadily() const { return !table && frequency == 0 && translation.isZero(0); }
+  Point<Dim> center_at(double time) const { return state(time).center; }  ///< [m]
+  double angle(double time) const { return state(time).angle; }           ///< since t = 0, or as the table says [rad]
+  double angular_velocity(double time) const { return state(time).angular_velocity; }          ///< [rad/s]
+  double angular_acceleration(double time) const { return state(time).angular_acceleration; }  ///< [rad/s2]
 
   /// Velocity and acceleration of the body's material at a place.
   Point<Dim> velocity(const Point<Dim>& place, double time) const;
   Point<Dim> acceleration(const Point<Dim>& place, double time) const;
-  /// The place in the body's own frame, which is at its centre and unturned at t = 0.
-  Point<Dim> in_body_frame(const Point<Dim>& place, double time) const { return pose(time).in_body_frame(place); }
+  /// A speed that the material which is at a distance [m] from the centre never exceeds [m/s].
+  double largest_speed(double arm) const;
 
-  /// The body's frame at one moment, for many places.
-  struct Pose {
-    Point<Dim> center;
-    double cosine, sine;
-
-    Point<Dim> in_body_frame(const Point<Dim>& place) const {
-      Point<Dim> arm = place - center;
-      arm.template head<2>() = Point<2>(cosine * arm[0] + sine * arm[1], -sine * arm[0] + cosine * arm[1]);
-      return arm;
-    }
-  };
+  /// The body's frame at one moment, for many places: its origin is the centre.
   Pose pose(double time) const;
+  Point<Dim> in_body_frame(const Point<Dim>& place, double time) const { return pose(time).in_body_frame(place); }
 };
 
 extern template struct RigidMotion<2>;

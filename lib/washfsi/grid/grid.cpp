@@ -75,8 +75,7 @@ std::vector<PetscInt> running_sum(const PetscInt* lengths, PetscInt count) {
 template <int Dim>
 Grid<Dim>::Grid(MPI_Comm comm, const GridShape<Dim>& shape) : comm_(comm), shape_(shape) {
   check_shape(shape_);
-  for (int d = 0; d < Dim; ++d)
-    spacing_[d] = (shape_.upper[d] - shape_.lower[d]) / static_cast<double>(shape_.cells[static_cast<std::size_t>(d)]);
+  spacing_ = shape_.spacing();
   create_partition();
   cell_dm_ = create_sibling<Dim>(stencil_dm_, 1, 1);
   face_dm_ = create_sibling<Dim>(stencil_dm_, Dim, 1);

@@ -19,6 +19,11 @@ struct GridShape {
   Point<Dim> lower = Point<Dim>::Zero();  ///< [m]
   Point<Dim> upper = Point<Dim>::Ones();  ///< [m]
   std::array<bool, Dim> periodic{};
+  Point<Dim> spacing() const {  ///< [m]
+    Point<Dim> spacing = upper - lower;
+    for (int d = 0; d < Dim; ++d) spacing[d] /= static_cast<double>(cells[static_cast<std::size_t>(d)]);
+    return spacing;
+  }
   PetscInt ghost_width = 3;  ///< layers of ghosts where they are wide: delta half width + 1, at least 2
 };
 

@@ -45,7 +45,7 @@ Points<Dim> contact_forces(const ContactOptions& contact, const std::vector<Body
       const Point<Dim> force = contact.pressure * lengths[m] * nearness * nearness * normal;
       forces[m] += force;
       reactions[b].force -= force;
-      reactions[b].torque -= cross<Dim>(positions[m] - bodies[b].motion.center, force);
+      reactions[b].torque -= cross<Dim>(positions[m] - bodies[b].motion.center_at(time), force);
     }
   return forces;
 }

@@ -12,7 +12,7 @@ namespace {
 template <int Dim>
 double power(const RigidMotion<Dim>& motion, const Load<Dim>& load, double time) {
   return -load.torque[rotation_components<Dim> - 1] * motion.angular_velocity(time) -
-         load.force.dot(motion.velocity(motion.center, time));
+         load.force.dot(motion.velocity(motion.center_at(time), time));
 }
 
 }  // namespace

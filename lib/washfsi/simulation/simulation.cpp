@@ -45,7 +45,7 @@ Simulation<Dim>::Simulation(Options& options, std::string case_name)
     : case_name_(std::move(case_name)), progress_(options.comm()) {
   run_ = RunOptions::from_options(options);
   const SystemOptions<Dim> system = SystemOptions<Dim>::from_options(options);
-  std::vector<Body<Dim>> bodies = bodies_from_options<Dim>(options);
+  std::vector<Body<Dim>> bodies = bodies_from_options<Dim>(options, system.grid.shape.spacing().minCoeff());
   profiles_ = profiles_from_options<Dim>(options, system.grid.shape.lower, system.grid.shape.upper);
   if (options.help()) return;
 

@@ -35,7 +35,7 @@ double flow_time(const System<Dim>& system) {
     const Point<Dim> place = system.grid.cell_center(cell);
     for (const auto& body : system.bodies)
       if (body.distance(place, 0) <= 0)
-        speed = std::max(speed, std::abs(body.motion.angular_speed) * (place - body.motion.center).norm());
+        speed = std::max(speed, body.motion.largest_speed((place - body.motion.center_at(0)).norm()));
   });
   speed = largest(system.grid.comm(), speed);
   return speed > 0 ? system.grid.spacing().minCoeff() / speed : std::numeric_limits<double>::infinity();

@@ -63,8 +63,8 @@ typename Boundary<Dim>::Sides sides_with_drum(const SystemOptions<Dim>& options,
 template <int Dim>
 void start_couette(System<Dim>& system) {
   const auto& bodies = system.bodies;
-  if (bodies.size() != 2 || bodies[0].motion.center != bodies[1].motion.center || bodies[0].motion.frequency != 0 ||
-      bodies[1].motion.frequency != 0)
+  if (bodies.size() != 2 || bodies[0].motion.center != bodies[1].motion.center || !bodies[0].motion.turns_steadily() ||
+      !bodies[1].motion.turns_steadily())
     throw InputError(
         "-fluid_initial couette: needs two -bodies with one centre, a drum and a cylinder, that turn steadily");
   const Point<Dim> center = bodies[0].motion.center;

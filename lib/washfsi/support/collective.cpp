@@ -3,6 +3,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
 
 namespace washfsi {
 
@@ -49,6 +53,21 @@ std::string from_first_rank(MPI_Comm comm, const std::string& text) {
   result.resize(static_cast<std::size_t>(length));
   MPI_Bcast(result.data(), length, MPI_CHAR, 0, comm);
   return result;
+}
+
+std::optional<std::string> file_from_first_rank(MPI_Comm comm, const std::string& path) {
+  constexpr std::streamsize most = std::numeric_limits<int>::max() - 1;  // what one broadcast holds
+  std::string marked = "-";
+  if (rank_of(comm) == 0) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream content;
+    content << file.rdbuf();  // a folder opens, but gives nothing
+    if (file.is_open() && !std::filesystem::is_directory(path) && content.tellp() < most)
+      marked = "+" + std::move(content).str();
+  }
+  marked = from_first_rank(comm, marked);
+  if (marked[0] == '-') return std::nullopt;
+  return marked.substr(1);
 }
 
 Located largest(MPI_Comm comm, const Located& mine) {

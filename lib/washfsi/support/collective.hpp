@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,9 @@ bool any_rank(MPI_Comm comm, bool mine);
 
 /// Rank 0's text on every rank. Collective.
 std::string from_first_rank(MPI_Comm comm, const std::string& text);
+
+/// The content of a file that rank 0 reads, on every rank; nothing if it cannot be read. Collective.
+std::optional<std::string> file_from_first_rank(MPI_Comm comm, const std::string& path);
 
 /// A value with the place and field where it was found.
 struct Located {

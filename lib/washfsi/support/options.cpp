@@ -165,7 +165,7 @@ std::string Options::resolved() const {
 
 std::optional<std::string> OptionBlock::ask(const std::string& name, const std::string& current,
                                             const std::string& help) {
-  std::array<char, 4096> buffer{};
+  std::vector<char> buffer(1 << 20);  // lists of corners may be long
   PetscBool given = PETSC_FALSE;
   WASH_PETSC(
       ask_string(items_, ("-" + name).c_str(), help.c_str(), current.c_str(), buffer.data(), buffer.size(), &given));

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+
+#include "washfsi/support/point.hpp"
+
+namespace washfsi {
+
+/// Where a frame is in another one: its origin, and its turn about z.
+template <int Dim>
+struct Pose {
+  Point<Dim> center = Point<Dim>::Zero();  ///< [m]
+  double cosine = 1, sine = 0;             ///< of the angle of turn
+
+  static Pose at(const Point<Dim>& center, double angle) { return {center, std::cos(angle), std::sin(angle)}; }
+
+  Point<Dim> in_body_frame(const Point<Dim>& place) const {
+    Point<Dim> arm = place - center;
+    arm.template head<2>() = Point<2>(cosine * arm[0] + sine * arm[1], -sine * arm[0] + cosine * arm[1]);
+    return arm;
+  }
+};
+
+}  // namespace washfsi

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/body/primitives.hpp"
+
+#include <algorithm>
+
+namespace washfsi {
+
+template <int Dim>
+double Cuboid<Dim>::distance(const Point<Dim>& place) const {
+  const Point<Dim> beyond = place.cwiseAbs() - half_;
+  return beyond.cwiseMax(0.0).norm() + std::min(beyond.maxCoeff(), 0.0);
+}
+
+template <int Dim>
+double Capsule<Dim>::distance(const Point<Dim>& place) const {
+  const Point<Dim> arm = place - from_;
+  const double length2 = axis_.squaredNorm();
+  const double along = length2 > 0 ? std::clamp(arm.dot(axis_) / length2, 0.0, 1.0) : 0;
+  return (arm - along * axis_).norm() - radius_;
+}
+
+template class Cuboid<2>;
+template class Cuboid<3>;
+template class Capsule<2>;
+template class Capsule<3>;
+
+}  // namespace washfsi

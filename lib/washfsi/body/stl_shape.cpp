@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/body/stl_shape.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "washfsi/body/mesh_distance.hpp"
+#include "washfsi/body/sampled.hpp"
+#include "washfsi/support/errors.hpp"
+
+namespace washfsi {
+
+namespace {
+
+constexpr double most_points = 5e7;     // each rank keeps all of them: 400 MB
+constexpr double margin_in_points = 8;  // with the default spacing, four cells of the grid
+
+// Refuses a lattice that no machine would hold, with a spacing that one would.
+void check_size(const Lattice<3>& lattice, const StlOptions& options, const std::string& name) {
+  if (lattice.size() <= most_points) return;
+  const double least = options.sample_spacing * std::cbrt(lattice.size() / most_points);
+  std::array<char, 16> text{};
+  (void)std::snprintf(text.data(), text.size(), "%.1e", 1.1 * least);
+  throw InputError("-" + name + "_sample_spacing " + to_text(options.sample_spacing) + ": must be at least about " +
+                   text.data() + " for a body of this size");
+}
+
+}  // namespace
+
+void StlOptions::read(OptionBlock& block) {
+  block.require("file", "the STL file of the shape");
+  block.text("file", file, "STL file, ASCII or binary, of a closed surface (stl)");
+  block.real("scale", scale, "m", positive, "length of the STL file's unit; 1e-3 if it is in millimetres (stl)");
+  block.real("sample_spacing", sample_spacing, "m", positive,
+             "of the lattice on which the distance is kept (stl); default: half of the smallest cell");
+}
+
+ShapePtr<3> shape_from_stl(MPI_Comm comm, const StlOptions& options, const std::string& name) {
+  const std::string option = "-" + name + "_file";
+  TriangleMesh mesh = TriangleMesh::weld(read_stl(comm, options.file, option));
+  const std::string flaw = mesh.flaw();
+  if (!flaw.empty()) throw InputError(option + " " + options.file + ": must be a closed surface, but " + flaw);
+  Point<3> lower = options.scale * mesh.vertices[0], upper = lower;
+  for (auto& vertex : mesh.vertices) {
+    vertex *= options.scale;
+    lower = lower.cwiseMin(vertex);
+    upper = upper.cwiseMax(vertex);
+  }
+  const double spacing = options.sample_spacing;
+  const auto lattice = Lattice<3>::around(lower, upper, margin_in_points * spacing, spacing);
+  check_size(lattice, options, name);
+  return Sampled<3>::of(comm, MeshDistance(std::move(mesh)), lattice);
+}
+
+}  // namespace washfsi
