@@ -83,12 +83,12 @@ TEST(CircularCouetteFlow, LoadsByForcingAndByBalanceAgree) {
 
 // The table of docs/verification.md, long: run by `--gtest_also_run_disabled_tests --gtest_filter=*Table`.
 TEST(CircularCouetteFlow, DISABLED_Table) {
-  for (const auto& treatment : {mapping, smooth, variable, ghost, cut_stencil})
-    for (const PetscInt n : {65, 129, 257}) (void)over_shifts(n, treatment, 20, 0.8);
+  for (const PetscInt n : {65, 129, 257})
+    for (const auto& treatment : {mapping, smooth, ghost, cut_stencil}) (void)over_shifts(n, treatment, 20, 0.8);
 }
 
 TEST(CircularCouetteFlow, DISABLED_FineTable) {
-  for (const auto& treatment : {mapping, cut_stencil}) (void)over_shifts(513, treatment, 20, 0.8);
+  (void)over_shifts(513, mapping, 20, 0.8);
 }
 
 }  // namespace
