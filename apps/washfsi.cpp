@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cctype>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -9,6 +7,7 @@
 #include "washfsi/simulation/simulation.hpp"
 #include "washfsi/support/collective.hpp"
 #include "washfsi/support/errors.hpp"
+#include "washfsi/support/program.hpp"
 
 namespace washfsi {
 namespace {
@@ -77,43 +76,13 @@ void simulate(const std::string& case_name) {
     Simulation<3>(options, case_name).run();
 }
 
-int report(const std::exception& error, int status) {
-  if (rank_of(MPI_COMM_WORLD) == 0) std::fprintf(stderr, "washfsi: %s\n", error.what());
-  return status;
-}
-
-// Runs the program between MPI's and PETSc's start and end; returns the exit status.
-int run_program(int argc, char** argv) {
-  try {
-    const std::string case_name = case_from_arguments(argc, argv);
-    WASH_PETSC(PetscInitialize(&argc, &argv, nullptr, help_text));
-    simulate(case_name);
-    return 0;
-  } catch (const InputError& error) {
-    return report(error, 2);
-  } catch (const DivergedError& error) {
-    return report(error, 3);
-  } catch (const FileError& error) {
-    (void)report(error, 4);
-    // HDF5 would try once more to close the files that cannot be completed, and crash or hang: leave without it
-    MPI_Barrier(MPI_COMM_WORLD);
-    std::_Exit(4);
-  } catch (const std::exception& error) {  // on one rank alone, perhaps: the others cannot go on
-    std::fprintf(stderr, "washfsi: rank %d: %s\n", rank_of(MPI_COMM_WORLD), error.what());
-    MPI_Abort(MPI_COMM_WORLD, 1);
-    return 1;
-  }
-}
-
 }  // namespace
 }  // namespace washfsi
 
 int main(int argc, char** argv) {
-  MPI_Init(&argc, &argv);
-  const int status = washfsi::run_program(argc, argv);
-  PetscBool initialized = PETSC_FALSE;
-  (void)PetscInitialized(&initialized);
-  if (initialized) (void)PetscFinalize();
-  MPI_Finalize();
-  return status;
+  return washfsi::run_program("washfsi", [&] {
+    const std::string case_name = washfsi::case_from_arguments(argc, argv);
+    WASH_PETSC(PetscInitialize(&argc, &argv, nullptr, washfsi::help_text));
+    washfsi::simulate(case_name);
+  });
 }

@@ -11,7 +11,7 @@
 #include "washfsi/fluid/diagnostics.hpp"
 #include "washfsi/fluid/fractional_step.hpp"
 #include "washfsi/simulation/results.hpp"
-#include "washfsi/support/errors.hpp"
+#include "washfsi/support/program.hpp"
 
 namespace washfsi {
 namespace {
@@ -111,31 +111,13 @@ void run_all(Options& options) {
   }
 }
 
-int run_program(int argc, char** argv) {
-  try {
-    WASH_PETSC(PetscInitialize(&argc, &argv, nullptr, "washfsi_bench: speed of the fluid solver\n"));
-    Options options(PETSC_COMM_WORLD);
-    run_all(options);
-    return 0;
-  } catch (const InputError& error) {
-    if (rank_of(MPI_COMM_WORLD) == 0) std::fprintf(stderr, "washfsi_bench: %s\n", error.what());
-    return 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "washfsi_bench: rank %d: %s\n", rank_of(MPI_COMM_WORLD), error.what());
-    MPI_Abort(MPI_COMM_WORLD, 1);
-    return 1;
-  }
-}
-
 }  // namespace
 }  // namespace washfsi
 
 int main(int argc, char** argv) {
-  MPI_Init(&argc, &argv);
-  const int status = washfsi::run_program(argc, argv);
-  PetscBool initialized = PETSC_FALSE;
-  (void)PetscInitialized(&initialized);
-  if (initialized) (void)PetscFinalize();
-  MPI_Finalize();
-  return status;
+  return washfsi::run_program("washfsi_bench", [&] {
+    WASH_PETSC(PetscInitialize(&argc, &argv, nullptr, "washfsi_bench: speed of the fluid solver\n"));
+    washfsi::Options options(PETSC_COMM_WORLD);
+    washfsi::run_all(options);
+  });
 }
