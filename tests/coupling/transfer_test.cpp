@@ -10,13 +10,47 @@
 namespace washfsi::test {
 namespace {
 
+/// Sum of weight times distance^power over the points of a stencil, every or every second one.
+double moment(DeltaKernel kernel, double width, double place, int power, int step = 1) {
+  const AxisStencil stencil = axis_stencil(kernel, place, width);
+  double sum = 0;
+  for (int i = 0; i < stencil.count; ++i) {
+    const PetscInt point = stencil.first + i;
+    if (step == 2 && point % 2 != 0) continue;
+    sum += stencil.weight[static_cast<std::size_t>(i)] * std::pow(static_cast<double>(point) - place, power);
+  }
+  return sum;
+}
+
 TEST(Delta, WeightsSumToOneWhereverTheMarkerIs) {
-  for (const double width : {1.5, 2.0, 3.0, 4.0})
-    for (double place = 5; place < 6; place += 0.037) {
-      const AxisStencil stencil = axis_stencil(place, width);
-      double sum = 0;
-      for (int i = 0; i < stencil.count; ++i) sum += stencil.weight[static_cast<std::size_t>(i)];
-      EXPECT_NEAR(sum, 1, 1e-14) << width << " at " << place;
+  for (double place = 5; place < 6; place += 0.037) {
+    for (const double width : {1.5, 2.0, 3.0, 4.0})
+      EXPECT_NEAR(moment(DeltaKernel::cosine, width, place, 0), 1, 1e-14) << width << " at " << place;
+    EXPECT_NEAR(moment(DeltaKernel::peskin, 2, place, 0), 1, 1e-14) << place;
+    EXPECT_NEAR(moment(DeltaKernel::bao, 3, place, 0), 1, 1e-14) << place;
+  }
+}
+
+// What their authors built these kernels from.
+TEST(Delta, PeskinsAndBaosHaveTheirMoments) {
+  const double second = 59.0 / 60 - std::sqrt(29.0) / 20;
+  for (double place = 5; place < 6; place += 0.037) {
+    for (const auto& [kernel, width] : {std::pair{DeltaKernel::peskin, 2.0}, {DeltaKernel::bao, 3.0}}) {
+      EXPECT_NEAR(moment(kernel, width, place, 0, 2), 0.5, 1e-14) << place;
+      EXPECT_NEAR(moment(kernel, width, place, 1), 0, 1e-14) << place;
+    }
+    EXPECT_NEAR(moment(DeltaKernel::bao, 3, place, 2), second, 1e-14) << place;
+    EXPECT_NEAR(moment(DeltaKernel::bao, 3, place, 3), 0, 1e-13) << place;
+  }
+}
+
+TEST(Delta, KernelsAreEvenAndContinuous) {
+  for (const auto kernel : {DeltaKernel::cosine, DeltaKernel::peskin, DeltaKernel::bao})
+    for (double x = 0.0005; x < 3; x += 0.001) {
+      const double width = kernel == DeltaKernel::bao ? 3 : 2;
+      const double here = regularised_delta(kernel, x, width);
+      EXPECT_NEAR(here, regularised_delta(kernel, -x, width), 1e-14) << x;
+      EXPECT_NEAR(here, regularised_delta(kernel, x + 0.001, width), 0.02) << x;
     }
 }
 

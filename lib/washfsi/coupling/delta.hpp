@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -9,8 +10,14 @@
 
 namespace washfsi {
 
-/// Half widths of the regularised delta in cells.
+/// Shapes of the regularised delta: the thesis's cosine of any half width; Peskin's of half width 2 (Acta Numerica 11
+/// (2002) 479, 6.27); that of Bao, Kaye and Peskin of half width 3 (J. Comput. Phys. 316 (2016) 139), three times
+/// continuously differentiable.
+enum class DeltaKernel { cosine, peskin, bao };
+
+/// Shape and half widths of the regularised delta in cells.
 struct DeltaOptions {
+  DeltaKernel kernel = DeltaKernel::cosine;
   double spread_width = 2, interpolate_width = 2;
 
   static DeltaOptions from_options(Options& options);
@@ -23,6 +30,48 @@ inline double cosine_delta(double distance, double width) {
   return (1 + std::cos(std::numbers::pi * distance / width)) / (2 * width);
 }
 
+/// h phi(x) of Peskin, x in cells, for |x| < 2: sums over even and odd points are equal, the first moment vanishes and
+/// the sum of squares is 3/8 wherever the points start.
+inline double peskin_delta(double distance) {
+  const double r = std::abs(distance);
+  if (r >= 2) return 0;
+  if (r <= 1) return (3 - 2 * r + std::sqrt(1 + 4 * r * (1 - r))) / 8;
+  return (5 - 2 * r - std::sqrt(std::max(0.0, -7 + 4 * r * (3 - r)))) / 8;
+}
+
+/// h phi(x) of Bao, Kaye and Peskin, x in cells, for |x| < 3: equal sums over even and odd points, first and third
+/// moment zero, the second moment K = 59/60 - sqrt(29)/20 and the sum of squares constant. `r` is the place between
+/// grid points; all branches follow from the outermost.
+inline double bao_delta(double distance) {
+  if (std::abs(distance) >= 3) return 0;
+  const double below = std::floor(distance), r = distance - below, r2 = r * r, r3 = r2 * r;
+  const double K = 59.0 / 60 - std::sqrt(29.0) / 20;
+  const double b = 9.0 / 4 - 1.5 * (K + r2) + (22.0 / 3 - 7 * K) * r - 7.0 / 3 * r3;
+  const double c =
+      ((161.0 / 36 - 59.0 / 6 * K + 5 * K * K) / 2 * r2 + (-109.0 / 24 + 5 * K) / 3 * r2 * r2 + 5.0 / 18 * r3 * r3) / 4;
+  const double outermost = (-b + std::sqrt(b * b - 112 * c)) / 56;
+  switch (static_cast<int>(below)) {
+    case -3:
+      return outermost;
+    case -2:
+      return -3 * outermost - 1.0 / 16 + (K + r2) / 8 + (3 * K - 1) * r / 12 + r3 / 12;
+    case -1:
+      return 2 * outermost + 0.25 + (4 - 3 * K) * r / 6 - r3 / 6;
+    case 0:
+      return 2 * outermost + 5.0 / 8 - (K + r2) / 4;
+    case 1:
+      return -3 * outermost + 0.25 - (4 - 3 * K) * r / 6 + r3 / 6;
+    default:
+      return outermost - 1.0 / 16 + (K + r2) / 8 - (3 * K - 1) * r / 12 - r3 / 12;
+  }
+}
+
+inline double regularised_delta(DeltaKernel kernel, double distance, double width) {
+  return kernel == DeltaKernel::cosine   ? cosine_delta(distance, width)
+         : kernel == DeltaKernel::peskin ? peskin_delta(distance)
+                                         : bao_delta(distance);
+}
+
 /// The grid points that one marker reaches along one axis, with their weights.
 struct AxisStencil {
   static constexpr int most = 8;  ///< points within a half width of 4 cells
@@ -32,13 +81,13 @@ struct AxisStencil {
 };
 
 /// `coordinate`: of the marker, in cells from the first grid point of the axis.
-inline AxisStencil axis_stencil(double coordinate, double width) {
+inline AxisStencil axis_stencil(DeltaKernel kernel, double coordinate, double width) {
   AxisStencil stencil;
   stencil.first = static_cast<PetscInt>(std::floor(coordinate - width)) + 1;
   for (PetscInt i = stencil.first; static_cast<double>(i) < coordinate + width && stencil.count < AxisStencil::most;
        ++i)
     stencil.weight[static_cast<std::size_t>(stencil.count++)] =
-        cosine_delta(static_cast<double>(i) - coordinate, width);
+        regularised_delta(kernel, static_cast<double>(i) - coordinate, width);
   return stencil;
 }
 

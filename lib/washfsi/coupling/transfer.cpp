@@ -48,7 +48,8 @@ void Transfer<Dim>::visit_stencil(const Point<Dim>& position, int component, dou
   for (int d = 0; d < Dim; ++d) {
     const auto axis = static_cast<std::size_t>(d);
     const double first_point = d == component ? 0.0 : 0.5;
-    axes[axis] = axis_stencil((position[d] - grid_.lower()[d]) / grid_.spacing()[d] - first_point, width);
+    axes[axis] =
+        axis_stencil(delta_.kernel, (position[d] - grid_.lower()[d]) / grid_.spacing()[d] - first_point, width);
     box.lower[axis] = axes[axis].first;
     box.upper[axis] = axes[axis].first + axes[axis].count;
   }
