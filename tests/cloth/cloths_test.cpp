@@ -9,8 +9,8 @@
 namespace washfsi::test {
 namespace {
 
-std::vector<ClothGroup> two_groups(const std::string& model) {
-  ClothGroup large, small;
+std::vector<ClothGroup<2>> two_groups(const std::string& model, bool closed = false) {
+  ClothGroup<2> large, small;
   large.name = "large";
   large.count = 2;
   large.markers = 11;
@@ -19,22 +19,33 @@ std::vector<ClothGroup> two_groups(const std::string& model) {
   small.markers = 4;
   large.model = small.model = model;
   large.fibre = small.fibre = {.spacing = 0.1, .ke = 50, .kb = 0.02, .damping = 0.1, .thickness = 1e-3};
+  large.fibre.closed = closed;
+  large.hold = "middle";
+  small.hold = "edge";
+  large.hold_stiffness = small.hold_stiffness = 300;
   return {large, small};
 }
 
+Points<2> part_of(const Cloths<2>& cloths, const Points<2>& values) {
+  return Points<2>(values.begin() + cloths.begin(), values.begin() + cloths.end());
+}
+
 // The distributed forces, stresses and energies against those of each whole piece.
-void expect_same_as_undistributed(const std::string& model) {
-  const Cloths<2> all(PETSC_COMM_SELF, two_groups(model)), mine(PETSC_COMM_WORLD, two_groups(model));
+void expect_same_as_undistributed(const std::string& model, bool closed = false) {
+  Cloths<2> all(PETSC_COMM_SELF, two_groups(model, closed)), mine(PETSC_COMM_WORLD, two_groups(model, closed));
   ASSERT_EQ(all.marker_count(), 34);
   const Points<2> x = crumpled_fibre<2>(34, 0.1, 11), u = random_points<2>(34, 12);
-  const auto part = [&](const Points<2>& values) {
-    return Points<2>(values.begin() + mine.begin(), values.begin() + mine.end());
-  };
-  const Points<2> whole = all.elastic_forces(x, u), forces = mine.elastic_forces(part(x), part(u));
+  const auto part = [&](const Points<2>& values) { return part_of(mine, values); };
+  const Points<2> anchors = crumpled_fibre<2>(34, 0.1, 13);
+  all.hold_at(anchors);
+  mine.hold_at(part(anchors));
+  const Points<2> whole = all.elastic_forces(x), forces = mine.elastic_forces(part(x));
+  const Points<2> whole_damping = all.damping_forces(x, u), damping = mine.damping_forces(part(x), part(u));
   const std::vector<double> whole_stress = all.stresses(x), stress = mine.stresses(part(x));
   for (std::size_t m = 0; m < mine.owned(); ++m) {
     const std::size_t global = m + static_cast<std::size_t>(mine.begin());
     EXPECT_EQ(forces[m], whole[global]);
+    EXPECT_EQ(damping[m], whole_damping[global]);
     EXPECT_EQ(stress[m], whole_stress[global]);
   }
   const std::vector<double> energies = mine.elastic_energies(part(x)), whole_energies = all.elastic_energies(x);
@@ -46,6 +57,53 @@ TEST(Cloths, EnergyFormDoesNotDependOnTheDistribution) {
 }
 TEST(Cloths, LoveFormDoesNotDependOnTheDistribution) {
   expect_same_as_undistributed("love");
+}
+
+TEST(Cloths, ClosedClothDoesNotDependOnTheDistribution) {
+  expect_same_as_undistributed("energy", true);
+}
+
+// Each column of the matrix against differences of the forces, on all ranks at once.
+TEST(Cloths, StiffnessIsTheJacobianOfTheForces) {
+  for (const bool closed : {false, true}) {
+    Cloths<2> cloths(PETSC_COMM_WORLD, two_groups("energy", closed));
+    const Points<2> x = crumpled_fibre<2>(34, 0.1, 11);
+    cloths.hold_at(part_of(cloths, x));
+    const petsc::Matrix matrix = cloths.stiffness_matrix();
+    cloths.add_stiffness(part_of(cloths, x), GeometricStiffness::all, 1, matrix);
+    WASH_PETSC(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
+    WASH_PETSC(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
+    constexpr double e = 1e-6;
+    for (std::size_t marker = 0; marker < 34; ++marker)
+      for (int d = 0; d < 2; ++d) {
+        Points<2> above = x, below = x;
+        above[marker][d] += e;
+        below[marker][d] -= e;
+        const Points<2> more = cloths.elastic_forces(part_of(cloths, above));
+        const Points<2> less = cloths.elastic_forces(part_of(cloths, below));
+        const PetscInt column = 2 * static_cast<PetscInt>(marker) + d;
+        for (PetscInt row = 2 * cloths.begin(); row < 2 * cloths.end(); ++row) {
+          const auto m = static_cast<std::size_t>(row / 2 - cloths.begin());
+          double value = 0;
+          WASH_PETSC(MatGetValues(matrix, 1, &row, 1, &column, &value));
+          EXPECT_NEAR(value, -(more[m] - less[m])[row % 2] / (2 * e), 2e-4) << "row " << row << ", column " << column;
+        }
+      }
+  }
+}
+
+TEST(Cloths, DeadLoadsAddUp) {
+  std::vector<ClothGroup<2>> groups = two_groups("energy");
+  groups[0].load = {1, -2};
+  groups[0].end_force_first = {0.1, 0};
+  groups[0].end_force_last = {0, 0.3};
+  const Cloths<2> cloths(PETSC_COMM_WORLD, groups);
+  std::vector<double> sum{0, 0};
+  for (const auto& force : cloths.dead_loads())
+    for (int d = 0; d < 2; ++d) sum[static_cast<std::size_t>(d)] += force[d];
+  sum = ordered_sum(PETSC_COMM_WORLD, sum);
+  EXPECT_NEAR(sum[0], 2 * (1.1 + 0.1), 1e-12);
+  EXPECT_NEAR(sum[1], 2 * (-2.2 + 0.3), 1e-12);
 }
 
 TEST(Cloths, MassesAndLengthsAddUp) {

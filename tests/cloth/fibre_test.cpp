@@ -46,6 +46,27 @@ TEST(FibreEnergy, ForceIsMinusItsGradient) {
 }
 
 template <int Dim>
+void expect_positive_without_compression() {
+  const Points<Dim> x = crumpled_fibre<Dim>(9, soft.spacing, 8);
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(9 * Dim, 9 * Dim), some = all;
+  for (const auto& [geometric, matrix] :
+       {std::pair{GeometricStiffness::all, &all}, std::pair{GeometricStiffness::of_tension, &some}})
+    add_energy_stiffness<Dim>(soft, x, geometric, [&](std::size_t r, std::size_t c, const StiffnessBlock<Dim>& block) {
+      matrix->template block<Dim, Dim>(static_cast<int>(r) * Dim, static_cast<int>(c) * Dim) += block;
+    });
+  const auto least = [](const Eigen::MatrixXd& m) {
+    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(m).eigenvalues()[0];
+  };
+  EXPECT_LT(least(all), -1e-3 * soft.ke);
+  EXPECT_GT(least(some), -1e-9 * soft.ke / soft.spacing);
+}
+
+TEST(FibreEnergy, StiffnessWithoutCompressionIsPositive) {
+  expect_positive_without_compression<2>();
+  expect_positive_without_compression<3>();
+}
+
+template <int Dim>
 void expect_no_net_force_and_torque() {
   const Points<Dim> x = crumpled_fibre<Dim>(40, soft.spacing, 5);
   const Points<Dim> forces = energy_forces<Dim>(soft, x);

@@ -221,7 +221,7 @@ TEST(Mobility, OfALoneMarkerIsAboutThatOfTheWaterAround) {
   const petsc::Vector density = tank.grid.face_vector();
   WASH_PETSC(VecSet(density, 1000));
   const std::vector<double> lengths(tank.positions.size(), 0.05);
-  for (const double m : row_sum_mobility<2>(tank.transfer, tank.grid, tank.boundary, density, lengths)) {
+  for (const double m : row_sum_mobility<2>(tank.transfer, tank.grid, tank.boundary, density, nullptr, lengths)) {
     EXPECT_GT(m, 0.05 * 0.1 / (1000 * tank.grid.cell_volume()));
     EXPECT_LT(m, 0.05 * 0.2 / (1000 * tank.grid.cell_volume()));
   }

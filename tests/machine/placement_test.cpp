@@ -20,8 +20,8 @@ std::vector<Body<2>> washtub() {
   return bodies;
 }
 
-ClothGroup group(const std::string& name, PetscInt count, double size, PetscInt markers) {
-  ClothGroup result;
+ClothGroup<2> group(const std::string& name, PetscInt count, double size, PetscInt markers) {
+  ClothGroup<2> result;
   result.name = name;
   result.count = count;
   result.size = size;

@@ -14,7 +14,7 @@ TEST(Contact, PushesOutwardsWithinItsDistanceAndReactsOnTheBody) {
   bodies[0].name = "roller";
   bodies[0].shape = std::make_unique<Sphere<2>>(0.1);
   bodies[0].motion.center = {1, 2};
-  ClothGroup group;
+  ClothGroup<2> group;
   group.name = "towel";
   group.markers = 3;
   group.fibre.spacing = 0.01;
@@ -35,7 +35,7 @@ TEST(Contact, PushesOutwardsWithinItsDistanceAndReactsOnTheBody) {
 TEST(Contact, IsOffByDefault) {
   std::vector<Body<2>> bodies(1);
   bodies[0].shape = std::make_unique<Sphere<2>>(0.1);
-  ClothGroup group;
+  ClothGroup<2> group;
   group.markers = 2;
   group.fibre.spacing = 0.01;
   std::vector<Load<2>> reactions(1);

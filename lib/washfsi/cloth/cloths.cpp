@@ -2,6 +2,7 @@
 #include "washfsi/cloth/cloths.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "washfsi/support/collective.hpp"
@@ -20,69 +21,92 @@ PointType<Dim>::~PointType() {
 }
 
 template <int Dim>
-Cloths<Dim>::Cloths(MPI_Comm comm, std::vector<ClothGroup> groups) : comm_(comm), groups_(std::move(groups)) {
+Cloths<Dim>::Cloths(MPI_Comm comm, std::vector<ClothGroup<Dim>> groups) : comm_(comm), groups_(std::move(groups)) {
   for (std::size_t g = 0; g < groups_.size(); ++g)
     for (PetscInt c = 0; c < groups_[g].count; ++c) {
       pieces_.push_back({g, total_, groups_[g].markers});
       total_ += groups_[g].markers;
     }
-  build_halo();
+  petsc::Layout layout;
+  WASH_PETSC(PetscLayoutCreateFromSizes(comm_, PETSC_DECIDE, total_, 1, layout.put()));
+  WASH_PETSC(PetscLayoutGetRange(layout, &begin_, &end_));
+  find_parts();
+  find_markers();
+  build_halo(layout);
+}
+
+template <int Dim>
+void Cloths<Dim>::find_parts() {
   for (const Piece& piece : pieces_) {
-    const PetscInt piece_end = piece.first + piece.count;
-    const PetscInt own_first = std::max(piece.first, begin_), own_last = std::min(piece_end, end_);
-    if (own_first >= own_last) continue;
-    parts_.push_back({&piece, &groups_[piece.group], std::max(piece.first, halo_begin_), std::min(piece_end, halo_end_),
-                      own_first, own_last});
+    const PetscInt own_first = std::max(piece.first, begin_), own_end = std::min(piece.first + piece.count, end_);
+    if (own_first >= own_end) continue;
+    parts_.push_back(part_of(piece, own_first, own_end));
+    halo_count_ += parts_.back().markers.size();
   }
 }
 
 template <int Dim>
-void Cloths<Dim>::build_halo() {
-  petsc::Layout layout;
-  WASH_PETSC(PetscLayoutCreateFromSizes(comm_, PETSC_DECIDE, total_, 1, layout.put()));
-  WASH_PETSC(PetscLayoutGetRange(layout, &begin_, &end_));
-  const bool any = end_ > begin_;
-  halo_begin_ = any ? std::max<PetscInt>(0, begin_ - fibre_reach) : begin_;
-  halo_end_ = any ? std::min<PetscInt>(total_, end_ + fibre_reach) : end_;
-  std::vector<PetscSFNode> sources(static_cast<std::size_t>(halo_end_ - halo_begin_));
-  for (PetscInt marker = halo_begin_; marker < halo_end_; ++marker) {
-    PetscMPIInt rank = 0;
-    PetscInt index = 0;
-    WASH_PETSC(PetscLayoutFindOwnerIndex(layout, marker, &rank, &index));
-    sources[static_cast<std::size_t>(marker - halo_begin_)] = {rank, index};
+typename Cloths<Dim>::Part Cloths<Dim>::part_of(const Piece& piece, PetscInt own_first, PetscInt own_end) const {
+  const bool closed = groups_[piece.group].fibre.closed;
+  Part part{piece.group, {}, halo_count_, 0, 0, static_cast<std::size_t>(own_first - begin_)};
+  for (PetscInt marker = own_first - fibre_reach; marker < own_end + fibre_reach; ++marker) {
+    const PetscInt along = marker - piece.first;
+    if (!closed && (along < 0 || along >= piece.count)) continue;
+    if (marker == own_first) part.own_begin = part.markers.size();
+    part.markers.push_back(piece.first + (along + fibre_reach * piece.count) % piece.count);
   }
+  part.own_end = part.own_begin + static_cast<std::size_t>(own_end - own_first);
+  return part;
+}
+
+template <int Dim>
+void Cloths<Dim>::find_markers() {
+  for (const Part& part : parts_) {
+    const ClothGroup<Dim>& group = groups_[part.group];
+    for (std::size_t i = part.own_begin; i < part.own_end; ++i) {
+      const auto after = std::upper_bound(pieces_.begin(), pieces_.end(), part.markers[i],
+                                          [](PetscInt marker, const Piece& piece) { return marker < piece.first; });
+      const auto piece = static_cast<std::size_t>(after - pieces_.begin()) - 1;
+      const PetscInt along = part.markers[i] - pieces_[piece].first;
+      piece_of_marker_.push_back(piece);
+      marker_lengths_.push_back(group.fibre.spacing);
+      marker_masses_.push_back(group.excess_mass * group.fibre.spacing);
+      dead_loads_.push_back(group.fibre.spacing * group.load);
+      if (along == 0) dead_loads_.back() += group.end_force_first;
+      if (along == group.markers - 1) dead_loads_.back() += group.end_force_last;
+      const std::vector<PetscInt> held = group.held_markers();
+      if (std::find(held.begin(), held.end(), along) != held.end())
+        holds_.push_back({piece_of_marker_.size() - 1, group.hold_stiffness, Point<Dim>::Zero()});
+    }
+  }
+}
+
+template <int Dim>
+void Cloths<Dim>::hold_at(const Points<Dim>& positions) {
+  for (Hold& hold : holds_) hold.anchor = positions[hold.marker];
+}
+
+template <int Dim>
+void Cloths<Dim>::build_halo(const petsc::Layout& layout) {
+  std::vector<PetscSFNode> sources;
+  for (const Part& part : parts_)
+    for (const PetscInt marker : part.markers) {
+      PetscMPIInt rank = 0;
+      PetscInt index = 0;
+      WASH_PETSC(PetscLayoutFindOwnerIndex(layout, marker, &rank, &index));
+      sources.push_back({rank, index});
+    }
   halo_ = petsc::star_forest(comm_, owned(), sources);
 }
 
 template <int Dim>
-std::vector<std::size_t> Cloths<Dim>::piece_of_marker() const {
-  std::vector<std::size_t> result(owned());
-  for (const Part& part : parts_)
-    for (PetscInt m = part.own_first; m < part.own_last; ++m)
-      result[static_cast<std::size_t>(m - begin_)] = static_cast<std::size_t>(part.piece - pieces_.data());
-  return result;
-}
-
-template <int Dim>
-std::vector<double> Cloths<Dim>::marker_lengths() const {
-  std::vector<double> result;
-  for (const std::size_t piece : piece_of_marker()) result.push_back(groups_[pieces_[piece].group].fibre.spacing);
-  return result;
-}
-
-template <int Dim>
-std::vector<double> Cloths<Dim>::marker_masses() const {
-  std::vector<double> result;
-  for (const std::size_t piece : piece_of_marker()) {
-    const ClothGroup& group = groups_[pieces_[piece].group];
-    result.push_back(group.excess_mass * group.fibre.spacing);
-  }
-  return result;
+bool Cloths<Dim>::any_damping() const {
+  return std::any_of(groups_.begin(), groups_.end(), [](const auto& group) { return group.fibre.damping > 0; });
 }
 
 template <int Dim>
 Points<Dim> Cloths<Dim>::with_halo(const Points<Dim>& values) const {
-  Points<Dim> result(static_cast<std::size_t>(halo_end_ - halo_begin_));
+  Points<Dim> result(halo_count_);
   WASH_PETSC(PetscSFBcastBegin(halo_, point_type_, values.data(), result.data(), MPI_REPLACE));
   WASH_PETSC(PetscSFBcastEnd(halo_, point_type_, values.data(), result.data(), MPI_REPLACE));
   return result;
@@ -90,28 +114,83 @@ Points<Dim> Cloths<Dim>::with_halo(const Points<Dim>& values) const {
 
 template <int Dim>
 std::span<const Point<Dim>> Cloths<Dim>::visible(const Points<Dim>& with_halo, const Part& part) const {
-  return std::span<const Point<Dim>>(with_halo).subspan(static_cast<std::size_t>(part.first - halo_begin_),
-                                                        static_cast<std::size_t>(part.last - part.first));
+  return std::span<const Point<Dim>>(with_halo).subspan(part.first_in_halo, part.markers.size());
+}
+
+// add_forces(part, forces) for each part; those on this rank's markers are kept.
+template <int Dim>
+template <class Force>
+Points<Dim> Cloths<Dim>::forces_of_parts(const Force& add_forces) const {
+  Points<Dim> result(owned(), Point<Dim>::Zero());
+  for (const Part& part : parts_) {
+    Points<Dim> forces(part.markers.size(), Point<Dim>::Zero());
+    add_forces(part, std::span<Point<Dim>>(forces));
+    for (std::size_t i = part.own_begin; i < part.own_end; ++i) result[part.own_first + i - part.own_begin] = forces[i];
+  }
+  return result;
 }
 
 template <int Dim>
-Points<Dim> Cloths<Dim>::elastic_forces(const Points<Dim>& positions, const Points<Dim>& velocities) const {
+Points<Dim> Cloths<Dim>::elastic_forces(const Points<Dim>& positions) const {
+  const petsc::LogPart log("cloth_force");
+  const Points<Dim> x = with_halo(positions);
+  Points<Dim> result = forces_of_parts([&](const Part& part, std::span<Point<Dim>> forces) {
+    const ClothGroup<Dim>& group = groups_[part.group];
+    if constexpr (Dim == 2) {
+      if (group.model == "love") add_love_forces(group.fibre, visible(x, part), forces);
+    }
+    if (group.model == "energy") add_energy_forces<Dim>(group.fibre, visible(x, part), forces);
+  });
+  for (const Hold& hold : holds_) result[hold.marker] -= hold.stiffness * (positions[hold.marker] - hold.anchor);
+  return result;
+}
+
+template <int Dim>
+Points<Dim> Cloths<Dim>::damping_forces(const Points<Dim>& positions, const Points<Dim>& velocities) const {
+  if (!any_damping()) return Points<Dim>(owned(), Point<Dim>::Zero());
   const petsc::LogPart log("cloth_force");
   const Points<Dim> x = with_halo(positions), u = with_halo(velocities);
-  Points<Dim> result(owned(), Point<Dim>::Zero());
-  for (const Part& part : parts_) {
-    const auto markers = visible(x, part);
-    const Fibre& fibre = part.group->fibre;
-    Points<Dim> forces(markers.size(), Point<Dim>::Zero());
-    if constexpr (Dim == 2) {
-      if (part.group->model == "love") add_love_forces(fibre, markers, forces);
+  return forces_of_parts([&](const Part& part, std::span<Point<Dim>> forces) {
+    add_damping_forces<Dim>(groups_[part.group].fibre, visible(x, part), visible(u, part), forces);
+  });
+}
+
+template <int Dim>
+petsc::Matrix Cloths<Dim>::stiffness_matrix() const {
+  constexpr PetscInt coupled = (2 * fibre_reach - 1) * Dim;  // a marker and two neighbours on either side
+  const PetscInt rows = (end_ - begin_) * Dim;
+  petsc::Matrix matrix;
+  WASH_PETSC(MatCreateAIJ(comm_, rows, rows, PETSC_DETERMINE, PETSC_DETERMINE, coupled, nullptr, coupled, nullptr,
+                          matrix.put()));
+  WASH_PETSC(MatSetBlockSize(matrix, Dim));
+  WASH_PETSC(MatSetOption(matrix, MAT_SYMMETRIC, PETSC_TRUE));
+  return matrix;
+}
+
+template <int Dim>
+void Cloths<Dim>::add_stiffness(const Points<Dim>& positions, GeometricStiffness geometric, double factor,
+                                Mat matrix) const {
+  using RowMajor = Eigen::Matrix<double, Dim, Dim, Eigen::RowMajor>;
+  const auto add_block = [&](PetscInt row, PetscInt column, const RowMajor& block) {
+    std::array<PetscInt, Dim> rows{}, columns{};
+    for (std::size_t d = 0; d < Dim; ++d) {
+      rows[d] = row * Dim + static_cast<PetscInt>(d);
+      columns[d] = column * Dim + static_cast<PetscInt>(d);
     }
-    if (part.group->model == "energy") add_energy_forces<Dim>(fibre, markers, forces);
-    if (fibre.damping > 0) add_damping_forces<Dim>(fibre, markers, visible(u, part), forces);
-    std::copy(forces.begin() + (part.own_first - part.first), forces.begin() + (part.own_last - part.first),
-              result.begin() + (part.own_first - begin_));
+    WASH_PETSC(MatSetValues(matrix, Dim, rows.data(), Dim, columns.data(), block.data(), ADD_VALUES));
+  };
+  const Points<Dim> x = with_halo(positions);
+  for (const Part& part : parts_)
+    add_energy_stiffness<Dim>(groups_[part.group].fibre, visible(x, part), geometric,
+                              [&](std::size_t row, std::size_t column, const StiffnessBlock<Dim>& block) {
+                                if (row < part.own_begin || row >= part.own_end)
+                                  return;  // another rank's, or incomplete here
+                                add_block(part.markers[row], part.markers[column], factor * block);
+                              });
+  for (const Hold& hold : holds_) {
+    const PetscInt marker = begin_ + static_cast<PetscInt>(hold.marker);
+    add_block(marker, marker, factor * hold.stiffness * RowMajor::Identity());
   }
-  return result;
 }
 
 template <int Dim>
@@ -119,9 +198,8 @@ std::vector<double> Cloths<Dim>::stresses(const Points<Dim>& positions) const {
   const Points<Dim> x = with_halo(positions);
   std::vector<double> result(owned());
   for (const Part& part : parts_) {
-    const std::vector<double> values = washfsi::stresses<Dim>(part.group->fibre, visible(x, part));
-    std::copy(values.begin() + (part.own_first - part.first), values.begin() + (part.own_last - part.first),
-              result.begin() + (part.own_first - begin_));
+    const std::vector<double> values = washfsi::stresses<Dim>(groups_[part.group].fibre, visible(x, part));
+    for (std::size_t i = part.own_begin; i < part.own_end; ++i) result[part.own_first + i - part.own_begin] = values[i];
   }
   return result;
 }
@@ -131,9 +209,11 @@ std::vector<double> Cloths<Dim>::elastic_energies(const Points<Dim>& positions) 
   const Points<Dim> x = with_halo(positions);
   std::vector<double> energies(groups_.size(), 0.0);
   for (const Part& part : parts_)
-    energies[part.piece->group] +=
-        elastic_energy<Dim>(part.group->fibre, visible(x, part), static_cast<std::size_t>(part.own_first - part.first),
-                            static_cast<std::size_t>(part.own_last - part.first));
+    energies[part.group] +=
+        elastic_energy<Dim>(groups_[part.group].fibre, visible(x, part), part.own_begin, part.own_end);
+  for (const Hold& hold : holds_)
+    energies[pieces_[piece_of_marker_[hold.marker]].group] +=
+        0.5 * hold.stiffness * (positions[hold.marker] - hold.anchor).squaredNorm();
   return ordered_sum(comm_, energies);
 }
 
@@ -144,8 +224,8 @@ std::vector<double> Cloths<Dim>::largest_stretches(const Points<Dim>& positions)
   for (const Part& part : parts_) {
     const auto markers = visible(x, part);
     for (std::size_t k = 0; k + 1 < markers.size(); ++k) {
-      const double stretch = (markers[k + 1] - markers[k]).norm() / part.group->fibre.spacing - 1;
-      stretches[part.piece->group] = std::max(stretches[part.piece->group], stretch);
+      const double stretch = (markers[k + 1] - markers[k]).norm() / groups_[part.group].fibre.spacing - 1;
+      stretches[part.group] = std::max(stretches[part.group], stretch);
     }
   }
   for (double& stretch : stretches) stretch = largest(comm_, stretch);

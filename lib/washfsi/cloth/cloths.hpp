@@ -31,9 +31,10 @@ class PointType {
 template <int Dim>
 class Cloths {
  public:
-  Cloths(MPI_Comm comm, std::vector<ClothGroup> groups);
+  Cloths(MPI_Comm comm, std::vector<ClothGroup<Dim>> groups);
 
-  const std::vector<ClothGroup>& groups() const { return groups_; }
+  MPI_Comm comm() const { return comm_; }
+  const std::vector<ClothGroup<Dim>>& groups() const { return groups_; }
   const std::vector<Piece>& pieces() const { return pieces_; }
   PetscInt marker_count() const { return total_; }
   PetscInt begin() const { return begin_; }  ///< first marker of this rank
@@ -41,39 +42,72 @@ class Cloths {
   std::size_t owned() const { return static_cast<std::size_t>(end_ - begin_); }
 
   /// Piece and group of each of this rank's markers.
-  std::vector<std::size_t> piece_of_marker() const;
+  const std::vector<std::size_t>& piece_of_marker() const { return piece_of_marker_; }
+  const ClothGroup<Dim>& group_of(std::size_t marker) const { return groups_[pieces_[piece_of_marker_[marker]].group]; }
   /// Undeformed length that each of this rank's markers stands for [m].
-  std::vector<double> marker_lengths() const;
+  const std::vector<double>& marker_lengths() const { return marker_lengths_; }
   /// Excess mass of each of this rank's markers [kg; per unit depth in the plane].
-  std::vector<double> marker_masses() const;
+  const std::vector<double>& marker_masses() const { return marker_masses_; }
 
-  /// Elastic and damping force on each of this rank's markers [N; per unit depth in the plane]. Collective.
-  Points<Dim> elastic_forces(const Points<Dim>& positions, const Points<Dim>& velocities) const;
+  /// Fixes the springs that hold cloths (-..._hold) at the places where the held markers are now.
+  void hold_at(const Points<Dim>& positions);
+
+  /// Force of elasticity and of the holding springs on each of this rank's markers [N; per unit depth in the plane].
+  /// Collective.
+  Points<Dim> elastic_forces(const Points<Dim>& positions) const;
+  /// Kelvin-Voigt damping of the edges [N; per unit depth in the plane]. Collective.
+  Points<Dim> damping_forces(const Points<Dim>& positions, const Points<Dim>& velocities) const;
+  /// Constant loads: distributed and at the ends [N; per unit depth in the plane].
+  const Points<Dim>& dead_loads() const { return dead_loads_; }
+  bool any_damping() const;
+
+  /// An empty matrix for `add_stiffness`: a row for each coordinate of each marker. Collective.
+  petsc::Matrix stiffness_matrix() const;
+  /// Adds factor times the Jacobian of -elastic_forces, of the energy form whatever the group's model. The matrix must
+  /// be assembled afterwards. Collective.
+  void add_stiffness(const Points<Dim>& positions, GeometricStiffness geometric, double factor, Mat matrix) const;
+
   /// Stress at each of this rank's markers [Pa]. Collective.
   std::vector<double> stresses(const Points<Dim>& positions) const;
-  /// Elastic energy of each group [J; per unit depth in the plane]. Collective.
+  /// Energy of elasticity and of the holding springs of each group [J; per unit depth in the plane]. Collective.
   std::vector<double> elastic_energies(const Points<Dim>& positions) const;
   /// Largest stretch |X_s| - 1 of any edge in each group. Collective.
   std::vector<double> largest_stretches(const Points<Dim>& positions) const;
 
  private:
-  /// The part of a piece that this rank sees: its own markers and `fibre_reach` neighbours.
+  /// The markers of a piece that this rank sees: its own and `fibre_reach` neighbours on either side. A closed piece
+  /// is seen as an open one that goes round beyond its own end.
   struct Part {
-    const Piece* piece;
-    const ClothGroup* group;
-    PetscInt first, last;  ///< visible markers
-    PetscInt own_first, own_last;
+    std::size_t group;
+    std::vector<PetscInt> markers;              ///< seen, by their numbers
+    std::size_t first_in_halo;                  ///< where they begin in an array with halo
+    std::size_t own_begin, own_end, own_first;  ///< this rank's among them, and the first of these in its arrays
   };
-  void build_halo();
+  /// A marker that a spring holds.
+  struct Hold {
+    std::size_t marker;  ///< in this rank's arrays
+    double stiffness;    ///< [N/m; per unit depth in the plane]
+    Point<Dim> anchor;   ///< [m]
+  };
+  void find_parts();
+  void find_markers();
+  Part part_of(const Piece& piece, PetscInt own_first, PetscInt own_end) const;
+  void build_halo(const petsc::Layout& layout);
   Points<Dim> with_halo(const Points<Dim>& values) const;
   std::span<const Point<Dim>> visible(const Points<Dim>& with_halo, const Part& part) const;
+  template <class Force>
+  Points<Dim> forces_of_parts(const Force& add_forces) const;
 
   MPI_Comm comm_;
-  std::vector<ClothGroup> groups_;
+  std::vector<ClothGroup<Dim>> groups_;
   std::vector<Piece> pieces_;
   std::vector<Part> parts_;
+  std::vector<Hold> holds_;
+  std::vector<std::size_t> piece_of_marker_;
+  std::vector<double> marker_lengths_, marker_masses_;
+  Points<Dim> dead_loads_;
   PetscInt total_ = 0, begin_ = 0, end_ = 0;
-  PetscInt halo_begin_ = 0, halo_end_ = 0;
+  std::size_t halo_count_ = 0;
   PointType<Dim> point_type_;
   petsc::StarForest halo_;
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/cloth/fibre.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace washfsi {
@@ -40,6 +42,29 @@ void add_energy_forces(const Fibre& fibre, std::span<const Point<Dim>> positions
     forces[k] += 2 * couple;
     forces[k + 1] -= couple;
   }
+}
+
+template <int Dim>
+void add_energy_stiffness(const Fibre& fibre, std::span<const Point<Dim>> positions, GeometricStiffness geometric,
+                          const AddBlock<Dim>& add) {
+  using Block = StiffnessBlock<Dim>;
+  const double ds = fibre.spacing;
+  const std::vector<double> tension = tensions<Dim>(fibre, positions);
+  for (std::size_t k = 0; k + 1 < positions.size(); ++k) {
+    const Point<Dim> edge = positions[k + 1] - positions[k];
+    const double pull = geometric == GeometricStiffness::all ? tension[k] : std::max(tension[k], 0.0);
+    const Block block = fibre.ke / (ds * ds * ds) * edge * edge.transpose() + pull / ds * Block::Identity();
+    add(k, k, block);
+    add(k + 1, k + 1, block);
+    add(k, k + 1, -block);
+    add(k + 1, k, -block);
+  }
+  constexpr std::array weights{1.0, -2.0, 1.0};
+  const double bending = fibre.kb / (ds * ds * ds);
+  for (std::size_t k = 1; k + 1 < positions.size(); ++k)
+    for (std::size_t a = 0; a < 3; ++a)
+      for (std::size_t b = 0; b < 3; ++b)
+        add(k - 1 + a, k - 1 + b, bending * weights[a] * weights[b] * Block::Identity());
 }
 
 template <int Dim>
@@ -91,6 +116,8 @@ template void add_damping_forces<2>(const Fibre&, std::span<const Point<2>>, std
                                     std::span<Point<2>>);
 template void add_damping_forces<3>(const Fibre&, std::span<const Point<3>>, std::span<const Point<3>>,
                                     std::span<Point<3>>);
+template void add_energy_stiffness<2>(const Fibre&, std::span<const Point<2>>, GeometricStiffness, const AddBlock<2>&);
+template void add_energy_stiffness<3>(const Fibre&, std::span<const Point<3>>, GeometricStiffness, const AddBlock<3>&);
 template double elastic_energy<2>(const Fibre&, std::span<const Point<2>>, std::size_t, std::size_t);
 template double elastic_energy<3>(const Fibre&, std::span<const Point<3>>, std::size_t, std::size_t);
 template std::vector<double> stresses<2>(const Fibre&, std::span<const Point<2>>);

@@ -9,6 +9,7 @@
 // It conserves linear and angular momentum to round-off and cannot create energy.
 #pragma once
 
+#include <functional>
 #include <span>
 
 #include "washfsi/support/point.hpp"
@@ -22,7 +23,20 @@ struct Fibre {
   double kb = 0;         ///< bending stiffness Kb [N m]
   double damping = 0;    ///< Kelvin-Voigt time beta of the edges [s]
   double thickness = 1;  ///< q [m], for stresses only
+  bool closed = false;   ///< a ring: no ends
 };
+
+/// A block of a stiffness matrix K = d2E/dX2, between two markers [N/m; per unit depth in the plane].
+template <int Dim>
+using StiffnessBlock = Eigen::Matrix<double, Dim, Dim>;
+
+/// Takes the block of a row and a column, to be added to what is there.
+template <int Dim>
+using AddBlock = std::function<void(std::size_t row, std::size_t column, const StiffnessBlock<Dim>& block)>;
+
+/// How much of an edge's geometric stiffness, T/ds times the identity, enters a matrix: all of it, or only where the
+/// edge is in tension. Without that of compressed edges the matrix is positive definite.
+enum class GeometricStiffness { all, of_tension };
 
 /// The functions below act on neighbouring markers of one fibre. Given only a part of a fibre, they are exact for
 /// all markers that are at least this far from the part's cut ends.
@@ -35,6 +49,11 @@ std::vector<double> tensions(const Fibre& fibre, std::span<const Point<Dim>> pos
 /// Adds -dE/dX of stretching and bending [N; per unit depth in the plane].
 template <int Dim>
 void add_energy_forces(const Fibre& fibre, std::span<const Point<Dim>> positions, std::span<Point<Dim>> forces);
+
+/// Adds the exact Jacobian of -forces, K = d2E/dX2, block by block.
+template <int Dim>
+void add_energy_stiffness(const Fibre& fibre, std::span<const Point<Dim>> positions, GeometricStiffness geometric,
+                          const AddBlock<Dim>& add);
 
 /// Adds the Kelvin-Voigt damping of the edges, beta Ke d (d . dU)/ds^3 with d the edge vector.
 template <int Dim>

@@ -9,7 +9,8 @@
 
 namespace washfsi {
 
-/// A group of equal cloths: how many, how large, of what.
+/// A group of equal cloths: how many, how large, of what, held where, loaded by what.
+template <int Dim>
 struct ClothGroup {
   std::string name;
   PetscInt count = 1;
@@ -17,12 +18,26 @@ struct ClothGroup {
   double size = 0.25;            ///< physical length [m] = markers times spacing
   double excess_mass = 0.093;    ///< over the water displaced, rho_s [kg/m2]
   std::string model = "energy";  ///< energy | love
+  std::string shape = "flat";    ///< at the start: flat | ellipse (a ring) | mode | crumpled
   Fibre fibre;
 
+  std::string hold = "none";  ///< where springs hold it: none | middle | first | corners | edge
+  double hold_stiffness = 0;  ///< of the spring at each held marker [N/m; per unit depth in the plane]; 0: Ke/ds
+  Point<Dim> load = Point<Dim>::Zero();             ///< constant force per undeformed area [N/m2]
+  Point<Dim> end_force_first = Point<Dim>::Zero();  ///< on the first marker [N; N/m in the plane]
+  Point<Dim> end_force_last = Point<Dim>::Zero();   ///< on the last
+
   static ClothGroup from_options(Options& options, const std::string& name);
+
+  /// Which markers of a cloth the springs hold, in ascending order.
+  std::vector<PetscInt> held_markers() const;
 };
 
 /// All groups named by -cloths.
-std::vector<ClothGroup> cloth_groups_from_options(Options& options);
+template <int Dim>
+std::vector<ClothGroup<Dim>> cloth_groups_from_options(Options& options);
+
+extern template struct ClothGroup<2>;
+extern template struct ClothGroup<3>;
 
 }  // namespace washfsi

@@ -108,12 +108,14 @@ Points<Dim> Transfer<Dim>::interpolate(Vec local_velocity) const {
 
 template <int Dim>
 std::vector<double> row_sum_mobility(const Transfer<Dim>& transfer, const Grid<Dim>& grid,
-                                     const Boundary<Dim>& boundary, Vec density, const std::vector<double>& lengths) {
+                                     const Boundary<Dim>& boundary, Vec density, Vec fluid_fraction,
+                                     const std::vector<double>& weights) {
   Points<Dim> forces;
-  for (const double length : lengths) forces.push_back(Point<Dim>::Constant(length));
+  for (const double weight : weights) forces.push_back(Point<Dim>::Constant(weight));
   const petsc::Vector acceleration = petsc::zeros_like(density);
   (void)transfer.spread(forces, acceleration);
   WASH_PETSC(VecPointwiseDivide(acceleration, acceleration, density));
+  if (fluid_fraction) WASH_PETSC(VecPointwiseMult(acceleration, acceleration, fluid_fraction));
   const petsc::LocalVector local(grid.wide_face_dm(), acceleration);
   boundary.fill_homogeneous(local);
   std::vector<double> mobility;
@@ -123,9 +125,9 @@ std::vector<double> row_sum_mobility(const Transfer<Dim>& transfer, const Grid<D
 
 template class Transfer<2>;
 template class Transfer<3>;
-template std::vector<double> row_sum_mobility<2>(const Transfer<2>&, const Grid<2>&, const Boundary<2>&, Vec,
+template std::vector<double> row_sum_mobility<2>(const Transfer<2>&, const Grid<2>&, const Boundary<2>&, Vec, Vec,
                                                  const std::vector<double>&);
-template std::vector<double> row_sum_mobility<3>(const Transfer<3>&, const Grid<3>&, const Boundary<3>&, Vec,
+template std::vector<double> row_sum_mobility<3>(const Transfer<3>&, const Grid<3>&, const Boundary<3>&, Vec, Vec,
                                                  const std::vector<double>&);
 
 }  // namespace washfsi

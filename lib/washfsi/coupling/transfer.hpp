@@ -47,11 +47,14 @@ class Transfer {
   Points<Dim> here_;  ///< positions of the markers in this rank's cells, folded into the box
 };
 
-/// The mobility m_k [m2/kg; m/kg per unit depth]: velocity of each marker per unit force density on all cloths and unit
-/// time, the row sums of (1/rho) J S with the markers' lengths as weights. Bounds the explicit step. Collective.
+/// Velocity of each marker per unit time if every marker k bears the nodal force weights[k]: row sums of J H S / rho,
+/// which bound the mobility of the markers before projection. With the markers' lengths as weights it is the mobility
+/// per area m_k [m2/kg] that bounds the explicit step; with ones that of nodal forces [1/kg; m/kg in the plane]. The
+/// fluid's share H of the faces may be null: no solids. Collective.
 template <int Dim>
 std::vector<double> row_sum_mobility(const Transfer<Dim>& transfer, const Grid<Dim>& grid,
-                                     const Boundary<Dim>& boundary, Vec density, const std::vector<double>& lengths);
+                                     const Boundary<Dim>& boundary, Vec density, Vec fluid_fraction,
+                                     const std::vector<double>& weights);
 
 extern template class Transfer<2>;
 extern template class Transfer<3>;

@@ -71,6 +71,7 @@ template <int Dim>
 void FractionalStep<Dim>::predict(double dt, const StepFields<Dim>& fields) {
   const petsc::LogPart part("momentum");
   dt_ = dt;
+  fields_ = fields;
   explicit_terms(dt, fields);
   // the guesses: linear extrapolation of the two last velocities, and a pressure that changes at the same rate as
   // before
@@ -126,26 +127,71 @@ template <int Dim>
 void FractionalStep<Dim>::project() {
   if (!projects_) return;
   const petsc::LogPart part("pressure");
-  double speed = 0;
-  WASH_PETSC(VecNorm(intermediate_, NORM_INFINITY, &speed));
-  speed = std::max(speed, boundary_.largest_speed(time_ + dt_));
+  solve_pressure(phi_);
+  WASH_PETSC(VecAXPY(pressure_, 0.5 * viscosity_ / grid_.cell_volume(), minus_divergence_));
+}
+
+// phi and the pressure that make the intermediate velocity divergence free; phi holds a guess. Leaves minus the
+// divergence, times the cell volume, that there was.
+template <int Dim>
+void FractionalStep<Dim>::solve_pressure(Vec phi) {
   {
     const petsc::LocalVector local(grid_.face_dm(), intermediate_);
     boundary_.fill(local, time_ + dt_);
     const ConstFaceView<Dim> u(grid_.face_dm(), local);
-    const CellView<Dim> r(grid_.cell_dm(), minus_divergence_), p(grid_.cell_dm(), pressure_);
+    const CellView<Dim> r(grid_.cell_dm(), minus_divergence_);
     const Spacing<Dim> h(grid_.spacing());
-    const double half_viscosity = 0.5 * viscosity_;
-    for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) {
-      const double div = divergence<Dim>(u, cell, h);
-      r(cell) = -div;
-      p(cell) -= half_viscosity * div;
+    for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) { r(cell) = -divergence<Dim>(u, cell, h); });
+  }
+  const double tolerance = pressure_tolerance_ * largest_speed() / grid_.spacing().minCoeff();
+  counts_.pressure += static_cast<double>(poisson_.solve(minus_divergence_, tolerance, phi));
+  poisson_.correct(phi, intermediate_);
+  WASH_PETSC(VecAXPY(pressure_, density_ / dt_, phi));  // p += q
+}
+
+template <int Dim>
+double FractionalStep<Dim>::largest_speed() const {
+  double speed = 0;
+  WASH_PETSC(VecNorm(intermediate_, NORM_INFINITY, &speed));
+  return std::max(speed, boundary_.largest_speed(time_ + dt_));
+}
+
+template <int Dim>
+void FractionalStep<Dim>::add_force(Vec force) {
+  const petsc::LogPart part("pressure");
+  {
+    const Vec fraction = fields_.constraint.fluid_fraction;
+    const FaceView<Dim> u(grid_.face_dm(), intermediate_), held(grid_.face_dm(), constraint_force_);
+    const ConstFaceView<Dim> f(grid_.face_dm(), force), rho(grid_.face_dm(), fields_.density),
+        share(grid_.face_dm(), fraction ? fraction : force);
+    grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
+      const double in_water = fraction ? share(face, c) : 1;
+      u(face, c) += dt_ * in_water * f(face, c) / rho(face, c);
+      if (fraction) held(face, c) -= (1 - in_water) * f(face, c);
     });
   }
-  const double tolerance = pressure_tolerance_ * speed / grid_.spacing().minCoeff();
-  counts_.pressure += static_cast<double>(poisson_.solve(minus_divergence_, tolerance, phi_));
-  poisson_.correct(phi_, intermediate_);
-  WASH_PETSC(VecAXPY(pressure_, density_ / dt_, phi_));  // p += q
+  if (!projects_) return;
+  if (!phi_of_force_) phi_of_force_ = grid_.cell_vector();
+  WASH_PETSC(VecZeroEntries(phi_of_force_));  // not the last one: a restart does not know it
+  solve_pressure(phi_of_force_);
+}
+
+template <int Dim>
+void FractionalStep<Dim>::keep_pressure() {
+  if (!kept_pressure_) kept_pressure_ = grid_.cell_vector();
+  WASH_PETSC(VecCopy(pressure_, kept_pressure_));
+}
+
+template <int Dim>
+void FractionalStep<Dim>::restore_pressure() {
+  WASH_PETSC(VecCopy(kept_pressure_, pressure_));
+}
+
+template <int Dim>
+void FractionalStep<Dim>::pass(double dt) {
+  dt_before_ = dt_ = dt;
+  set_time(time_ + dt);
+  ++counts_.steps;
 }
 
 template <int Dim>

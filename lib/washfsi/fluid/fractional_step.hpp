@@ -7,6 +7,7 @@
 //   2. predict         u* - (mu dt / 2 rho) lap u* = b,    u* = u_b on the boundary, u* = u_solid in solids
 //   3. project         div( (1/rho) grad q ) = div u* / dt,    u^(n+1) = u* - (dt/rho) grad q
 //                      p^(n+1/2) = p^(n-1/2) + q - (mu/2) div u*
+//   3b. add_force      (couplings only) u += (dt/rho) H f, projected again: p += q without the viscous term
 //   4. finish          n becomes n + 1
 // The first step takes (u.grad u)^0 alone (forward Euler).
 #pragma once
@@ -43,15 +44,24 @@ class FractionalStep {
   void predict(double dt, const StepFields<Dim>& fields);
   /// Phase 3: makes the intermediate velocity divergence free and updates the pressure. Collective.
   void project();
+  /// Phase 3b: adds a further force density (faces) to the projected velocity and projects it again. What falls on
+  /// solids is kept by them. Collective.
+  void add_force(Vec force);
+  /// For schemes that try a step several times: keeps the pressure, and takes the kept one back after a trial.
+  void keep_pressure();
+  void restore_pressure();
   /// Phase 4: the intermediate velocity becomes u^(n+1). Collective.
   void finish();
 
   Vec velocity() const { return velocity_; }                ///< u^n [m/s]
   Vec velocity_before() const { return velocity_before_; }  ///< u^(n-1); u^n before the first step
+  Vec next_velocity() const { return intermediate_; }       ///< u* or u^(n+1) before `finish` [m/s]
   Vec pressure() const { return pressure_; }                ///< p^(n-1/2) [Pa]
   double viscosity() const { return viscosity_; }           ///< [Pa s]
   double time() const { return time_; }                     ///< t^n [s]
   void set_time(double time);
+  /// Lets the time of a step go by without any flow.
+  void pass(double dt);
   /// Length of the last step [s]; 0 before the first, which advects by forward Euler: u^(n-1) is not known then.
   double last_step() const { return has_history_ ? dt_before_ : 0; }
   void set_last_step(double dt) {
@@ -76,6 +86,8 @@ class FractionalStep {
  private:
   void explicit_terms(double dt, const StepFields<Dim>& fields);
   void advect(Vec local_velocity, Vec density);
+  double largest_speed() const;
+  void solve_pressure(Vec phi);
   void set_initial_velocity(const FluidOptions<Dim>& options);
 
   const Grid<Dim>& grid_;
@@ -94,6 +106,8 @@ class FractionalStep {
   petsc::Vector pressure_;  ///< p^(n-1/2)
   petsc::Vector phi_;       ///< dt q / rho_f of the last projection: the next one's guess
   petsc::Vector minus_divergence_;
+  petsc::Vector phi_of_force_, kept_pressure_;  ///< for `add_force` and `keep_pressure`; made when first used
+  StepFields<Dim> fields_;                      ///< of the step under way
   double time_ = 0, dt_ = 0, dt_before_ = 0;
   double numerical_dissipation_ = 0;
   bool has_history_ = false;

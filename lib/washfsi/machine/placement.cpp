@@ -4,19 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
 
 #include "washfsi/support/errors.hpp"
 
 namespace washfsi {
 
 namespace {
-
-/// A straight cloth: its whole length, from end to end.
-template <int Dim>
-struct Segment {
-  Point<Dim> from, to;
-};
 
 template <int Dim>
 double point_to_segment(const Point<Dim>& p, const Segment<Dim>& s) {
@@ -34,23 +27,14 @@ double segment_distance(const Segment<2>& a, const Segment<2>& b) {
       {point_to_segment(a.from, b), point_to_segment(a.to, b), point_to_segment(b.from, a), point_to_segment(b.to, a)});
 }
 
-/// Uniform numbers in [0, 1), the same with every standard library.
-class Uniform {
- public:
-  explicit Uniform(PetscInt seed) : engine_(static_cast<std::uint64_t>(seed)) {}
-  double operator()() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
-
- private:
-  std::mt19937_64 engine_;
-};
-
 /// Finds places for the cloths of one group after another.
 template <int Dim>
 class Placer {
  public:
   explicit Placer(const std::vector<Body<Dim>>& bodies) : bodies_(bodies) {}
 
-  Segment<Dim> place(const ClothGroup& group, const PlacementOptions<Dim>& options, PetscInt number, Uniform& uniform) {
+  Segment<Dim> place(const ClothGroup<Dim>& group, const PlacementOptions<Dim>& options, PetscInt number,
+                     Uniform& uniform) {
     Segment<Dim> segment;
     const double turn = 2 * std::numbers::pi / static_cast<double>(std::max<PetscInt>(group.count, 1));
     if (options.rule == "random") {
@@ -64,7 +48,7 @@ class Placer {
       const bool stacked = options.rule == "stack";
       const double pitch = stacked ? options.distance : group.size + options.distance;
       const Point<Dim> middle =
-          options.center + static_cast<double>(number) * pitch * (stacked ? turned(along) : along);
+          options.center + static_cast<double>(number) * pitch * (stacked ? turned_left<Dim>(along) : along);
       segment = {middle - 0.5 * group.size * along, middle + 0.5 * group.size * along};
     }
     placed_.push_back(segment);
@@ -77,13 +61,7 @@ class Placer {
     result.template head<2>() << std::cos(angle), std::sin(angle);
     return result;
   }
-  static Point<Dim> turned(const Point<Dim>& v) {
-    Point<Dim> result = Point<Dim>::Zero();
-    result.template head<2>() << -v[1], v[0];
-    return result;
-  }
-
-  Segment<Dim> draw(const ClothGroup& group, const PlacementOptions<Dim>& options, Uniform& uniform) const {
+  Segment<Dim> draw(const ClothGroup<Dim>& group, const PlacementOptions<Dim>& options, Uniform& uniform) const {
     constexpr int most_tries = 1000000;
     for (int n = 0; n < most_tries; ++n) {
       const double radius = options.radius * std::sqrt(uniform());
@@ -119,7 +97,7 @@ class Placer {
 };
 
 template <int Dim>
-void check_start(const ClothGroup& group, const std::vector<Body<Dim>>& bodies, const Point<Dim>& place,
+void check_start(const ClothGroup<Dim>& group, const std::vector<Body<Dim>>& bodies, const Point<Dim>& place,
                  const Point<Dim>& lower, const Point<Dim>& upper) {
   std::string where = "outside the grid";
   bool bad = !((place - lower).minCoeff() > 0 && (upper - place).minCoeff() > 0);
@@ -148,8 +126,9 @@ PlacementOptions<Dim> PlacementOptions<Dim>::from_options(Options& options, cons
     block.real("inner_radius", placement.inner_radius, "m", non_negative, "where the cloths begin (radial)");
     block.real("radius", placement.radius, "m", positive, "of the disc that holds the cloths (random)");
     block.real("clearance", placement.clearance, "m", positive, "least distance from bodies and other cloths (random)");
-    block.integer("seed", placement.seed, non_negative_integer, "of the random placement");
+    block.integer("seed", placement.seed, non_negative_integer, "of the random placement and of crumpled cloth");
   });
+  placement.shape = ShapeOptions<Dim>::from_options(options, group);
   if (placement.direction.norm() == 0) throw InputError("-" + group + "_direction: must not be zero");
   return placement;
 }
@@ -160,14 +139,13 @@ Points<Dim> place_cloths(const Cloths<Dim>& cloths, const std::vector<PlacementO
   Points<Dim> positions;
   Placer<Dim> placer(bodies);
   for (std::size_t g = 0; g < cloths.groups().size(); ++g) {
-    const ClothGroup& group = cloths.groups()[g];
+    const ClothGroup<Dim>& group = cloths.groups()[g];
     Uniform uniform(placements[g].seed);
     for (PetscInt number = 0; number < group.count; ++number) {
       const Segment<Dim> segment = placer.place(group, placements[g], number, uniform);
-      for (PetscInt k = 0; k < group.markers; ++k) {
-        const double along = (static_cast<double>(k) + 0.5) / static_cast<double>(group.markers);
-        positions.push_back(segment.from + along * (segment.to - segment.from));
-        check_start<Dim>(group, bodies, positions.back(), lower, upper);
+      for (const Point<Dim>& place : shaped_cloth<Dim>(group, placements[g].shape, segment, uniform)) {
+        check_start<Dim>(group, bodies, place, lower, upper);
+        positions.push_back(place);
       }
     }
   }

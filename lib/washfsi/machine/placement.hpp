@@ -2,7 +2,7 @@
 #pragma once
 
 #include "washfsi/body/body.hpp"
-#include "washfsi/cloth/cloths.hpp"
+#include "washfsi/machine/cloth_shape.hpp"
 
 namespace washfsi {
 
@@ -18,11 +18,13 @@ struct PlacementOptions {
   double radius = 0.3;                         ///< of the disc that holds the cloths (random)
   double clearance = 0.01;                     ///< least distance from bodies and other cloths (random)
   PetscInt seed = 1;
+  ShapeOptions<Dim> shape;  ///< of the cloth, whatever its place
 
   static PlacementOptions from_options(Options& options, const std::string& group);
 };
 
-/// Marker positions of all cloths, straight and unstretched, in marker order. Every rank computes all of them.
+/// Marker positions of all cloths in marker order, flat or with the shape of their group. Every rank computes all of
+/// them.
 ///   line    cloths end to end, `distance` apart, centres along `direction`
 ///   stack   parallel cloths, `distance` apart across `direction`
 ///   radial  cloths standing as fins round `center`, evenly spread in angle, from `inner_radius` outwards

@@ -15,7 +15,7 @@ std::string rows_of_rank(const Cloths<Dim>& cloths, const Points<Dim>& positions
   std::vector<PetscInt> number_in_group;
   std::vector<PetscInt> seen(cloths.groups().size(), 0);
   for (const Piece& piece : cloths.pieces()) number_in_group.push_back(seen[piece.group]++);
-  const std::vector<std::size_t> piece_of = cloths.piece_of_marker();
+  const std::vector<std::size_t>& piece_of = cloths.piece_of_marker();
   std::string text;
   for (std::size_t m = 0; m < piece_of.size(); ++m) {
     const Piece& piece = cloths.pieces()[piece_of[m]];

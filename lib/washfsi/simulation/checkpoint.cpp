@@ -97,6 +97,7 @@ void write_checkpoint(const std::string& folder, const System<Dim>& system, Meas
   file.set_attribute("/", "momentum_iterations", counts.momentum);
   file.set_attribute("/", "pressure_iterations", counts.pressure);
   file.set_attribute("/", "solved_steps", counts.steps);
+  file.set_attribute("/", "cloth_iterations", system.cloth_iterations);
   for (const auto& [name, vector] : system.fluid.face_state())
     write_vector(file, "/fluid/" + name, field_slab(system.grid, Dim), vector);
   for (const auto& [name, vector] : system.fluid.cell_state())
@@ -139,9 +140,10 @@ RunState read_checkpoint(const std::string& path, System<Dim>& system, Measures<
       measures.stress_time() = file.read("/cloth/stress_time", slab_of_markers(system.cloths, 1));
     }
     measures.set_totals(file.read("/totals", shared_slab(comm, measures.totals_count(), false)));
-    system.locate_cloth();
+    system.locate_cloth(system.positions);
     system.fluid.set_time(file.attribute("/", "time"));
     system.fluid.set_last_step(file.attribute("/", "last_step"));
+    system.cloth_iterations = file.attribute("/", "cloth_iterations");
     system.fluid.set_counts({.momentum = file.attribute("/", "momentum_iterations"),
                              .pressure = file.attribute("/", "pressure_iterations"),
                              .steps = file.attribute("/", "solved_steps")});

@@ -36,7 +36,7 @@ Points<Dim> contact_forces(const ContactOptions& contact, const std::vector<Body
                            std::vector<Load<Dim>>& reactions) {
   Points<Dim> forces(positions.size(), Point<Dim>::Zero());
   if (contact.pressure == 0) return forces;
-  const std::vector<double> lengths = cloths.marker_lengths();
+  const std::vector<double>& lengths = cloths.marker_lengths();
   for (std::size_t m = 0; m < positions.size(); ++m)
     for (std::size_t b = 0; b < bodies.size(); ++b) {
       const double nearness = 1 - bodies[b].distance(positions[m], time) / contact.distance;

@@ -4,9 +4,22 @@
 #include <memory>
 #include <string>
 
+#include "washfsi/simulation/step_bound.hpp"
 #include "washfsi/simulation/system.hpp"
 
 namespace washfsi {
+
+/// How cloth and water are coupled in a step.
+struct CouplingOptions {
+  std::string scheme = "explicit";          ///< explicit | midpoint | semi_implicit | implicit; alone without fluid
+  std::string time_scheme = "trapezoidal";  ///< of the implicit coupling: trapezoidal | backward_euler
+  double mobility_factor = 0.75;            ///< of the row sums that stand for the markers' mobility
+  double tolerance = 1e-6;                  ///< rms residual of the markers' velocities over the flow's speed
+  PetscInt sweeps = 1;                      ///< at most, of the semi-implicit coupling
+  double slip_tolerance = 0.01;             ///< below which no further sweep is made
+
+  static CouplingOptions from_options(Options& options);
+};
 
 /// A way of advancing cloth and water together by one time step.
 template <int Dim>
@@ -18,10 +31,12 @@ class CouplingScheme {
   virtual ~CouplingScheme() = default;
   /// From t^n to t^n + dt. Collective. Errors: DivergedError.
   virtual void advance(System<Dim>& system, double dt) = 0;
+  /// Longest step for the cloth as it lies now [s]: that of the explicit coupling unless overridden. Collective.
+  virtual double step_bound(const System<Dim>& system) const { return cloth_step_bound<Dim>(system); }
 };
 
-/// The scheme named by -cloth_coupling.
+/// The scheme for a system. Errors: InputError if it does not fit the cloths.
 template <int Dim>
-std::unique_ptr<CouplingScheme<Dim>> make_coupling_scheme(const std::string& name);
+std::unique_ptr<CouplingScheme<Dim>> make_coupling_scheme(const CouplingOptions& options, const System<Dim>& system);
 
 }  // namespace washfsi

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The explicit step, thesis 3.4 for three dimensions:
-//   1. forces       F^n = elastic and damping forces at X^n, U^n, excess weight, contact with bodies
+//   1. forces       F^n = elastic and damping forces at X^n, U^n, excess weight, loads, contact with bodies
 //   2. spread       rho = rho_f + S(X^n) m,    f = S(X^n) F^n
 //   3. bodies       mask H and solid velocity at t^(n+1)
 //   4. fluid        u^(n+1), p^(n+1/2) by the fractional step
@@ -18,9 +18,5 @@ class ExplicitCoupling : public CouplingScheme<Dim> {
  public:
   void advance(System<Dim>& system, double dt) override;
 };
-
-/// Velocity of the markers in the masked velocity at the fluid's present time; needs `transfer.locate`. Collective.
-template <int Dim>
-Points<Dim> marker_velocities(const System<Dim>& system);
 
 }  // namespace washfsi

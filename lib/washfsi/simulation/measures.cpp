@@ -168,6 +168,7 @@ std::vector<Column> Measures<Dim>::columns() const {
     if (control_volumes_) add_columns<Dim>(columns, body.name + "_balance_");
   }
   for (const SideName side : walls_) add_columns<Dim>(columns, name_of(side) + "_");
+  if (!groups_.empty()) columns.push_back({"cloth_slip", "-"});
   for (const auto& group : system_.cloths.groups()) {
     columns.push_back({group.name + "_elastic_energy", energy});
     columns.push_back({group.name + "_stress_mean", "Pa"});
@@ -195,6 +196,7 @@ std::vector<double> Measures<Dim>::row(double dt) const {
     if (control_volumes_) add_values(row, balance_loads_[b]);
   }
   for (const Load<Dim>& load : wall_loads_) add_values(row, load);
+  if (!groups_.empty()) row.push_back(system_.cloth_slip);
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     row.insert(row.end(), {groups_[g].elastic_energy, groups_[g].stress_now, groups_[g].max_stretch, groups_[g].depth});
     row.insert(row.end(), centers_[g].data(), centers_[g].data() + Dim);

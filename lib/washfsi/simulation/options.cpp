@@ -15,8 +15,9 @@ RunOptions RunOptions::from_options(Options& options) {
                "choose each step for this CFL number; 0: steps of equal length");
     block.real("time_end", run.time_end, "s", positive, "time at which the run ends");
     block.integer("max_steps", run.max_steps, non_negative_integer, "stop after so many steps; 0: no limit");
+    block.real("rest_speed", run.rest_speed, "m/s", non_negative,
+               "end early when every marker has been slower for ten steps; 0: do not");
     block.real("time_max_cfl", run.max_courant, "-", positive, "a run whose CFL number exceeds this has diverged");
-    block.choice("cloth_coupling", run.coupling, {"explicit"}, "how cloth and water are coupled in a step");
     block.text("output_dir", run.output_dir, "folder for the results");
     block.real("output_interval", run.output_interval, "s", non_negative,
                "between frames of the series; 0: a twentieth of the run");

@@ -13,8 +13,8 @@ struct RunOptions {
   double time_cfl = 0;     ///< choose each step for this CFL number; 0: steps of equal length
   double time_end = 1;     ///< [s]
   PetscInt max_steps = 0;  ///< 0: no limit
+  double rest_speed = 0;   ///< end when all markers have been slower for some steps [m/s]; 0: do not
   double max_courant = 1;  ///< a run beyond it has diverged
-  std::string coupling = "explicit";
   std::string output_dir = "out";
   double output_interval = 0;      ///< [s]; 0: a twentieth of the run
   double checkpoint_interval = 0;  ///< [s]; 0: a tenth of the run

@@ -97,7 +97,9 @@ void Results<Dim>::write_summary(const RunSummary& summary) const {
   json["time"] = summary.time;
   json["wall_seconds"] = summary.wall_seconds;
   json["seconds_per_step"] = summary.seconds_per_step;
-  json["iterations"] = {{"momentum", counts.momentum / steps}, {"pressure", counts.pressure / steps}, {"cloth", 0}};
+  json["iterations"] = {{"momentum", counts.momentum / steps},
+                        {"pressure", counts.pressure / steps},
+                        {"cloth", system_.cloth_iterations / steps}};
   json["max_divergence"] = measures_.largest_divergence();
   json["peak_memory_bytes"] = std::llround(peak_memory(system_.grid.comm()));
   json["bodies"] = nlohmann::ordered_json::object();

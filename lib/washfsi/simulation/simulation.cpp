@@ -44,13 +44,14 @@ template <int Dim>
 Simulation<Dim>::Simulation(Options& options, std::string case_name)
     : case_name_(std::move(case_name)), progress_(options.comm()) {
   run_ = RunOptions::from_options(options);
+  const CouplingOptions coupling = CouplingOptions::from_options(options);
   const SystemOptions<Dim> system = SystemOptions<Dim>::from_options(options);
   std::vector<Body<Dim>> bodies = bodies_from_options<Dim>(options, system.grid.shape.spacing().minCoeff());
   profiles_ = profiles_from_options<Dim>(options, system.grid.shape.lower, system.grid.shape.upper);
   if (options.help()) return;
 
   system_ = std::make_unique<System<Dim>>(options.comm(), system, std::move(bodies));
-  scheme_ = make_coupling_scheme<Dim>(run_.coupling);
+  scheme_ = make_coupling_scheme<Dim>(coupling, *system_);
   measures_ = std::make_unique<Measures<Dim>>(*system_);
   if (!run_.restart.empty()) {
     state_ = read_checkpoint<Dim>(run_.restart, *system_, *measures_);
@@ -71,7 +72,7 @@ void Simulation<Dim>::choose_time_step() {
   if (run_.time_step > 0) state_.dt = run_.time_step;
   if (state_.dt > 0) return;  // the user's, or that of the checkpoint
   const double courant = run_.time_cfl > 0 ? run_.time_cfl : 0.3;
-  state_.dt = std::min(0.5 * cloth_step_bound<Dim>(*system_), courant * flow_time<Dim>(*system_));
+  state_.dt = std::min(0.5 * scheme_->step_bound(*system_), courant * flow_time<Dim>(*system_));
   if (!std::isfinite(state_.dt))
     throw InputError("-time_step is missing: nothing moves at the start from which it could be chosen");
 }
@@ -81,7 +82,7 @@ template <int Dim>
 void Simulation<Dim>::adapt_time_step() {
   if (run_.time_cfl == 0) return;
   constexpr double most_growth = 1.05;
-  const double for_cloth = 0.5 * cloth_step_bound<Dim>(*system_);
+  const double for_cloth = 0.5 * scheme_->step_bound(*system_);
   const double for_flow = state_.dt * run_.time_cfl / measures_->flow().courant.value;  // infinite at rest
   state_.dt = std::min({most_growth * state_.dt, for_cloth, for_flow});
 }
@@ -132,6 +133,7 @@ void Simulation<Dim>::step() {
   state_.step = attempted_step_;
   measures_->observe(state_.dt);
   check_health();
+  watch_rest();
   results_->write_row(state_.step, state_.dt);
   if (due(run_.output_interval)) results_->write_frame(state_.step);
   if (due(run_.checkpoint_interval)) write_checkpoint<Dim>(run_.output_dir, *system_, *measures_, state_);
@@ -153,7 +155,16 @@ bool Simulation<Dim>::due(double interval) const {
 template <int Dim>
 bool Simulation<Dim>::finished() const {
   const bool enough_steps = run_.max_steps > 0 && state_.step - first_step_ >= run_.max_steps;
-  return enough_steps || system_->fluid.time() >= run_.time_end - 1e-6 * state_.dt;
+  constexpr int steps_of_rest = 10;
+  return enough_steps || steps_at_rest_ >= steps_of_rest || system_->fluid.time() >= run_.time_end - 1e-6 * state_.dt;
+}
+
+template <int Dim>
+void Simulation<Dim>::watch_rest() {
+  if (run_.rest_speed == 0) return;
+  double fastest = 0;
+  for (const auto& velocity : system_->velocities) fastest = std::max(fastest, velocity.norm());
+  steps_at_rest_ = largest(system_->grid.comm(), fastest) < run_.rest_speed ? steps_at_rest_ + 1 : 0;
 }
 
 template <int Dim>
@@ -175,11 +186,11 @@ std::string Simulation<Dim>::place_of_largest_velocity() const {
 template <int Dim>
 void Simulation<Dim>::watch_step_bound() {
   if (warned_of_step_) return;
-  const double bound = cloth_step_bound<Dim>(*system_);
+  const double bound = scheme_->step_bound(*system_);
   if (state_.dt <= bound) return;
   warned_of_step_ = true;
   progress_.note(
-      format("warning: -time_step %.3g s exceeds the bound %.3g s of the explicit coupling for the cloth as it"
+      format("warning: -time_step %.3g s exceeds the bound %.3g s of the coupling for the cloth as it"
              " lies at t = %.4g s",
              state_.dt, bound, system_->fluid.time()));
 }
@@ -202,9 +213,9 @@ void Simulation<Dim>::print_banner() {
   progress_.note("  solvers   momentum " + chosen_type("-momentum_ksp_type", "gmres") + "/" +
                  chosen_type("-momentum_pc_type", "jacobi") + ", pressure " + chosen_type("-pressure_ksp_type", "cg") +
                  "/" + chosen_type("-pressure_pc_type", "transform"));
-  const double bound = cloth_step_bound<Dim>(system);
+  const double bound = scheme_->step_bound(system);
   progress_.note(format("  time      step %.4g s, end %.4g s", state_.dt, run_.time_end) +
-                 (std::isfinite(bound) ? format(", bound of the explicit coupling %.4g s", bound) : ""));
+                 (std::isfinite(bound) ? format(", bound of the coupling %.4g s", bound) : ""));
   watch_step_bound();
 }
 

@@ -34,6 +34,7 @@ class Simulation {
   std::string place_of_largest_velocity() const;
   bool due(double interval) const;
   bool finished() const;
+  void watch_rest();
   void end(const std::string& status);
   void print_summary(const RunSummary& summary);
 
@@ -49,6 +50,7 @@ class Simulation {
   long first_step_ = 0, attempted_step_ = 0;
   double attempt_start_ = 0;  ///< time before the last attempted step [s]
   bool warned_of_step_ = false;
+  int steps_at_rest_ = 0;
 };
 
 extern template class Simulation<2>;

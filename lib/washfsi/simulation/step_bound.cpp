@@ -9,16 +9,29 @@
 
 namespace washfsi {
 
+namespace {
+
+// Velocity of each marker per force on unit areas of all cloths and time [m2/kg].
+template <int Dim>
+std::vector<double> mobility_per_area(const System<Dim>& system) {
+  const std::vector<double>&lengths = system.cloths.marker_lengths(), &masses = system.cloths.marker_masses();
+  if (system.has_fluid)
+    return row_sum_mobility<Dim>(system.transfer, system.grid, system.boundary, system.density, nullptr, lengths);
+  std::vector<double> mobility;
+  for (std::size_t m = 0; m < masses.size(); ++m) mobility.push_back(lengths[m] / masses[m]);
+  return mobility;
+}
+
+}  // namespace
+
 template <int Dim>
 double cloth_step_bound(const System<Dim>& system) {
   const Cloths<Dim>& cloths = system.cloths;
   if (cloths.marker_count() == 0) return std::numeric_limits<double>::infinity();
-  const std::vector<double> mobility =
-      row_sum_mobility<Dim>(system.transfer, system.grid, system.boundary, system.density, cloths.marker_lengths());
-  const std::vector<std::size_t> piece_of = cloths.piece_of_marker();
+  const std::vector<double> mobility = mobility_per_area(system);
   double shortest = std::numeric_limits<double>::infinity();
   for (std::size_t m = 0; m < mobility.size(); ++m) {
-    const Fibre& fibre = cloths.groups()[cloths.pieces()[piece_of[m]].group].fibre;
+    const Fibre& fibre = cloths.group_of(m).fibre;
     const double ds2 = fibre.spacing * fibre.spacing;
     const double undamped2 = 1 / (mobility[m] * (fibre.ke / ds2 + 4 * fibre.kb / (ds2 * ds2)));  // (2/w)^2
     shortest = std::min(shortest, std::sqrt(fibre.damping * fibre.damping + undamped2) - fibre.damping);

@@ -93,14 +93,21 @@ SystemOptions<Dim> SystemOptions<Dim>::from_options(Options& options) {
   SystemOptions<Dim> system;
   system.grid = GridOptions<Dim>::from_options(options);
   system.fluid = FluidOptions<Dim>::from_options(options);
+  std::string fluid = "water";
+  options.block("", "Fluid or none", [&](OptionBlock& block) {
+    block.choice("fluid", fluid, {"water", "none"}, "none: cloth alone, as in a vacuum or with a linear drag");
+    block.real("cloth_drag", system.cloth_drag, "kg/(m2 s)", non_negative,
+               "without fluid: force per undeformed area and speed");
+  });
+  system.has_fluid = fluid == "water";
   options.block("", "Gravity", [&](OptionBlock& block) {
     block.template point<Dim>("gravity", system.gravity, "m/s2", "acceleration by gravity, acting on excess mass");
   });
-  system.cloths = cloth_groups_from_options(options);
+  system.cloths = cloth_groups_from_options<Dim>(options);
   if (Dim == 3 && !system.cloths.empty() && !options.help())
     throw InputError("-cloths " + system.cloths.front().name +
                      ": cloth needs a grid of two dimensions (nx,ny in -grid_cells)");
-  for (const ClothGroup& group : system.cloths)
+  for (const ClothGroup<Dim>& group : system.cloths)
     system.placements.push_back(PlacementOptions<Dim>::from_options(options, group.name));
   system.treatment = BodyTreatment::from_options(options);
   options.block("", "Loads", [&](OptionBlock& block) {
@@ -122,6 +129,8 @@ System<Dim>::System(MPI_Comm comm, const SystemOptions<Dim>& options, std::vecto
       cloths(comm, options.cloths),
       transfer(grid, boundary, options.delta),
       fluid_density(options.fluid.density),
+      has_fluid(options.has_fluid),
+      cloth_drag(options.cloth_drag),
       balance_loads(options.balance_loads),
       contact(options.contact),
       gravity(options.gravity),
@@ -132,13 +141,14 @@ System<Dim>::System(MPI_Comm comm, const SystemOptions<Dim>& options, std::vecto
   positions.assign(all.begin() + cloths.begin(), all.begin() + cloths.end());
   velocities.assign(positions.size(), Point<Dim>::Zero());
   contact_loads.resize(bodies.size());
-  locate_cloth();
+  cloths.hold_at(positions);
+  locate_cloth(positions);
   if (options.fluid.initial == "couette") start_couette(*this);
 }
 
 template <int Dim>
-void System<Dim>::locate_cloth() {
-  transfer.locate(positions);
+void System<Dim>::locate_cloth(const Points<Dim>& places) {
+  transfer.locate(places);
   if (cloths.marker_count() == 0) return;
   WASH_PETSC(VecSet(density, fluid_density));
   transfer.spread_mass(cloths.marker_masses(), density);

@@ -16,8 +16,10 @@ template <int Dim>
 struct SystemOptions {
   GridOptions<Dim> grid;
   FluidOptions<Dim> fluid;
+  bool has_fluid = true;
+  double cloth_drag = 0;                    ///< without fluid: force per undeformed area and speed [kg/(m2 s)]
   Point<Dim> gravity = Point<Dim>::Zero();  ///< acts on the cloths' excess mass: p is measured from hydrostatic [m/s2]
-  std::vector<ClothGroup> cloths;
+  std::vector<ClothGroup<Dim>> cloths;
   std::vector<PlacementOptions<Dim>> placements;
   BodyTreatment treatment;
   bool balance_loads = false;  ///< whether loads are measured by the balance of momentum too
@@ -35,9 +37,9 @@ struct System {
   System(const System&) = delete;
   System& operator=(const System&) = delete;
 
-  /// Fixes spread and interpolate, and the density of water and cloth, at the markers' present places. Collective.
+  /// Fixes spread and interpolate, and the density of water and cloth, at these places of the markers. Collective.
   /// Errors: DivergedError if a marker has left the box.
-  void locate_cloth();
+  void locate_cloth(const Points<Dim>& places);
 
   Grid<Dim> grid;
   Boundary<Dim> boundary;
@@ -48,6 +50,8 @@ struct System {
   Transfer<Dim> transfer;
 
   double fluid_density;  ///< [kg/m3]
+  bool has_fluid;        ///< false: cloth alone
+  double cloth_drag;     ///< on cloth alone, force per undeformed area and speed [kg/(m2 s)]
   bool balance_loads;    ///< whether loads are measured by the balance of momentum too
   ContactOptions contact;
   Point<Dim> gravity;                             ///< [m/s2]
@@ -57,6 +61,8 @@ struct System {
   Points<Dim> velocities;                         ///< U^n [m/s]
   Loads<Dim> contact_loads;                       ///< of this rank's markers on each body in the last step
   Point<Dim> wall_reaction = Point<Dim>::Zero();  ///< part of the cloth's force that walls took in the last step [N]
+  double cloth_iterations = 0;                    ///< evaluations of the cloths' equations so far
+  double cloth_slip = 0;  ///< rms difference of cloth and water over the rms speed of cloth in the last step
 };
 
 extern template struct SystemOptions<2>;

@@ -11,6 +11,7 @@
 #include <petscdmda.h>
 #include <petscksp.h>
 #include <petscsf.h>
+#include <petscsnes.h>
 
 namespace washfsi::petsc {
 
@@ -84,6 +85,7 @@ using Dm = Handle<DM, DMDestroy>;
 using Vector = Handle<Vec, VecDestroy>;
 using Matrix = Handle<Mat, MatDestroy>;
 using Solver = Handle<KSP, KSPDestroy>;
+using NonlinearSolver = Handle<SNES, SNESDestroy>;
 using StarForest = Handle<PetscSF, PetscSFDestroy>;
 using NullSpace = Handle<MatNullSpace, MatNullSpaceDestroy>;
 using Layout = Handle<PetscLayout, PetscLayoutDestroy>;

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/simulation/cloth_solver.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "washfsi/support/errors.hpp"
+
+namespace washfsi {
+
+namespace {
+
+template <int Dim>
+void to_vector(const Points<Dim>& points, Vec vector) {
+  double* values = nullptr;
+  WASH_PETSC(VecGetArrayWrite(vector, &values));
+  for (const Point<Dim>& point : points) values = std::copy_n(point.data(), Dim, values);
+  values = nullptr;
+  WASH_PETSC(VecRestoreArrayWrite(vector, &values));
+}
+
+template <int Dim>
+Points<Dim> to_points(Vec vector, std::size_t count) {
+  const double* values = nullptr;
+  WASH_PETSC(VecGetArrayRead(vector, &values));
+  Points<Dim> points(count);
+  for (std::size_t m = 0; m < count; ++m) points[m] = Point<Dim>(values + m * Dim);
+  WASH_PETSC(VecRestoreArrayRead(vector, &values));
+  return points;
+}
+
+}  // namespace
+
+template <int Dim>
+void scale_and_shift(const std::vector<double>& row_factors, const std::vector<double>& diagonal, Mat matrix) {
+  const auto vector_of = [&](const std::vector<double>& values) {
+    petsc::Vector vector;
+    WASH_PETSC(MatCreateVecs(matrix, nullptr, vector.put()));
+    Points<Dim> points;
+    for (const double value : values) points.push_back(Point<Dim>::Constant(value));
+    to_vector<Dim>(points, vector);
+    return vector;
+  };
+  WASH_PETSC(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
+  WASH_PETSC(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
+  WASH_PETSC(MatDiagonalScale(matrix, vector_of(row_factors), nullptr));
+  WASH_PETSC(MatDiagonalSet(matrix, vector_of(diagonal), ADD_VALUES));
+}
+
+template <int Dim>
+ClothSolver<Dim>::ClothSolver(const Cloths<Dim>& cloths, const Points<Dim>& positions, const Defaults& defaults)
+    : cloths_(cloths), matrix_(cloths.stiffness_matrix()) {
+  WASH_PETSC(MatCreateVecs(matrix_, unknown_.put(), value_.put()));
+  WASH_PETSC(SNESCreate(cloths.comm(), solver_.put()));
+  WASH_PETSC(SNESSetOptionsPrefix(solver_, "cloth_"));
+  WASH_PETSC(SNESSetFunction(solver_, value_, &ClothSolver::evaluate, this));
+  set_default_solvers(defaults);
+  WASH_PETSC(SNESSetTolerances(solver_, 0, 1e-10, 1e-10, 60, 10000));
+  const petsc::MutedErrors muted;
+  try {
+    WASH_PETSC(SNESSetFromOptions(solver_));
+    set_up_linear_solver(positions);
+  } catch (const petsc::Error&) {
+    throw InputError("-cloth_...: the solver of the cloth cannot be set up with this (" + muted.message() + ")");
+  }
+  if (applies_matrix_free()) WASH_PETSC(MatCreateSNESMF(solver_, matrix_free_.put()));
+  const Mat jacobian = matrix_free_ ? matrix_free_ : matrix_;
+  WASH_PETSC(SNESSetJacobian(solver_, jacobian, matrix_, &ClothSolver::linearise, this));
+  PetscBool given = PETSC_FALSE;
+  WASH_PETSC(PetscOptionsHasName(nullptr, "cloth_", "-snes_atol", &given));
+  user_sets_atol_ = given == PETSC_TRUE;
+}
+
+// At once, so that all options are read, and wrong ones found, before the first step.
+template <int Dim>
+void ClothSolver<Dim>::set_up_linear_solver(const Points<Dim>& positions) {
+  cloths_.add_stiffness(positions, GeometricStiffness::of_tension, 1, matrix_);
+  const std::vector<double> ones(positions.size(), 1.0);
+  scale_and_shift<Dim>(ones, ones, matrix_);
+  KSP linear = nullptr;
+  WASH_PETSC(SNESGetKSP(solver_, &linear));
+  WASH_PETSC(KSPSetOperators(linear, matrix_, matrix_));
+  WASH_PETSC(KSPSetUp(linear));
+}
+
+// A direct solution, of all cloths by every rank: they are small, and the result does not depend on the ranks.
+template <int Dim>
+void ClothSolver<Dim>::set_default_solvers(const Defaults& defaults) {
+  const bool quasi_newton = std::string(defaults.type) == SNESQN;
+  WASH_PETSC(SNESSetType(solver_, defaults.type));
+  if (!quasi_newton) {
+    SNESLineSearch search = nullptr;
+    WASH_PETSC(SNESGetLineSearch(solver_, &search));
+    WASH_PETSC(SNESLineSearchSetType(search, SNESLINESEARCHSHELL));
+    WASH_PETSC(SNESLineSearchShellSetUserFunc(search, &ClothSolver::shorten, this));
+  }
+  if (quasi_newton) {
+    petsc::set_default_option("-cloth_snes_qn_type", "broyden");
+    petsc::set_default_option("-cloth_snes_qn_scale_type", "jacobian");
+    petsc::set_default_option("-cloth_snes_linesearch_type", "basic");
+  }
+  petsc::set_default_option("-cloth_pc_type", "redundant");
+  petsc::set_default_option("-cloth_redundant_pc_type", defaults.symmetric ? "cholesky" : "lu");
+  std::array<char, 64> type{};
+  WASH_PETSC(PetscOptionsGetString(nullptr, "cloth_", "-snes_type", type.data(), type.size(), nullptr));
+  const std::string chosen = type[0] ? type.data() : defaults.type;
+  const bool newton_on_other_matrix = quasi_newton && chosen != SNESQN;
+  petsc::set_default_option("-cloth_ksp_type", newton_on_other_matrix ? "gmres" : "preonly");
+  if (newton_on_other_matrix) petsc::set_default_option("-cloth_ksp_rtol", "1e-2");
+}
+
+// Newton's method where the assembled matrix is not the Jacobian itself.
+template <int Dim>
+bool ClothSolver<Dim>::applies_matrix_free() const {
+  std::array<char, 64> type{};
+  WASH_PETSC(PetscOptionsGetString(nullptr, "cloth_", "-ksp_type", type.data(), type.size(), nullptr));
+  return std::string(type.data()) != KSPPREONLY;
+}
+
+template <int Dim>
+PetscErrorCode ClothSolver<Dim>::evaluate(SNES solver, Vec x, Vec f, void* context) {
+  auto& self = *static_cast<ClothSolver*>(context);
+  return petsc::guarded([&] {
+    ++self.evaluations_;
+    try {
+      to_vector<Dim>((*self.residual_)(to_points<Dim>(x, self.cloths_.owned())), f);
+    } catch (const DivergedError&) {
+      self.failure_ = std::current_exception();
+      WASH_PETSC(VecSet(f, 0));
+      WASH_PETSC(SNESSetFunctionDomainError(solver));
+    }
+  });
+}
+
+// How fast the potential falls along Newton's direction. Where the matrix was not positive definite and it rises, the
+// direction is found anew with one that is.
+template <int Dim>
+double ClothSolver<Dim>::slope_towards_descent(Vec x, Vec f, Vec direction) {
+  double slope = 0;
+  WASH_PETSC(VecDot(f, direction, &slope));
+  if (slope > 0) return slope;
+  geometric_ = GeometricStiffness::of_tension;
+  KSP linear = nullptr;
+  WASH_PETSC(SNESGetKSP(solver_, &linear));
+  WASH_PETSC(SNESComputeJacobian(solver_, x, matrix_, matrix_));
+  WASH_PETSC(KSPSetOperators(linear, matrix_, matrix_));
+  WASH_PETSC(KSPSolve(linear, f, direction));
+  WASH_PETSC(VecDot(f, direction, &slope));
+  return slope;
+}
+
+// A step along Newton's direction: the whole of it, or a half, a quarter ... of it, the first that lowers the potential
+// or, near the solution, where differences of the potential drown in round-off, the residual.
+template <int Dim>
+PetscErrorCode ClothSolver<Dim>::shorten(SNESLineSearch search, void* context) {
+  auto& self = *static_cast<ClothSolver*>(context);
+  return petsc::guarded([&] {
+    constexpr double sufficient = 1e-4;
+    constexpr int most_halvings = 30;
+    Vec x = nullptr, f = nullptr, direction = nullptr, trial = nullptr;
+    WASH_PETSC(SNESLineSearchGetVecs(search, &x, &f, &direction, &trial, nullptr));
+    const auto potential_at = [&](Vec place) {
+      return (*self.potential_)(to_points<Dim>(place, self.cloths_.owned()));
+    };
+    double norm = 0, part = 1;
+    WASH_PETSC(VecNorm(f, NORM_2, &norm));
+    const double slope = self.slope_towards_descent(x, f, direction);
+    const double before = potential_at(x);
+    for (int n = 0; n < most_halvings; ++n, part *= 0.5) {
+      WASH_PETSC(VecWAXPY(trial, -part, direction, x));
+      WASH_PETSC(SNESComputeFunction(self.solver_, trial, f));
+      double trial_norm = 0;
+      WASH_PETSC(VecNorm(f, NORM_2, &trial_norm));
+      if (trial_norm <= (1 - sufficient * part) * norm || potential_at(trial) <= before - sufficient * part * slope) {
+        WASH_PETSC(VecCopy(trial, x));
+        WASH_PETSC(VecScale(direction, part));
+        WASH_PETSC(SNESLineSearchSetLambda(search, part));
+        WASH_PETSC(SNESLineSearchSetReason(search, SNES_LINESEARCH_SUCCEEDED));
+        WASH_PETSC(SNESLineSearchComputeNorms(search));
+        self.geometric_ = part == 1 ? GeometricStiffness::all : GeometricStiffness::of_tension;
+        return;
+      }
+    }
+    WASH_PETSC(SNESLineSearchSetReason(search, SNES_LINESEARCH_FAILED_REDUCT));
+  });
+}
+
+template <int Dim>
+PetscErrorCode ClothSolver<Dim>::linearise(SNES, Vec x, Mat jacobian, Mat matrix, void* context) {
+  auto& self = *static_cast<ClothSolver*>(context);
+  return petsc::guarded([&] {
+    WASH_PETSC(MatZeroEntries(matrix));
+    (*self.assemble_)(to_points<Dim>(x, self.cloths_.owned()), self.geometric_, matrix);
+    if (jacobian == matrix) return;
+    WASH_PETSC(MatAssemblyBegin(jacobian, MAT_FINAL_ASSEMBLY));
+    WASH_PETSC(MatAssemblyEnd(jacobian, MAT_FINAL_ASSEMBLY));
+  });
+}
+
+template <int Dim>
+PetscInt ClothSolver<Dim>::solve(const Residual& residual, const Assemble& assemble, const Potential& potential,
+                                 double tolerance, Points<Dim>& velocities) {
+  potential_ = &potential;
+  residual_ = &residual;
+  assemble_ = &assemble;
+  geometric_ = GeometricStiffness::of_tension;
+  failure_ = nullptr;
+  evaluations_ = 0;
+  double atol = 0, rtol = 0, stol = 0;
+  PetscInt most_iterations = 0, most_evaluations = 0;
+  WASH_PETSC(SNESGetTolerances(solver_, &atol, &rtol, &stol, &most_iterations, &most_evaluations));
+  if (!user_sets_atol_)
+    WASH_PETSC(SNESSetTolerances(solver_, std::max(tolerance, 1e-300), rtol, stol, most_iterations, most_evaluations));
+  to_vector<Dim>(velocities, unknown_);
+  WASH_PETSC(SNESSolve(solver_, nullptr, unknown_));
+  if (failure_) std::rethrow_exception(failure_);
+  SNESConvergedReason reason = SNES_CONVERGED_ITERATING;
+  WASH_PETSC(SNESGetConvergedReason(solver_, &reason));
+  if (reason < 0)
+    throw DivergedError(std::string("cloth: its equations could not be solved (") + SNESConvergedReasons[reason] +
+                        "); a shorter step may help");
+  velocities = to_points<Dim>(unknown_, cloths_.owned());
+  return evaluations_;
+}
+
+template void scale_and_shift<2>(const std::vector<double>&, const std::vector<double>&, Mat);
+template void scale_and_shift<3>(const std::vector<double>&, const std::vector<double>&, Mat);
+template class ClothSolver<2>;
+template class ClothSolver<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <exception>
+#include <functional>
+
+#include "washfsi/cloth/cloths.hpp"
+
+namespace washfsi {
+
+/// Solves for the velocities of all markers: a SNES with the options prefix cloth_, whose Jacobian, or the
+/// preconditioner of it, is a sparse matrix of the cloths' lattice.
+template <int Dim>
+class ClothSolver {
+ public:
+  /// The equation's left side at given velocities, one value per marker of this rank. Collective.
+  using Residual = std::function<Points<Dim>(const Points<Dim>& velocities)>;
+  /// Adds its Jacobian, or something near it, to a matrix of zeros. Collective.
+  using Assemble = std::function<void(const Points<Dim>& velocities, GeometricStiffness geometric, Mat matrix)>;
+
+  /// A function whose gradient the residual is, for the line search. Collective.
+  using Potential = std::function<double(const Points<Dim>& velocities)>;
+
+  /// What is solved unless the user chooses otherwise.
+  struct Defaults {
+    SNESType type;   ///< newtonls: the matrix is the Jacobian; qn: it is where the quasi-Newton matrix starts from
+    bool symmetric;  ///< whether the matrix is symmetric positive definite: Cholesky instead of LU
+  };
+  /// `positions` are any that the cloths may have. Collective. Errors: InputError.
+  ClothSolver(const Cloths<Dim>& cloths, const Points<Dim>& positions, const Defaults& defaults);
+  ClothSolver(const ClothSolver&) = delete;
+  ClothSolver& operator=(const ClothSolver&) = delete;
+
+  /// Solves residual = 0 until its 2-norm over all markers is below `tolerance`; `velocities` holds a guess, then the
+  /// solution. With a potential, Newton's steps are shortened until they lower it or the residual; far from the
+  /// solution the matrix leaves the geometric stiffness of compressed edges out, so that they can. Returns the number
+  /// of evaluations of the residual. Collective. Errors: DivergedError.
+  PetscInt solve(const Residual& residual, const Assemble& assemble, const Potential& potential, double tolerance,
+                 Points<Dim>& velocities);
+
+ private:
+  static PetscErrorCode evaluate(SNES solver, Vec x, Vec f, void* self);
+  double slope_towards_descent(Vec x, Vec f, Vec direction);
+  static PetscErrorCode shorten(SNESLineSearch search, void* self);
+  static PetscErrorCode linearise(SNES solver, Vec x, Mat jacobian, Mat preconditioner, void* self);
+  void set_up_linear_solver(const Points<Dim>& positions);
+  void set_default_solvers(const Defaults& defaults);
+  bool applies_matrix_free() const;
+
+  const Cloths<Dim>& cloths_;
+  petsc::NonlinearSolver solver_;
+  petsc::Matrix matrix_, matrix_free_;
+  petsc::Vector unknown_, value_;
+  const Residual* residual_ = nullptr;  ///< during `solve`
+  const Assemble* assemble_ = nullptr;
+  const Potential* potential_ = nullptr;
+  GeometricStiffness geometric_ = GeometricStiffness::of_tension;
+  std::exception_ptr failure_;  ///< of the physics, thrown in a callback: it must not cross PETSc's frames
+  PetscInt evaluations_ = 0;
+  bool user_sets_atol_ = false;
+};
+
+/// Ends the assembly of a matrix M of the cloths' lattice and makes it  diag(row_factors) M + diag(diagonal), with one
+/// value per marker. Collective.
+template <int Dim>
+void scale_and_shift(const std::vector<double>& row_factors, const std::vector<double>& diagonal, Mat matrix);
+
+extern template class ClothSolver<2>;
+extern template class ClothSolver<3>;
+
+}  // namespace washfsi

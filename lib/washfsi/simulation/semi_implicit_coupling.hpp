@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The incremental semi-implicit step: one elastic solve and two projections, backward Euler in the stiff part. H is the
+// fluid's share of each face, F the force of elasticity and of the holding springs, V the markers' velocity.
+//   1. spread      S, J, rho at X^n + dt/2 V^n;  f = S (F(X^n) + weight, loads, contact)
+//   2. fluid       u, p by the fractional step with f
+//   3. markers     U = J [H u + (1-H) u_solid]
+//   4. mobility    D = factor times the row sums of J H S / rho: a diagonal that bounds the true mobility of the
+//                  markers, cloths that lie on each other included. Stable for any step if factor >= 3/4
+//   5. elasticity  D^-1 (V - U) - dt [F(X^n + dt V) - F] = 0, by Newton's method with the Jacobian D^-1 + dt^2 K,
+//                  K without the geometric stiffness of compressed edges while that is far from the solution
+//   6. correction  f' = H S [F(X^n + dt V) - F]: u += dt f'/rho, projected;  F = F(X^n + dt V)
+//   7. slip        |V - J u| / |V|; above a tolerance 5 and 6 again with U = J u, a few times at most
+//   8. markers     X^(n+1) = X^n + dt V
+// Backward Euler damps as a Kelvin-Voigt time between dt and 2 dt does; -..._damping is not used.
+#pragma once
+
+#include "washfsi/simulation/cloth_solver.hpp"
+#include "washfsi/simulation/coupling_scheme.hpp"
+
+namespace washfsi {
+
+template <int Dim>
+class SemiImplicitCoupling : public CouplingScheme<Dim> {
+ public:
+  SemiImplicitCoupling(const System<Dim>& system, const CouplingOptions& options);
+  void advance(System<Dim>& system, double dt) override;
+  double step_bound(const System<Dim>& system) const override;
+
+ private:
+  std::vector<double> inverse_mobility(const System<Dim>& system) const;
+  Points<Dim> move_elastically(System<Dim>& system, double dt, const Points<Dim>& free_velocities,
+                               const Points<Dim>& forces, const std::vector<double>& inverse_mobility);
+  double slip(const System<Dim>& system, const Points<Dim>& interpolated) const;
+
+  CouplingOptions options_;
+  ClothSolver<Dim> solver_;
+  Points<Dim> velocities_;  ///< V of the step under way
+};
+
+}  // namespace washfsi

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "support/fibre_in_water.hpp"
+#include "washfsi/support/collective.hpp"
+
+namespace washfsi::test {
+namespace {
+
+// A crumpled fibre without mass in still water, by the explicit coupling at half its bound: the energy stays below that
+// of the start, and its mean over each tenth of the run falls.
+TEST(Conservation, ExplicitCouplingDoesNotGainEnergy) {
+  SystemOptions<2> options = fibre_in_water(0, 0);
+  options.fluid.momentum_tolerance = 1e-8;
+  options.fluid.pressure_tolerance = 1e-8;
+  options.cloths[0].shape = "crumpled";
+  options.cloths[0].fibre.kb = 0.01;
+  System<2> system(PETSC_COMM_WORLD, options, {});
+  const double dt = 0.5 * cloth_step_bound<2>(system), before = total_energy(system);
+  const auto scheme = make_coupling_scheme<2>({}, system);
+  constexpr int periods = 10, steps = 1000;
+  double mean_before = before;
+  for (int period = 0; period < periods; ++period) {
+    double mean = 0;
+    for (int n = 0; n < steps; ++n) {
+      scheme->advance(system, dt);
+      const double energy = total_energy(system);
+      ASSERT_LT(energy, 1.01 * before) << "step " << period * steps + n;
+      mean += energy / steps;
+    }
+    EXPECT_LT(mean, mean_before) << "period " << period;
+    mean_before = mean;
+  }
+}
+
+// Width less height, and area, of a closed fibre whose markers go round once.
+struct Ring {
+  double eccentricity, area;
+};
+
+Ring ring(const System<2>& system) {
+  const auto count = static_cast<std::size_t>(system.cloths.marker_count());
+  std::vector<double> places(2 * count, 0.0);
+  for (std::size_t m = 0; m < system.positions.size(); ++m)
+    for (std::size_t d = 0; d < 2; ++d)
+      places[2 * (m + static_cast<std::size_t>(system.cloths.begin())) + d] = system.positions[m][static_cast<int>(d)];
+  places = ordered_sum(system.grid.comm(), places);
+  Ring result{0, 0};
+  for (std::size_t k = 0; k < count; ++k) {
+    const Point<2> here(&places[2 * k]), next(&places[2 * ((k + 1) % count)]);
+    result.area += 0.5 * cross<2>(here, next)[0];
+    result.eccentricity += std::abs(here[0] - 0.5) - std::abs(here[1] - 0.5);
+  }
+  return result;
+}
+
+// A stretched ellipse 2:1 swings about a circle: no water passes through the fibre.
+TEST(Conservation, AClosedFibreKeepsItsArea) {
+  SystemOptions<2> options = fibre_in_water(0, 0);
+  options.grid.shape.cells = {64, 64};
+  options.grid.shape.upper = {1, 1};
+  options.fluid.viscosity = 0.6;
+  options.fluid.momentum_tolerance = 1e-8;
+  options.fluid.pressure_tolerance = 1e-8;
+  auto& group = options.cloths[0];
+  group.shape = "ellipse";
+  group.markers = 186;  // ds = h/2 along the ellipse at the start
+  group.size = 0.8 * 1.4533;
+  group.fibre.closed = true;
+  group.fibre.spacing = group.size / 186;
+  group.fibre.ke = 100;
+  group.fibre.kb = 0;
+  options.placements[0].center = {0.5, 0.5};
+  options.placements[0].shape.semi_axes[0] = 0.3;
+  options.placements[0].shape.semi_axes[1] = 0.15;
+  System<2> system(PETSC_COMM_WORLD, options, {});
+  const double dt = 0.5 * cloth_step_bound<2>(system);
+  const auto scheme = make_coupling_scheme<2>({}, system);
+  const Ring start = ring(system);
+  EXPECT_NEAR(start.area, 0.3 * 0.15 * std::numbers::pi, 1e-3 * start.area);
+  int crossings = 0;
+  double sign = 1, drift = 0;
+  constexpr int enough = 20, most_steps = 20000;  // ten oscillations
+  int steps = 0;
+  for (; steps < most_steps && crossings < enough; ++steps) {
+    scheme->advance(system, dt);
+    const Ring now = ring(system);
+    drift = std::max(drift, std::abs(now.area / start.area - 1));
+    if (sign * now.eccentricity >= 0) continue;
+    sign = -sign;
+    ++crossings;
+  }
+  RecordProperty("drift", std::to_string(drift));
+  EXPECT_EQ(crossings, enough);
+  EXPECT_LT(drift, 0.005);
+}
+
+}  // namespace
+}  // namespace washfsi::test

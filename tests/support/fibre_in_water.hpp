@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/fluid/diagnostics.hpp"
+#include "washfsi/simulation/coupling_scheme.hpp"
+
+namespace washfsi::test {
+
+/// One fibre of 20 markers in a periodic box of water, 32 x 32 cells of 1 cm.
+inline SystemOptions<2> fibre_in_water(double excess_mass, double damping) {
+  SystemOptions<2> options;
+  options.grid.shape.cells = {32, 32};
+  options.grid.shape.upper = {0.32, 0.32};
+  options.grid.shape.periodic = {true, true};
+  for (auto& axis : options.grid.sides)
+    for (auto& side : axis) side.kind = BoundaryKind::periodic;
+  options.fluid.viscosity = 0.5;
+  options.fluid.momentum_tolerance = 1e-13;
+  options.fluid.pressure_tolerance = 1e-12;
+  ClothGroup<2> group;
+  group.name = "fibre";
+  group.count = 1;
+  group.markers = 20;
+  group.size = 0.2;
+  group.excess_mass = excess_mass;
+  group.fibre = {.spacing = 0.01, .ke = 1000, .kb = 1e-4, .damping = damping, .thickness = 1e-3, .closed = false};
+  options.cloths = {group};
+  PlacementOptions<2> placement;
+  placement.center = {0.16, 0.16};
+  options.placements = {placement};
+  return options;
+}
+
+/// Bends and stretches the fibre at rest.
+inline void disturb(System<2>& system, double size) {
+  for (std::size_t m = 0; m < system.positions.size(); ++m) {
+    const double s = (static_cast<double>(m) + static_cast<double>(system.cloths.begin())) / 20;
+    system.positions[m] += size * Point<2>(std::sin(9 * s), std::cos(7 * s) + std::sin(17 * s));
+  }
+}
+
+inline double total_energy(const System<2>& system) {
+  const auto flow = FlowDiagnostics<2>::of(system.grid, system.boundary, system.fluid.velocity(), system.density, 0, 1);
+  return flow.kinetic_energy + system.cloths.elastic_energies(system.positions)[0];
+}
+
+}  // namespace washfsi::test
