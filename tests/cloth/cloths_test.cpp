@@ -41,12 +41,14 @@ void expect_same_as_undistributed(const std::string& model, bool closed = false)
   mine.hold_at(part(anchors));
   const Points<2> whole = all.elastic_forces(x), forces = mine.elastic_forces(part(x));
   const Points<2> whole_damping = all.damping_forces(x, u), damping = mine.damping_forces(part(x), part(u));
-  const std::vector<double> whole_stress = all.stresses(x), stress = mine.stresses(part(x));
+  const std::vector<MarkerState> whole_states = all.marker_states(x), states = mine.marker_states(part(x));
   for (std::size_t m = 0; m < mine.owned(); ++m) {
     const std::size_t global = m + static_cast<std::size_t>(mine.begin());
     EXPECT_EQ(forces[m], whole[global]);
     EXPECT_EQ(damping[m], whole_damping[global]);
-    EXPECT_EQ(stress[m], whole_stress[global]);
+    EXPECT_EQ(states[m].membrane_stress, whole_states[global].membrane_stress);
+    EXPECT_EQ(states[m].bending_stress, whole_states[global].bending_stress);
+    EXPECT_EQ(states[m].stretch, whole_states[global].stretch);
   }
   const std::vector<double> energies = mine.elastic_energies(part(x)), whole_energies = all.elastic_energies(x);
   for (std::size_t g = 0; g < 2; ++g) EXPECT_NEAR(energies[g], whole_energies[g], 1e-12 * whole_energies[g]);

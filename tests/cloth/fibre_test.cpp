@@ -170,9 +170,26 @@ TEST(LoveFibre, AgreesWithTheEnergyFormForSmallDeflections) {
 TEST(FibreStress, OfAUniformlyStretchedFibreIsItsTensionOverThickness) {
   Points<2> x;
   for (int k = 0; k < 8; ++k) x.emplace_back(0.1 * 1.02 * k, 0);
-  const std::vector<double> stress = stresses<2>(soft, x);
+  const std::vector<MarkerState> states = marker_states<2>(soft, x);
   const double tension = soft.ke * 0.5 * (1.02 * 1.02 - 1);
-  for (std::size_t k = 1; k < 7; ++k) EXPECT_NEAR(stress[k], tension / soft.thickness, 1e-9 * tension / soft.thickness);
+  for (std::size_t k = 1; k < 7; ++k) {
+    EXPECT_NEAR(states[k].membrane_stress, tension / soft.thickness, 1e-9 * tension / soft.thickness);
+    EXPECT_NEAR(states[k].stretch, 0.02, 1e-12);
+    EXPECT_NEAR(states[k].bending_stress, 0, 1e-9 * tension / soft.thickness);
+  }
+}
+
+TEST(FibreStress, OfACircleIsItsMomentAtTheSurface) {
+  constexpr double radius = 2;
+  Points<2> x;
+  const double angle = 2 * std::asin(0.5 * soft.spacing / radius);  // chords of one spacing
+  for (int k = 0; k < 8; ++k) x.emplace_back(radius * std::cos(angle * k), radius * std::sin(angle * k));
+  const std::vector<MarkerState> states = marker_states<2>(soft, x);
+  for (std::size_t k = 1; k < 7; ++k) {
+    EXPECT_NEAR(states[k].curvature, 1 / radius, 1e-9);
+    EXPECT_NEAR(states[k].bending_stress, 6 * soft.kb / radius / (soft.thickness * soft.thickness), 1e-3);
+    EXPECT_NEAR(states[k].membrane_stress, 0, 1e-6);
+  }
 }
 
 }  // namespace

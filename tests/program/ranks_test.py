@@ -9,20 +9,28 @@ NOT_PHYSICAL = {"step", "dt", "max_divergence"}
 
 
 class Ranks(ProgramTest):
-    def history(self, ranks):
+    def history(self, ranks, *options):
         """Runs 0.1 s of wash2d and returns the columns of its history."""
-        self.run_well(ranks, "-options_file", WASH, "-time_end", 0.1, *TIGHT, "-output_dir", f"on_{ranks}")
+        self.run_well(ranks, "-options_file", WASH, "-time_end", 0.1, *TIGHT, *options, "-output_dir", f"on_{ranks}")
         return read_columns(self.folder / f"on_{ranks}" / "history.csv")
+
+    def assert_same(self, history, expected, **which):
+        """Compares all that is physical, to 1e-6 of each column's largest number."""
+        self.assertEqual(history.keys(), expected.keys())
+        for name in expected.keys() - NOT_PHYSICAL:
+            with self.subTest(column=name, **which):
+                self.assertLess(relative_difference(history[name], expected[name]), 1e-6)
 
     def test_history_agrees_on_one_to_four_ranks(self):
         expected = self.history(1)
         self.assertEqual(len(expected["step"]), 1000)
         for ranks in (2, 3, 4):
-            history = self.history(ranks)
-            self.assertEqual(history.keys(), expected.keys())
-            for name in expected.keys() - NOT_PHYSICAL:
-                with self.subTest(ranks=ranks, column=name):
-                    self.assertLess(relative_difference(history[name], expected[name]), 1e-6)
+            self.assert_same(self.history(ranks), expected, ranks=ranks)
+
+    def test_history_of_couplings_that_solve_agrees_on_one_and_three_ranks(self):
+        for coupling in ("semi_implicit", "implicit"):
+            options = ("-cloth_coupling", coupling, "-time_step", 1e-3, "-cloth_tolerance", 1e-10)
+            self.assert_same(self.history(3, *options), self.history(1, *options), coupling=coupling)
 
 
 if __name__ == "__main__":

@@ -79,6 +79,21 @@ class Restart(ProgramTest):
                 self.assert_close_results(self.restart(ranks))
 
 
+class RestartOfCouplings(ProgramTest):
+    """Whatever couples cloth and water, the checkpoint holds all that it needs."""
+
+    def test_restarts_agree_with_the_straight_run(self):
+        for coupling in ("midpoint", "semi_implicit", "implicit"):
+            case = [*CASE, "-cloth_coupling", coupling, "-time_step", 2e-4 if coupling == "midpoint" else 1e-3]
+            straight, half = self.folder / f"{coupling}_straight", self.folder / f"{coupling}_half"
+            self.run_well(2, *case, "-time_end", 0.04, "-output_dir", straight)
+            self.run_well(2, *case, "-time_end", 0.02, "-output_dir", half)
+            self.run_well(2, *case, "-time_end", 0.04, "-restart", half / "checkpoint.h5", "-output_dir", half)
+            for name in ("history.csv", "tracks.csv"):
+                with self.subTest(coupling=coupling, name=name):
+                    self.assertEqual((straight / name).read_text(), (half / name).read_text())
+
+
 class RestartOfOpenSides(ProgramTest):
     """What the open sides hold belongs to the state."""
 

@@ -53,7 +53,8 @@ Loads<Dim> wall_loads(const Grid<Dim>& grid, const Boundary<Dim>& boundary, cons
   const Point<Dim> middle = 0.5 * (grid.lower() + grid.upper());
   Loads<Dim> loads(sides.size());
   for (std::size_t s = 0; s < sides.size(); ++s) {
-    const auto [axis, end] = sides[s];
+    const int axis = sides[s].axis;  // names of their own, since a lambda takes them
+    const End end = sides[s].end;
     const double spacing = grid.spacing()[axis], area = grid.cell_volume() / spacing;
     const bool slips = boundary.side(axis, end).kind == BoundaryKind::slip;
     for_each<Dim>(grid.cells_beside(axis, end), [&](const Index<Dim>& cell) {

@@ -194,11 +194,11 @@ void Cloths<Dim>::add_stiffness(const Points<Dim>& positions, GeometricStiffness
 }
 
 template <int Dim>
-std::vector<double> Cloths<Dim>::stresses(const Points<Dim>& positions) const {
+std::vector<MarkerState> Cloths<Dim>::marker_states(const Points<Dim>& positions) const {
   const Points<Dim> x = with_halo(positions);
-  std::vector<double> result(owned());
+  std::vector<MarkerState> result(owned());
   for (const Part& part : parts_) {
-    const std::vector<double> values = washfsi::stresses<Dim>(groups_[part.group].fibre, visible(x, part));
+    const std::vector<MarkerState> values = washfsi::marker_states<Dim>(groups_[part.group].fibre, visible(x, part));
     for (std::size_t i = part.own_begin; i < part.own_end; ++i) result[part.own_first + i - part.own_begin] = values[i];
   }
   return result;

@@ -67,8 +67,8 @@ class Cloths {
   /// be assembled afterwards. Collective.
   void add_stiffness(const Points<Dim>& positions, GeometricStiffness geometric, double factor, Mat matrix) const;
 
-  /// Stress at each of this rank's markers [Pa]. Collective.
-  std::vector<double> stresses(const Points<Dim>& positions) const;
+  /// Stress and deformation at each of this rank's markers. Collective.
+  std::vector<MarkerState> marker_states(const Points<Dim>& positions) const;
   /// Energy of elasticity and of the holding springs of each group [J; per unit depth in the plane]. Collective.
   std::vector<double> elastic_energies(const Points<Dim>& positions) const;
   /// Largest stretch |X_s| - 1 of any edge in each group. Collective.

@@ -93,17 +93,21 @@ double elastic_energy(const Fibre& fibre, std::span<const Point<Dim>> positions,
 }
 
 template <int Dim>
-std::vector<double> stresses(const Fibre& fibre, std::span<const Point<Dim>> positions) {
+std::vector<MarkerState> marker_states(const Fibre& fibre, std::span<const Point<Dim>> positions) {
   const auto& x = positions;
   const double q = fibre.thickness;
   const std::vector<double> tension = tensions<Dim>(fibre, x);
-  std::vector<double> result(x.size());
+  const auto stretch = [&](std::size_t k) { return std::abs((x[k + 1] - x[k]).norm() / fibre.spacing - 1); };
+  std::vector<MarkerState> result(x.size());
   for (std::size_t k = 0; k < x.size(); ++k) {
     // tension and moment vanish at the free ends, half a spacing beyond the last markers
-    const double before = k > 0 ? tension[k - 1] : 0, after = k + 1 < x.size() ? tension[k] : 0;
-    const bool inner = k > 0 && k + 1 < x.size();
-    const double moment = inner ? fibre.kb * second_difference<Dim>(x, k, fibre.spacing).norm() : 0;
-    result[k] = 0.5 * std::abs(before + after) / q + 6 * moment / (q * q);
+    const bool has_before = k > 0, has_after = k + 1 < x.size();
+    const double pull = (has_before ? tension[k - 1] : 0) + (has_after ? tension[k] : 0);
+    result[k].membrane_stress = 0.5 * std::abs(pull) / q;
+    result[k].stretch = 0.5 * ((has_before ? stretch(k - 1) : 0) + (has_after ? stretch(k) : 0));
+    if (!has_before || !has_after) continue;
+    result[k].curvature = second_difference<Dim>(x, k, fibre.spacing).norm();
+    result[k].bending_stress = 6 * fibre.kb * result[k].curvature / (q * q);
   }
   return result;
 }
@@ -120,7 +124,7 @@ template void add_energy_stiffness<2>(const Fibre&, std::span<const Point<2>>, G
 template void add_energy_stiffness<3>(const Fibre&, std::span<const Point<3>>, GeometricStiffness, const AddBlock<3>&);
 template double elastic_energy<2>(const Fibre&, std::span<const Point<2>>, std::size_t, std::size_t);
 template double elastic_energy<3>(const Fibre&, std::span<const Point<3>>, std::size_t, std::size_t);
-template std::vector<double> stresses<2>(const Fibre&, std::span<const Point<2>>);
-template std::vector<double> stresses<3>(const Fibre&, std::span<const Point<3>>);
+template std::vector<MarkerState> marker_states<2>(const Fibre&, std::span<const Point<2>>);
+template std::vector<MarkerState> marker_states<3>(const Fibre&, std::span<const Point<3>>);
 
 }  // namespace washfsi

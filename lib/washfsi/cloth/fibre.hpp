@@ -69,8 +69,16 @@ void add_love_forces(const Fibre& fibre, std::span<const Point<2>> positions, st
 template <int Dim>
 double elastic_energy(const Fibre& fibre, std::span<const Point<Dim>> positions, std::size_t first, std::size_t last);
 
-/// |T|/q + 6 |M|/q^2 at each marker [Pa]: membrane stress plus the bending stress at the surface (5.2-2).
+/// What a marker bears. The stress at the surface of the cloth is the sum of both (5.2-2).
+struct MarkerState {
+  double membrane_stress = 0;  ///< |T|/q, T the mean of the two edges beside, zero beyond an end [Pa]
+  double bending_stress = 0;   ///< 6 |M|/q^2 [Pa]
+  double stretch = 0;          ///< mean of | |X_s| - 1 | of the edges beside
+  double curvature = 0;        ///< |X_ss| [1/m]
+};
+
+/// The state at each marker.
 template <int Dim>
-std::vector<double> stresses(const Fibre& fibre, std::span<const Point<Dim>> positions);
+std::vector<MarkerState> marker_states(const Fibre& fibre, std::span<const Point<Dim>> positions);
 
 }  // namespace washfsi

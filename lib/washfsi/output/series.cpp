@@ -172,7 +172,9 @@ void ClothSeries<Dim>::write(double time, long step, const Points<Dim>& position
   const petsc::LogPart part("output");
   const Slab vector = marker_slab(cloths_.marker_count(), cloths_.begin(), cloths_.end(), 3);
   const Slab scalar = marker_slab(cloths_.marker_count(), cloths_.begin(), cloths_.end(), 1);
-  const std::vector<double> stress = cloths_.stresses(positions);
+  std::vector<double> stress;
+  for (const MarkerState& state : cloths_.marker_states(positions))
+    stress.push_back(state.membrane_stress + state.bending_stress);
   file_.add(
       time, step,
       [&](Hdf5File& file, const std::string& group) {

@@ -106,7 +106,8 @@ void write_checkpoint(const std::string& folder, const System<Dim>& system, Meas
   if (system.cloths.marker_count() > 0) {
     file.write("/cloth/position", slab_of_markers(system.cloths, Dim), flattened<Dim>(system.positions));
     file.write("/cloth/velocity", slab_of_markers(system.cloths, Dim), flattened<Dim>(system.velocities));
-    file.write("/cloth/stress_time", slab_of_markers(system.cloths, 1), measures.stress_time());
+    file.write("/cloth/time_integrals", slab_of_markers(system.cloths, ClothMeasures<Dim>::marker_sums),
+               measures.cloth().time_integrals());
   }
   const std::vector<double> numbers = identity(system);
   file.write("/identity", shared_slab(comm, numbers.size(), true), numbers);
@@ -137,11 +138,13 @@ RunState read_checkpoint(const std::string& path, System<Dim>& system, Measures<
     if (system.cloths.marker_count() > 0) {
       system.positions = read_points(file, "/cloth/position", system.cloths);
       system.velocities = read_points(file, "/cloth/velocity", system.cloths);
-      measures.stress_time() = file.read("/cloth/stress_time", slab_of_markers(system.cloths, 1));
+      measures.cloth().time_integrals() =
+          file.read("/cloth/time_integrals", slab_of_markers(system.cloths, ClothMeasures<Dim>::marker_sums));
     }
     measures.set_totals(file.read("/totals", shared_slab(comm, measures.totals_count(), false)));
     system.locate_cloth(system.positions);
     system.fluid.set_time(file.attribute("/", "time"));
+    system.mask.update(system.fluid.time());
     system.fluid.set_last_step(file.attribute("/", "last_step"));
     system.cloth_iterations = file.attribute("/", "cloth_iterations");
     system.fluid.set_counts({.momentum = file.attribute("/", "momentum_iterations"),

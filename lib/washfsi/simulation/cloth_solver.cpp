@@ -198,10 +198,23 @@ PetscErrorCode ClothSolver<Dim>::linearise(SNES, Vec x, Mat jacobian, Mat matrix
   });
 }
 
+// A quasi-Newton method would go on with the matrix of the step before, which a restarted run does not know.
+template <int Dim>
+void ClothSolver<Dim>::forget_last_solve() {
+  SNESType type = nullptr;
+  WASH_PETSC(SNESGetType(solver_, &type));
+  const std::string name = type;
+  if (name != SNESQN) return;
+  WASH_PETSC(SNESSetType(solver_, SNESKSPONLY));
+  WASH_PETSC(SNESSetType(solver_, name.c_str()));
+  WASH_PETSC(SNESSetFromOptions(solver_));
+}
+
 template <int Dim>
 PetscInt ClothSolver<Dim>::solve(const Residual& residual, const Assemble& assemble, const Potential& potential,
                                  double tolerance, Points<Dim>& velocities) {
   potential_ = &potential;
+  forget_last_solve();
   residual_ = &residual;
   assemble_ = &assemble;
   geometric_ = GeometricStiffness::of_tension;

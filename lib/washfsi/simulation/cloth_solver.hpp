@@ -46,6 +46,7 @@ class ClothSolver {
   void set_up_linear_solver(const Points<Dim>& positions);
   void set_default_solvers(const Defaults& defaults);
   bool applies_matrix_free() const;
+  void forget_last_solve();
 
   const Cloths<Dim>& cloths_;
   petsc::NonlinearSolver solver_;

@@ -37,11 +37,9 @@ Points<Dim> ImplicitCoupling<Dim>::fluid_step(System<Dim>& system, double dt, co
 template <int Dim>
 double ImplicitCoupling<Dim>::tolerance(const System<Dim>& system) const {
   double speed = 0;
-  for (const Vec velocity : {system.fluid.velocity(), system.fluid.next_velocity()}) {
-    double largest = 0;
-    WASH_PETSC(VecNorm(velocity, NORM_INFINITY, &largest));
-    speed = std::max(speed, largest);
-  }
+  // at the start, when all is at rest, that after a first trial
+  const Vec velocity = system.fluid.last_step() > 0 ? system.fluid.velocity() : system.fluid.next_velocity();
+  WASH_PETSC(VecNorm(velocity, NORM_INFINITY, &speed));
   speed = std::max(speed, system.boundary.largest_speed(system.fluid.time()));
   return options_.tolerance * speed * std::sqrt(static_cast<double>(system.cloths.marker_count()));
 }
@@ -69,7 +67,7 @@ void ImplicitCoupling<Dim>::advance(System<Dim>& system, double dt) {
     scale_and_shift<Dim>(mobility, std::vector<double>(mobility.size(), 1.0), matrix);
   };
   Points<Dim> velocities = system.velocities;
-  if (system.fluid.time() == 0) last = fluid_step(system, dt, velocities);  // for a scale of speed at rest
+  if (system.fluid.last_step() == 0) last = fluid_step(system, dt, velocities);
   system.cloth_iterations += static_cast<double>(solver_.solve(residual, assemble, {}, tolerance(system), velocities));
   last = fluid_step(system, dt, velocities);  // the solver's last evaluation may have been elsewhere
   system.fluid.finish();

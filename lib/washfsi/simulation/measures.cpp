@@ -25,27 +25,15 @@ Measures<Dim>::Measures(const System<Dim>& system)
       balance_loads_(system.bodies.size()),
       wall_loads_(walls_.size()),
       powers_(system.bodies.size(), 0.0),
-      groups_(system.cloths.groups().size()),
-      centers_(groups_.size(), Point<Dim>::Zero()),
-      stress_time_(system.cloths.owned(), 0.0) {
-  for (const std::size_t piece : system.cloths.piece_of_marker())
-    group_of_.push_back(system.cloths.pieces()[piece].group);
-  counts_ = group_sums(std::vector<double>(group_of_.size(), 1.0));
+      cloth_(system) {
   if (system.balance_loads && !loads_.empty()) control_volumes_.emplace(system.grid, system.boundary, system.bodies);
-}
-
-template <int Dim>
-std::vector<double> Measures<Dim>::group_sums(const std::vector<double>& marker_values) const {
-  std::vector<double> sums(groups_.size(), 0.0);
-  for (std::size_t m = 0; m < marker_values.size(); ++m) sums[group_of_[m]] += marker_values[m];
-  return ordered_sum(system_.grid.comm(), sums);
 }
 
 template <int Dim>
 void Measures<Dim>::observe_start(double dt) {
   flow_ = FlowDiagnostics<Dim>::of(system_.grid, system_.boundary, system_.fluid.velocity(), system_.density,
                                    system_.fluid.time(), dt);
-  measure_cloth(dt, false);
+  cloth_.observe(0);
 }
 
 template <int Dim>
@@ -55,7 +43,7 @@ void Measures<Dim>::observe(double dt) {
                                    system_.fluid.time(), dt);
   largest_divergence_ = std::max(largest_divergence_, flow_.max_divergence);
   measure_loads(dt);
-  measure_cloth(dt, true);
+  cloth_.observe(dt);
 }
 
 template <int Dim>
@@ -77,57 +65,6 @@ void Measures<Dim>::measure_loads(double dt) {
       load->torque += contact[b].torque;
     }
   for (std::size_t b = 0; b < loads_.size(); ++b) powers_[b] = power(system_.bodies[b].motion, loads_[b], middle);
-}
-
-template <int Dim>
-void Measures<Dim>::measure_cloth(double dt, bool accumulate) {
-  if (groups_.empty()) return;
-  measure_stress(dt, accumulate);
-  measure_places();
-  const std::vector<double> energies = system_.cloths.elastic_energies(system_.positions);
-  const std::vector<double> stretches = system_.cloths.largest_stretches(system_.positions);
-  for (std::size_t g = 0; g < groups_.size(); ++g) {
-    groups_[g].elastic_energy = energies[g];
-    groups_[g].max_stretch = std::max(groups_[g].max_stretch, stretches[g]);
-  }
-}
-
-template <int Dim>
-void Measures<Dim>::measure_stress(double dt, bool accumulate) {
-  const std::vector<double> stress = system_.cloths.stresses(system_.positions);
-  if (accumulate) {
-    averaged_time_ += dt;
-    for (std::size_t m = 0; m < stress.size(); ++m) stress_time_[m] += dt * stress[m];
-  }
-  const double time = averaged_time_ > 0 ? averaged_time_ : 1;
-  std::vector<double> mean(stress.size()), square(stress.size());
-  for (std::size_t m = 0; m < stress.size(); ++m) {
-    mean[m] = stress_time_[m] / time;
-    square[m] = mean[m] * mean[m];
-  }
-  const std::vector<double> now = group_sums(stress), means = group_sums(mean), squares = group_sums(square);
-  for (std::size_t g = 0; g < groups_.size(); ++g) {
-    GroupMeasures& group = groups_[g];
-    group.stress_now = now[g] / counts_[g];
-    group.stress_mean = means[g] / counts_[g];
-    group.stress_std = std::sqrt(std::max(0.0, squares[g] / counts_[g] - group.stress_mean * group.stress_mean));
-  }
-}
-
-template <int Dim>
-void Measures<Dim>::measure_places() {
-  for (int d = 0; d < Dim; ++d) {
-    std::vector<double> coordinate;
-    for (const auto& position : system_.positions) coordinate.push_back(position[d]);
-    const std::vector<double> sums = group_sums(coordinate);
-    for (std::size_t g = 0; g < groups_.size(); ++g) centers_[g][d] = sums[g] / counts_[g];
-  }
-  std::vector<double> depths(groups_.size(), 0.0);
-  for (std::size_t m = 0; m < system_.positions.size(); ++m) {
-    const double distance = nearest_distance<Dim>(system_.bodies, system_.positions[m], system_.fluid.time());
-    depths[group_of_[m]] = std::max(depths[group_of_[m]], -distance);
-  }
-  for (std::size_t g = 0; g < groups_.size(); ++g) groups_[g].depth = largest(system_.grid.comm(), depths[g]);
 }
 
 namespace {
@@ -168,14 +105,8 @@ std::vector<Column> Measures<Dim>::columns() const {
     if (control_volumes_) add_columns<Dim>(columns, body.name + "_balance_");
   }
   for (const SideName side : walls_) add_columns<Dim>(columns, name_of(side) + "_");
-  if (!groups_.empty()) columns.push_back({"cloth_slip", "-"});
-  for (const auto& group : system_.cloths.groups()) {
-    columns.push_back({group.name + "_elastic_energy", energy});
-    columns.push_back({group.name + "_stress_mean", "Pa"});
-    columns.push_back({group.name + "_max_stretch", "-"});
-    columns.push_back({group.name + "_depth", "m"});
-    for (int d = 0; d < Dim; ++d) columns.push_back({group.name + "_center_" + "xyz"[d], "m"});
-  }
+  const std::vector<Column> of_cloth = cloth_.columns();
+  columns.insert(columns.end(), of_cloth.begin(), of_cloth.end());
   return columns;
 }
 
@@ -196,26 +127,22 @@ std::vector<double> Measures<Dim>::row(double dt) const {
     if (control_volumes_) add_values(row, balance_loads_[b]);
   }
   for (const Load<Dim>& load : wall_loads_) add_values(row, load);
-  if (!groups_.empty()) row.push_back(system_.cloth_slip);
-  for (std::size_t g = 0; g < groups_.size(); ++g) {
-    row.insert(row.end(), {groups_[g].elastic_energy, groups_[g].stress_now, groups_[g].max_stretch, groups_[g].depth});
-    row.insert(row.end(), centers_[g].data(), centers_[g].data() + Dim);
-  }
+  const std::vector<double> of_cloth = cloth_.row();
+  row.insert(row.end(), of_cloth.begin(), of_cloth.end());
   return row;
 }
 
 template <int Dim>
 std::vector<double> Measures<Dim>::totals() const {
-  std::vector<double> totals{averaged_time_, largest_divergence_};
-  for (const GroupMeasures& group : groups_) totals.push_back(group.max_stretch);
+  std::vector<double> totals = cloth_.totals();
+  totals.push_back(largest_divergence_);
   return totals;
 }
 
 template <int Dim>
 void Measures<Dim>::set_totals(const std::vector<double>& totals) {
-  averaged_time_ = totals[0];
-  largest_divergence_ = totals[1];
-  for (std::size_t g = 0; g < groups_.size(); ++g) groups_[g].max_stretch = totals[2 + g];
+  cloth_.set_totals(totals);
+  largest_divergence_ = totals.back();
 }
 
 template class Measures<2>;

@@ -6,20 +6,9 @@
 #include "washfsi/body/control_volume.hpp"
 #include "washfsi/body/wall_loads.hpp"
 #include "washfsi/fluid/diagnostics.hpp"
-#include "washfsi/output/history.hpp"
-#include "washfsi/simulation/system.hpp"
+#include "washfsi/simulation/cloth_measures.hpp"
 
 namespace washfsi {
-
-/// Numbers of one group of cloths over the run so far.
-struct GroupMeasures {
-  double elastic_energy = 0;  ///< now [J; per unit depth in the plane]
-  double stress_now = 0;      ///< mean over the markers [Pa]
-  double stress_mean = 0;     ///< (5.2-5): of the time averages at the markers [Pa]
-  double stress_std = 0;      ///< of the same over the markers [Pa]
-  double max_stretch = 0;     ///< largest |X_s| - 1 so far
-  double depth = 0;           ///< of the deepest marker in any body now [m]; 0 if none is inside
-};
 
 /// What is measured after each step, and what accumulates over a run.
 template <int Dim>
@@ -41,25 +30,21 @@ class Measures {
   /// Sides of the box that are walls, by name, and the loads on them.
   std::vector<std::string> wall_names() const;
   const Loads<Dim>& loads_on_walls() const { return wall_loads_; }
-  const std::vector<GroupMeasures>& groups() const { return groups_; }
+  const ClothMeasures<Dim>& cloth() const { return cloth_; }
+  ClothMeasures<Dim>& cloth() { return cloth_; }
   double largest_divergence() const { return largest_divergence_; }
 
   /// Columns of history.csv after `step`, and their present values.
   std::vector<Column> columns() const;
   std::vector<double> row(double dt) const;
 
-  /// Sums that a restart needs: stress times time at each marker [Pa s], the time [s], and the largest values.
-  std::vector<double>& stress_time() { return stress_time_; }
+  /// Sums and largest values that a restart needs, beside those at the markers.
   std::vector<double> totals() const;
   void set_totals(const std::vector<double>& totals);
-  std::size_t totals_count() const { return 2 + groups_.size(); }
+  std::size_t totals_count() const { return 1 + cloth_.totals_count(); }
 
  private:
   void measure_loads(double dt);
-  void measure_cloth(double dt, bool accumulate);
-  void measure_stress(double dt, bool accumulate);
-  void measure_places();
-  std::vector<double> group_sums(const std::vector<double>& marker_values) const;
 
   const System<Dim>& system_;
   FlowDiagnostics<Dim> flow_;
@@ -67,13 +52,8 @@ class Measures {
   std::optional<ControlVolumes<Dim>> control_volumes_;
   Loads<Dim> loads_, balance_loads_, wall_loads_;
   std::vector<double> powers_;
-  std::vector<GroupMeasures> groups_;
-  std::vector<Point<Dim>> centers_;
-  std::vector<std::size_t> group_of_;
-  std::vector<double> counts_;       ///< markers of each group
-  std::vector<double> stress_time_;  ///< integral of the stress over time at each of this rank's markers [Pa s]
-  double averaged_time_ = 0;         ///< [s]
-  double largest_divergence_ = 0;    ///< [1/s]
+  ClothMeasures<Dim> cloth_;
+  double largest_divergence_ = 0;  ///< [1/s]
 };
 
 extern template class Measures<2>;

@@ -40,6 +40,8 @@ bool Results<Dim>::holds_a_run(MPI_Comm comm, const std::string& folder) {
 template <int Dim>
 void Results<Dim>::open_history(long restart_step) {
   history_.emplace(system_.grid.comm(), folder_ + "/history.csv", measures_.columns(), restart_step);
+  if (cloth_)
+    tracks_.emplace(system_.grid.comm(), folder_ + "/tracks.csv", measures_.cloth().track_columns(), restart_step);
 }
 
 template <int Dim>
@@ -55,6 +57,7 @@ void Results<Dim>::write_frame(long step) {
 template <int Dim>
 void Results<Dim>::write_row(long step, double dt) {
   history_->append(step, measures_.row(dt));
+  if (tracks_) tracks_->append(step, measures_.cloth().track_row());
 }
 
 template <int Dim>
@@ -113,11 +116,16 @@ void Results<Dim>::write_summary(const RunSummary& summary) const {
   const auto walls = measures_.wall_names();
   for (std::size_t w = 0; w < walls.size(); ++w) json["walls"][walls[w]] = json_of(measures_.loads_on_walls()[w]);
   json["cloths"] = nlohmann::ordered_json::object();
-  for (std::size_t g = 0; g < measures_.groups().size(); ++g) {
-    const GroupMeasures& group = measures_.groups()[g];
-    json["cloths"][system_.cloths.groups()[g].name] = {{"stress_mean", group.stress_mean},
-                                                       {"stress_std", group.stress_std},
+  for (std::size_t g = 0; g < measures_.cloth().groups().size(); ++g) {
+    const GroupMeasures& group = measures_.cloth().groups()[g];
+    json["cloths"][system_.cloths.groups()[g].name] = {{"stress_mean", group.mean.stress},
+                                                       {"stress_std", group.mean.stress_deviation},
+                                                       {"membrane_stress_mean", group.mean.membrane},
+                                                       {"bending_stress_mean", group.mean.bending},
+                                                       {"stretch_mean", group.mean.stretch},
+                                                       {"curvature_mean", group.mean.curvature},
                                                        {"max_stretch", group.max_stretch},
+                                                       {"max_depth", group.max_depth},
                                                        {"tumbles", nullptr}};  // a turn needs three dimensions
   }
   write_text_file(system_.grid.comm(), folder_ + "/summary.json", json.dump(2) + "\n");

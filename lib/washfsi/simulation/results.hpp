@@ -30,11 +30,11 @@ class Results {
   /// Whether a folder has the history of an earlier run. Collective.
   static bool holds_a_run(MPI_Comm comm, const std::string& folder);
 
-  /// Starts history.csv, or continues it after `restart_step`. Collective. Errors: FileError.
+  /// Starts history.csv and tracks.csv, or continues them after `restart_step`. Collective. Errors: FileError.
   void open_history(long restart_step);
   /// A frame of each series.
   void write_frame(long step);
-  /// A row of history.csv.
+  /// A row of history.csv and of tracks.csv.
   void write_row(long step, double dt);
   /// Profiles and the final marker table.
   void write_final() const;
@@ -48,7 +48,7 @@ class Results {
   FlowSeries<Dim> flow_;
   std::optional<BodySeries<Dim>> bodies_;
   std::optional<ClothSeries<Dim>> cloth_;
-  std::optional<History> history_;
+  std::optional<History> history_, tracks_;
   long last_frame_ = -1;
 };
 

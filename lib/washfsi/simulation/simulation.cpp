@@ -265,10 +265,12 @@ void Simulation<Dim>::print_summary(const RunSummary& summary) {
     progress_.note(format("  %-18s torque %.4g", system_->bodies[b].name.c_str(),
                           measures_->loads()[b].torque[rotation_components<Dim> - 1]) +
                    (Dim == 2 ? " N (per metre: N m/m)" : " N m"));
-  for (std::size_t g = 0; g < measures_->groups().size(); ++g)
+  for (std::size_t g = 0; g < measures_->cloth().groups().size(); ++g) {
+    const GroupMeasures& group = measures_->cloth().groups()[g];
     progress_.note(format("  %-18s mean stress %.4g Pa (+- %.3g), largest stretch %.3g %%",
-                          system_->cloths.groups()[g].name.c_str(), measures_->groups()[g].stress_mean,
-                          measures_->groups()[g].stress_std, 100 * measures_->groups()[g].max_stretch));
+                          system_->cloths.groups()[g].name.c_str(), group.mean.stress, group.mean.stress_deviation,
+                          100 * group.max_stretch));
+  }
   progress_.note("  results            " + run_.output_dir);
 }
 
