@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "washfsi/coupling/transfer.hpp"
-
 #include <gtest/gtest.h>
 
 #include "support/random_points.hpp"
+#include "washfsi/coupling/mobility.hpp"
 #include "washfsi/support/collective.hpp"
 #include "washfsi/support/errors.hpp"
 
@@ -213,6 +212,51 @@ TEST(Transfer, AMarkerOutsideTheBoxStopsTheRun) {
   Points<2> lost = tank.positions;
   for (auto& place : lost) place[1] = 1.5;
   EXPECT_THROW(tank.transfer.locate(lost), DivergedError);
+}
+
+// Away from walls, with uniform density, the matrix is spread, divide by the density, interpolate.
+template <int Dim>
+void expect_matrix_is_spread_and_interpolate() {
+  Points<Dim> all = random_points<Dim>(60, 21, 0.2);  // close together, across the periodic sides
+  for (auto& place : all) {
+    place += Point<Dim>::Constant(0.5);
+    place[0] -= 0.5;
+    if (place[0] < 0) place[0] += 1;
+  }
+  Tank<Dim> tank(all);
+  const petsc::Vector density = tank.grid.face_vector();
+  WASH_PETSC(VecSet(density, 1000));
+  const std::vector<double> ones(tank.positions.size(), 1.0);
+  const std::vector<double> sums =
+      row_sum_mobility<Dim>(tank.transfer, tank.grid, tank.boundary, density, nullptr, ones);
+  MobilityMatrix<Dim> mobility(tank.grid, {});
+  mobility.assemble(all, static_cast<PetscInt>(tank.numbers.front()), sums);
+
+  const Points<Dim> forces = tank.mine(random_points<Dim>(60, 22));
+  const petsc::Vector acceleration = tank.grid.face_vector();
+  (void)tank.transfer.spread(forces, acceleration);
+  WASH_PETSC(VecPointwiseDivide(acceleration, acceleration, density));
+  const petsc::LocalVector local(tank.grid.wide_face_dm(), acceleration);
+  tank.boundary.fill_homogeneous(local);
+  const Points<Dim> expected = tank.transfer.interpolate(local);
+
+  petsc::Vector x, y;
+  WASH_PETSC(MatCreateVecs(mobility, x.put(), y.put()));
+  double* values = nullptr;
+  WASH_PETSC(VecGetArray(x, &values));
+  for (std::size_t m = 0; m < forces.size(); ++m) std::copy_n(forces[m].data(), Dim, values + Dim * m);
+  WASH_PETSC(VecRestoreArray(x, &values));
+  WASH_PETSC(MatMult(mobility, x, y));
+  WASH_PETSC(VecGetArray(y, &values));
+  for (std::size_t m = 0; m < forces.size(); ++m)
+    for (int d = 0; d < Dim; ++d)
+      EXPECT_NEAR(values[Dim * m + static_cast<std::size_t>(d)], expected[m][d], 1e-12 * sums[m]) << m;
+  WASH_PETSC(VecRestoreArray(y, &values));
+}
+
+TEST(Mobility, MatrixIsSpreadAndInterpolate) {
+  expect_matrix_is_spread_and_interpolate<2>();
+  expect_matrix_is_spread_and_interpolate<3>();
 }
 
 TEST(Mobility, OfALoneMarkerIsAboutThatOfTheWaterAround) {

@@ -12,12 +12,12 @@ import xml.etree.ElementTree as ElementTree
 import h5py
 import numpy as np
 
-from support import CHANNEL, CAVITY, WASH, ProgramTest, read_columns, read_options, read_table, run
+from support import CHANNEL, CAVITY, EXPLICIT_WASH, ProgramTest, read_columns, read_options, read_table, run
 
-CASE = ["-options_file", WASH, "-time_end", 0.05, "-output_interval", 0.01,
+CASE = [*EXPLICIT_WASH, "-time_end", 0.05, "-output_interval", 0.01,
         "-profiles", "middle", "-middle_from", "-0.3,0", "-middle_to", "0.3,0", "-middle_points", 61]
 TIMES = [0, 0.01, 0.02, 0.03, 0.04, 0.05]
-FILES = ["resolved.opts", "summary.json", "history.csv", "profiles/middle.csv", "cloth_final.csv", "checkpoint.h5",
+FILES = ["resolved.opts", "summary.json", "history.csv", "profiles/middle.csv", "cloth_final.csv", "tracks.csv", "checkpoint.h5",
          "flow.xdmf", "flow.h5", "cloth.xdmf", "cloth.h5", "bodies.xdmf", "bodies.h5"]
 SUMMARY = ["program", "version", "git", "case", "status", "ranks", "steps", "time", "wall_seconds", "seconds_per_step",
            "iterations", "max_divergence", "peak_memory_bytes", "bodies", "walls", "cloths"]
@@ -92,7 +92,8 @@ class Output(ProgramTest):
             self.assertEqual(len(body["force"]), 2)
         self.assertEqual(list(summary["cloths"]), CLOTHS)
         for cloth in summary["cloths"].values():
-            self.assertEqual(set(cloth), {"stress_mean", "stress_std", "max_stretch", "tumbles"})
+            self.assertEqual(set(cloth), {"stress_mean", "stress_std", "membrane_stress_mean", "bending_stress_mean",
+                                          "stretch_mean", "curvature_mean", "max_stretch", "max_depth", "tumbles"})
 
     def test_history(self):
         names, units, rows = read_table(self.out / "history.csv")

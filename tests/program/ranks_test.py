@@ -3,7 +3,7 @@
 
 import unittest
 
-from support import TIGHT, WASH, ProgramTest, read_columns, relative_difference
+from support import EXPLICIT_WASH, TIGHT, ProgramTest, read_columns, relative_difference
 
 NOT_PHYSICAL = {"step", "dt", "max_divergence"}
 
@@ -11,7 +11,7 @@ NOT_PHYSICAL = {"step", "dt", "max_divergence"}
 class Ranks(ProgramTest):
     def history(self, ranks, *options):
         """Runs 0.1 s of wash2d and returns the columns of its history."""
-        self.run_well(ranks, "-options_file", WASH, "-time_end", 0.1, *TIGHT, *options, "-output_dir", f"on_{ranks}")
+        self.run_well(ranks, *EXPLICIT_WASH, "-time_end", 0.1, *TIGHT, *options, "-output_dir", f"on_{ranks}")
         return read_columns(self.folder / f"on_{ranks}" / "history.csv")
 
     def assert_same(self, history, expected, **which):

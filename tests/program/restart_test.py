@@ -8,9 +8,9 @@ import unittest
 import h5py
 import numpy as np
 
-from support import CHANNEL, TIGHT, WASH, ProgramTest, read_columns, relative_difference
+from support import CHANNEL, EXPLICIT_WASH, TIGHT, ProgramTest, read_columns, relative_difference
 
-CASE = ["-options_file", WASH, *TIGHT]
+CASE = [*EXPLICIT_WASH, *TIGHT]
 
 
 def datasets(path):

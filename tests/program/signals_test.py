@@ -12,9 +12,9 @@ import unittest
 import h5py
 import numpy as np
 
-from support import PROGRAM, WASH, ProgramTest, command, read_columns
+from support import EXPLICIT_WASH, PROGRAM, ProgramTest, command, read_columns
 
-LONG = ["-options_file", WASH, "-time_end", 100, "-output_dir", "out"]
+LONG = [*EXPLICIT_WASH, "-time_end", 100, "-output_dir", "out"]
 PATIENCE = 60  # [s]
 
 

@@ -8,7 +8,7 @@ import unittest
 
 import h5py
 
-from support import CAVITY, WASH, ProgramTest, read_columns, run
+from support import CAVITY, EXPLICIT_WASH, WASH, ProgramTest, read_columns, run
 
 SECONDS = 30  # after which a run is taken to hang
 WRONG_INPUT, DIVERGED, CANNOT_WRITE = 2, 3, 4
@@ -35,6 +35,11 @@ WRONG_OPTIONS = [
      ["-drum_vertices 0,0,3,0,0,1,2,2", "cross"]),
     ("smooth mask without a mask to smooth", ["-body_method", "ghost", "-body_mask", "smooth"],
      ["-body_mask smooth", "mapping"]),
+    ("strong form without a Jacobian", ["-long_model", "love"], ["-long_model love", "-cloth_coupling"]),
+    ("coupling without fluid", ["-fluid", "none", "-cloth_coupling", "midpoint"], ["-cloth_coupling midpoint", "-fluid none"]),
+    ("ring too large", ["-long_shape", "ellipse", "-long_semi_axes", "1,1"], ["-long_placement", "outside the grid"]),
+    ("ring with ends", ["-long_shape", "ellipse", "-long_end_force_first", "1,0"], ["-long_end_force", "no ends"]),
+    ("unknown solver of the cloth", ["-cloth_snes_type", "foo"], ["-cloth_", "foo"]),
     ("couette without its cylinders", ["-fluid_initial", "couette"], ["-fluid_initial couette"]),
     ("no such table of a motion", ["-drum_motion_file", "nowhere.csv"], ["-drum_motion_file nowhere.csv"]),
     ("one name for two parts", ["-bodies", "drum,agitator,long"], ["-bodies long"]),
@@ -137,7 +142,7 @@ class WrongInputs(ProgramTest):
         self.assertEqual(list(out.glob("*.part")), [])
 
     def test_step_too_long_for_the_cloth(self):
-        self.assert_diverges(["step", "velocity", "at ("], "-options_file", WASH, "-time_end", 0.3,
+        self.assert_diverges(["step", "velocity", "at ("], *EXPLICIT_WASH, "-time_end", 0.3,
                              "-time_step", 3e-3, "-checkpoint_interval", 3e-3)
 
     def test_step_too_long_for_the_flow(self):

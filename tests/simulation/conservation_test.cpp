@@ -19,7 +19,7 @@ TEST(Conservation, ExplicitCouplingDoesNotGainEnergy) {
   options.cloths[0].fibre.kb = 0.01;
   System<2> system(PETSC_COMM_WORLD, options, {});
   const double dt = 0.5 * cloth_step_bound<2>(system), before = total_energy(system);
-  const auto scheme = make_coupling_scheme<2>({}, system);
+  const auto scheme = make_coupling_scheme<2>({.scheme = "explicit"}, system);
   constexpr int periods = 10, steps = 1000;
   double mean_before = before;
   for (int period = 0; period < periods; ++period) {
@@ -77,7 +77,7 @@ TEST(Conservation, AClosedFibreKeepsItsArea) {
   options.placements[0].shape.semi_axes[1] = 0.15;
   System<2> system(PETSC_COMM_WORLD, options, {});
   const double dt = 0.5 * cloth_step_bound<2>(system);
-  const auto scheme = make_coupling_scheme<2>({}, system);
+  const auto scheme = make_coupling_scheme<2>({.scheme = "explicit"}, system);
   const Ring start = ring(system);
   EXPECT_NEAR(start.area, 0.3 * 0.15 * std::numbers::pi, 1e-3 * start.area);
   int crossings = 0;

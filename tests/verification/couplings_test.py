@@ -36,7 +36,7 @@ class Run:
         values = [stiffness, damping] * len(GROUPS)
         outcome = subprocess.run(
             command(RANKS, "-options_file", SOURCE / "inputs" / "wash2d.opts", "-cloth_coupling", coupling,
-                    "-time_step", step, "-time_end", QUARTER, "-output_interval", INTERVAL, "-checkpoint_interval", 1,
+                    "-time_cfl", 0, "-time_step", step, "-time_end", QUARTER, "-output_interval", INTERVAL, "-checkpoint_interval", 1,
                     "-output_dir", folder, *(word for pair in zip(options, values) for word in pair)),
             check=False, capture_output=True, text=True)
         self.stable = outcome.returncode == 0

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 #include "washfsi/support/collective.hpp"
 
@@ -59,6 +61,18 @@ typename Cloths<Dim>::Part Cloths<Dim>::part_of(const Piece& piece, PetscInt own
   return part;
 }
 
+namespace {
+
+// A force at the very end, half a spacing beyond the first or last marker: its share of the marker so many places from
+// there, with the right force and torque.
+template <int Dim>
+double end_force_share(const ClothGroup<Dim>& group, PetscInt from_end) {
+  if (group.markers < 2) return 1;
+  return from_end == 0 ? 1.5 : from_end == 1 ? -0.5 : 0;
+}
+
+}  // namespace
+
 template <int Dim>
 void Cloths<Dim>::find_markers() {
   for (const Part& part : parts_) {
@@ -72,8 +86,8 @@ void Cloths<Dim>::find_markers() {
       marker_lengths_.push_back(group.fibre.spacing);
       marker_masses_.push_back(group.excess_mass * group.fibre.spacing);
       dead_loads_.push_back(group.fibre.spacing * group.load);
-      if (along == 0) dead_loads_.back() += group.end_force_first;
-      if (along == group.markers - 1) dead_loads_.back() += group.end_force_last;
+      dead_loads_.back() += end_force_share(group, along) * group.end_force_first +
+                            end_force_share(group, group.markers - 1 - along) * group.end_force_last;
       const std::vector<PetscInt> held = group.held_markers();
       if (std::find(held.begin(), held.end(), along) != held.end())
         holds_.push_back({piece_of_marker_.size() - 1, group.hold_stiffness, Point<Dim>::Zero()});
@@ -84,6 +98,18 @@ void Cloths<Dim>::find_markers() {
 template <int Dim>
 void Cloths<Dim>::hold_at(const Points<Dim>& positions) {
   for (Hold& hold : holds_) hold.anchor = positions[hold.marker];
+}
+
+template <int Dim>
+Points<Dim> Cloths<Dim>::of_all_ranks(const Points<Dim>& values) const {
+  const auto ranks = static_cast<std::size_t>(ranks_of(comm_));
+  std::vector<int> counts(ranks), starts(ranks, 0);
+  const int mine = static_cast<int>(values.size());
+  MPI_Allgather(&mine, 1, MPI_INT, counts.data(), 1, MPI_INT, comm_);
+  std::exclusive_scan(counts.begin(), counts.end(), starts.begin(), 0);
+  Points<Dim> all(static_cast<std::size_t>(total_));
+  MPI_Allgatherv(values.data(), mine, point_type_, all.data(), counts.data(), starts.data(), point_type_, comm_);
+  return all;
 }
 
 template <int Dim>
@@ -143,6 +169,20 @@ Points<Dim> Cloths<Dim>::elastic_forces(const Points<Dim>& positions) const {
   });
   for (const Hold& hold : holds_) result[hold.marker] -= hold.stiffness * (positions[hold.marker] - hold.anchor);
   return result;
+}
+
+template <int Dim>
+double Cloths<Dim>::force_round_off(const Points<Dim>& positions) const {
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  std::vector<double> largest(positions.size());
+  for (std::size_t m = 0; m < positions.size(); ++m) {
+    const Fibre& fibre = group_of(m).fibre;
+    largest[m] = fibre.ke + 16 * fibre.kb * positions[m].norm() / std::pow(fibre.spacing, 3);
+  }
+  for (const Hold& hold : holds_) largest[hold.marker] += hold.stiffness * positions[hold.marker].norm();
+  double squares = 0;
+  for (const double force : largest) squares += force * force;
+  return epsilon * std::sqrt(ordered_sum(comm_, squares));
 }
 
 template <int Dim>

@@ -44,6 +44,8 @@ class Cloths {
   /// Piece and group of each of this rank's markers.
   const std::vector<std::size_t>& piece_of_marker() const { return piece_of_marker_; }
   const ClothGroup<Dim>& group_of(std::size_t marker) const { return groups_[pieces_[piece_of_marker_[marker]].group]; }
+  /// Values of all markers of all ranks, in marker order. Collective.
+  Points<Dim> of_all_ranks(const Points<Dim>& values) const;
   /// Undeformed length that each of this rank's markers stands for [m].
   const std::vector<double>& marker_lengths() const { return marker_lengths_; }
   /// Excess mass of each of this rank's markers [kg; per unit depth in the plane].
@@ -55,6 +57,9 @@ class Cloths {
   /// Force of elasticity and of the holding springs on each of this rank's markers [N; per unit depth in the plane].
   /// Collective.
   Points<Dim> elastic_forces(const Points<Dim>& positions) const;
+  /// 2-norm over all markers of the round-off that elastic_forces may have [N; per unit depth in the plane].
+  /// Collective.
+  double force_round_off(const Points<Dim>& positions) const;
   /// Kelvin-Voigt damping of the edges [N; per unit depth in the plane]. Collective.
   Points<Dim> damping_forces(const Points<Dim>& positions, const Points<Dim>& velocities) const;
   /// Constant loads: distributed and at the ends [N; per unit depth in the plane].

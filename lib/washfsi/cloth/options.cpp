@@ -49,8 +49,10 @@ ClothGroup<Dim> ClothGroup<Dim>::from_options(Options& options, const std::strin
     block.real("hold_stiffness", group.hold_stiffness, Dim == 2 ? "N/m2" : "N/m", non_negative,
                "of the spring at each held marker; 0: that of an edge of the cloth");
     block.template point<Dim>("load", group.load, "N/m2", "constant force per undeformed area");
-    block.template point<Dim>("end_force_first", group.end_force_first, force, "constant force on the first marker");
-    block.template point<Dim>("end_force_last", group.end_force_last, force, "constant force on the last marker");
+    block.template point<Dim>("end_force_first", group.end_force_first, force,
+                              "constant force at the end before the first marker");
+    block.template point<Dim>("end_force_last", group.end_force_last, force,
+                              "constant force at the end after the last marker");
   });
   group.fibre.spacing = group.size / static_cast<double>(group.markers);
   group.fibre.closed = group.shape == "ellipse";

@@ -20,6 +20,8 @@ class Transfer {
  public:
   Transfer(const Grid<Dim>& grid, const Boundary<Dim>& boundary, const DeltaOptions& delta);
 
+  const DeltaOptions& delta() const { return delta_; }
+
   /// Fixes S and J at these marker positions (this rank's markers). Collective.
   /// Errors: DivergedError if a marker has left the box.
   void locate(const Points<Dim>& positions);

@@ -33,6 +33,15 @@ Points<Dim> to_points(Vec vector, std::size_t count) {
 }  // namespace
 
 template <int Dim>
+Points<Dim> product(Mat matrix, const Points<Dim>& values) {
+  petsc::Vector x, y;
+  WASH_PETSC(MatCreateVecs(matrix, x.put(), y.put()));
+  to_vector<Dim>(values, x);
+  WASH_PETSC(MatMult(matrix, x, y));
+  return to_points<Dim>(y, values.size());
+}
+
+template <int Dim>
 void scale_and_shift(const std::vector<double>& row_factors, const std::vector<double>& diagonal, Mat matrix) {
   const auto vector_of = [&](const std::vector<double>& values) {
     petsc::Vector vector;
@@ -89,7 +98,7 @@ template <int Dim>
 void ClothSolver<Dim>::set_default_solvers(const Defaults& defaults) {
   const bool quasi_newton = std::string(defaults.type) == SNESQN;
   WASH_PETSC(SNESSetType(solver_, defaults.type));
-  if (!quasi_newton) {
+  if (!quasi_newton && !defaults.approximate) {
     SNESLineSearch search = nullptr;
     WASH_PETSC(SNESGetLineSearch(solver_, &search));
     WASH_PETSC(SNESLineSearchSetType(search, SNESLINESEARCHSHELL));
@@ -105,7 +114,7 @@ void ClothSolver<Dim>::set_default_solvers(const Defaults& defaults) {
   std::array<char, 64> type{};
   WASH_PETSC(PetscOptionsGetString(nullptr, "cloth_", "-snes_type", type.data(), type.size(), nullptr));
   const std::string chosen = type[0] ? type.data() : defaults.type;
-  const bool newton_on_other_matrix = quasi_newton && chosen != SNESQN;
+  const bool newton_on_other_matrix = defaults.approximate || (quasi_newton && chosen != SNESQN);
   petsc::set_default_option("-cloth_ksp_type", newton_on_other_matrix ? "gmres" : "preonly");
   if (newton_on_other_matrix) petsc::set_default_option("-cloth_ksp_rtol", "1e-2");
 }
@@ -237,6 +246,8 @@ PetscInt ClothSolver<Dim>::solve(const Residual& residual, const Assemble& assem
   return evaluations_;
 }
 
+template Points<2> product<2>(Mat, const Points<2>&);
+template Points<3> product<3>(Mat, const Points<3>&);
 template void scale_and_shift<2>(const std::vector<double>&, const std::vector<double>&, Mat);
 template void scale_and_shift<3>(const std::vector<double>&, const std::vector<double>&, Mat);
 template class ClothSolver<2>;

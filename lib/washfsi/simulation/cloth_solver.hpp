@@ -25,6 +25,8 @@ class ClothSolver {
   struct Defaults {
     SNESType type;   ///< newtonls: the matrix is the Jacobian; qn: it is where the quasi-Newton matrix starts from
     bool symmetric;  ///< whether the matrix is symmetric positive definite: Cholesky instead of LU
+    bool approximate =
+        false;  ///< newtonls: the matrix only preconditions the Jacobian, which is applied by differences
   };
   /// `positions` are any that the cloths may have. Collective. Errors: InputError.
   ClothSolver(const Cloths<Dim>& cloths, const Points<Dim>& positions, const Defaults& defaults);
@@ -60,6 +62,10 @@ class ClothSolver {
   PetscInt evaluations_ = 0;
   bool user_sets_atol_ = false;
 };
+
+/// The product of a matrix of the cloths' lattice with one value per marker. Collective.
+template <int Dim>
+Points<Dim> product(Mat matrix, const Points<Dim>& values);
 
 /// Ends the assembly of a matrix M of the cloths' lattice and makes it  diag(row_factors) M + diag(diagonal), with one
 /// value per marker. Collective.

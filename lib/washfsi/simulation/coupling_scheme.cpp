@@ -18,10 +18,13 @@ CouplingOptions CouplingOptions::from_options(Options& options) {
   options.block("cloth_", "Coupling of cloth and water", [&](OptionBlock& block) {
     block.choice("coupling", coupling.scheme, {"explicit", "midpoint", "semi_implicit", "implicit"},
                  "how cloth and water are coupled in a step");
+    coupling.scheme_given = block.given("coupling");
     block.choice("time_scheme", coupling.time_scheme, {"trapezoidal", "backward_euler"},
                  "of the implicit coupling: second order, or first order and damping");
+    block.choice("mobility", coupling.mobility, {"matrix", "row_sums"},
+                 "what stands for the mobility of the markers: that without pressure, or its row sums (semi_implicit)");
     block.real("mobility_factor", coupling.mobility_factor, "-", positive,
-               "of the row sums that stand for the markers' mobility; stable from 0.75 on (semi_implicit)");
+               "of what stands for the markers' mobility; stable from 0.75 on (semi_implicit)");
     block.real("tolerance", coupling.tolerance, "-", positive,
                "rms residual of the markers' velocities over the flow's speed (semi_implicit, implicit)");
     block.integer("sweeps", coupling.sweeps, at_least_one, "elastic solves and corrections at most (semi_implicit)");
@@ -35,14 +38,14 @@ namespace {
 
 template <int Dim>
 void check(const CouplingOptions& options, const System<Dim>& system) {
-  if (!system.has_fluid && options.scheme != "explicit")
+  if (!system.has_fluid && options.scheme_given)
     throw InputError("-cloth_coupling " + options.scheme + ": there is no fluid (-fluid none); leave it out");
   if (!system.has_fluid)
     for (const auto& group : system.cloths.groups())
       if (group.excess_mass == 0)
         throw InputError("-" + group.name + "_excess_mass 0: without fluid (-fluid none) cloth needs a mass");
   for (const auto& group : system.cloths.groups())
-    if (group.model == "love" && options.scheme == "semi_implicit")
+    if (group.model == "love" && options.scheme == "semi_implicit" && system.has_fluid)
       throw InputError("-" + group.name + "_model love: has no Jacobian; use -cloth_coupling explicit or midpoint");
 }
 

@@ -11,9 +11,11 @@ namespace washfsi {
 
 /// How cloth and water are coupled in a step.
 struct CouplingOptions {
-  std::string scheme = "explicit";          ///< explicit | midpoint | semi_implicit | implicit; alone without fluid
+  std::string scheme = "semi_implicit";     ///< explicit | midpoint | semi_implicit | implicit; unused without fluid
+  bool scheme_given = false;                ///< by the user
   std::string time_scheme = "trapezoidal";  ///< of the implicit coupling: trapezoidal | backward_euler
-  double mobility_factor = 0.75;            ///< of the row sums that stand for the markers' mobility
+  std::string mobility = "matrix";          ///< that stands for the markers' own (semi_implicit): matrix | row_sums
+  double mobility_factor = 0.75;            ///< of it
   double tolerance = 1e-6;                  ///< rms residual of the markers' velocities over the flow's speed
   PetscInt sweeps = 1;                      ///< at most, of the semi-implicit coupling
   double slip_tolerance = 0.01;             ///< below which no further sweep is made

@@ -13,63 +13,103 @@ namespace washfsi {
 
 template <int Dim>
 SemiImplicitCoupling<Dim>::SemiImplicitCoupling(const System<Dim>& system, const CouplingOptions& options)
-    : options_(options), solver_(system.cloths, system.positions, {SNESNEWTONLS, true}) {}
+    : options_(options),
+      solver_(system.cloths, system.positions,
+              {SNESNEWTONLS, options.mobility == "row_sums", options.mobility == "matrix"}),
+      matrix_(system.grid, system.transfer.delta()) {}
 
 template <int Dim>
 double SemiImplicitCoupling<Dim>::step_bound(const System<Dim>&) const {
   return std::numeric_limits<double>::infinity();
 }
 
-// 1/D of each marker [kg; kg/m in the plane]. Within solids, where nothing moves a marker, D has a floor.
+// Within solids, where nothing moves a marker, the row sums have a floor.
 template <int Dim>
-std::vector<double> SemiImplicitCoupling<Dim>::inverse_mobility(const System<Dim>& system) const {
+void SemiImplicitCoupling<Dim>::find_mobility(const System<Dim>& system, const Points<Dim>& places) {
   constexpr double floor = 1e-3;
   const Vec share = system.mask.empty() ? nullptr : system.mask.fluid_fraction();
-  std::vector<double> result = row_sum_mobility<Dim>(system.transfer, system.grid, system.boundary, system.density,
-                                                     share, std::vector<double>(system.positions.size(), 1.0));
+  row_sums_ = row_sum_mobility<Dim>(system.transfer, system.grid, system.boundary, system.density, share,
+                                    std::vector<double>(places.size(), 1.0));
   double most = 0;
-  for (const double mobility : result) most = std::max(most, mobility);
+  for (const double sum : row_sums_) most = std::max(most, sum);
   most = largest(system.grid.comm(), most);
-  for (double& mobility : result) mobility = 1 / (options_.mobility_factor * std::max(mobility, floor * most));
-  return result;
+  for (double& sum : row_sums_) sum = options_.mobility_factor * std::max(sum, floor * most);
+  if (options_.mobility == "matrix")
+    matrix_.assemble(system.cloths.of_all_ranks(places), system.cloths.begin(), row_sums_);
 }
 
 template <int Dim>
 Points<Dim> SemiImplicitCoupling<Dim>::move_elastically(System<Dim>& system, double dt,
-                                                        const Points<Dim>& free_velocities, const Points<Dim>& forces,
-                                                        const std::vector<double>& inverse_mobility) {
+                                                        const Points<Dim>& free_velocities, const Points<Dim>& forces) {
   const petsc::LogPart part("cloth_solve");
+  return options_.mobility == "matrix" ? move_by_matrix(system, dt, free_velocities, forces)
+                                       : move_by_row_sums(system, dt, free_velocities, forces);
+}
+
+// V - U - dt M (F' - F) = 0
+template <int Dim>
+Points<Dim> SemiImplicitCoupling<Dim>::move_by_matrix(System<Dim>& system, double dt,
+                                                      const Points<Dim>& free_velocities, const Points<Dim>& forces) {
+  const Cloths<Dim>& cloths = system.cloths;
+  const auto residual = [&](const Points<Dim>& velocities) {
+    const Points<Dim> moved = cloths.elastic_forces(sum<Dim>(system.positions, dt, velocities));
+    const Points<Dim> gained = product<Dim>(matrix_, sum<Dim>(moved, -1, forces));
+    return sum<Dim>(sum<Dim>(velocities, -1, free_velocities), -dt, gained);
+  };
+  const auto assemble = [&](const Points<Dim>& velocities, GeometricStiffness geometric, Mat matrix) {
+    cloths.add_stiffness(sum<Dim>(system.positions, dt, velocities), geometric, dt * dt, matrix);
+    scale_and_shift<Dim>(row_sums_, std::vector<double>(row_sums_.size(), 1.0), matrix);
+  };
+  double squares = 0, most = 0;
+  for (std::size_t m = 0; m < velocities_.size(); ++m) {
+    squares += free_velocities[m].squaredNorm() + velocities_[m].squaredNorm();
+    most = std::max(most, row_sums_[m]);
+  }
+  const double round_off = 10 * dt * largest(system.grid.comm(), most) * cloths.force_round_off(system.positions);
+  const double tolerance = options_.tolerance * std::sqrt(ordered_sum(system.grid.comm(), squares));
+  Points<Dim> velocities = velocities_;
+  system.cloth_iterations +=
+      static_cast<double>(solver_.solve(residual, assemble, {}, std::max(tolerance, round_off), velocities));
+  return velocities;
+}
+
+// D^-1 (V - U) - dt (F' - F) = 0, the gradient of a potential
+template <int Dim>
+Points<Dim> SemiImplicitCoupling<Dim>::move_by_row_sums(System<Dim>& system, double dt,
+                                                        const Points<Dim>& free_velocities, const Points<Dim>& forces) {
   const Cloths<Dim>& cloths = system.cloths;
   const auto residual = [&](const Points<Dim>& velocities) {
     const Points<Dim> moved = cloths.elastic_forces(sum<Dim>(system.positions, dt, velocities));
     Points<Dim> result(velocities.size());
     for (std::size_t m = 0; m < result.size(); ++m)
-      result[m] = inverse_mobility[m] * (velocities[m] - free_velocities[m]) - dt * (moved[m] - forces[m]);
+      result[m] = (velocities[m] - free_velocities[m]) / row_sums_[m] - dt * (moved[m] - forces[m]);
     return result;
   };
+  std::vector<double> inverse;
+  for (const double sum : row_sums_) inverse.push_back(1 / sum);
   const auto assemble = [&](const Points<Dim>& velocities, GeometricStiffness geometric, Mat matrix) {
     cloths.add_stiffness(sum<Dim>(system.positions, dt, velocities), geometric, dt * dt, matrix);
-    scale_and_shift<Dim>(std::vector<double>(inverse_mobility.size(), 1.0), inverse_mobility, matrix);
+    scale_and_shift<Dim>(std::vector<double>(inverse.size(), 1.0), inverse, matrix);
   };
   const auto potential = [&](const Points<Dim>& velocities) {
     double work = 0;
     for (std::size_t m = 0; m < velocities.size(); ++m)
-      work += 0.5 * inverse_mobility[m] * (velocities[m] - free_velocities[m]).squaredNorm() +
-              dt * forces[m].dot(velocities[m]);
+      work += 0.5 * inverse[m] * (velocities[m] - free_velocities[m]).squaredNorm() + dt * forces[m].dot(velocities[m]);
     const std::vector<double> energies = cloths.elastic_energies(sum<Dim>(system.positions, dt, velocities));
     return std::accumulate(energies.begin(), energies.end(), ordered_sum(system.grid.comm(), work));
   };
-  std::vector<double> squares{0, 0, 0};
-  for (std::size_t m = 0; m < inverse_mobility.size(); ++m) {
+  std::vector<double> squares{0, 0};
+  for (std::size_t m = 0; m < inverse.size(); ++m) {
     squares[0] += free_velocities[m].squaredNorm() + velocities_[m].squaredNorm();
-    squares[1] += inverse_mobility[m] * inverse_mobility[m];
-    squares[2] += 1;
+    squares[1] += inverse[m] * inverse[m];
   }
   squares = ordered_sum(system.grid.comm(), squares);
-  const double speed = std::sqrt(squares[0] / squares[2]), weight = std::sqrt(squares[1]);
+  const double markers = static_cast<double>(cloths.marker_count());
+  const double round_off = 10 * dt * cloths.force_round_off(system.positions);
+  const double tolerance = options_.tolerance * std::sqrt(squares[0] * squares[1] / markers);
   Points<Dim> velocities = velocities_;
-  const double tolerance = options_.tolerance * speed * weight;
-  system.cloth_iterations += static_cast<double>(solver_.solve(residual, assemble, potential, tolerance, velocities));
+  system.cloth_iterations +=
+      static_cast<double>(solver_.solve(residual, assemble, potential, std::max(tolerance, round_off), velocities));
   return velocities;
 }
 
@@ -88,17 +128,17 @@ template <int Dim>
 void SemiImplicitCoupling<Dim>::advance(System<Dim>& system, double dt) {
   const double time = system.fluid.time();
   Points<Dim> forces = system.cloths.elastic_forces(system.positions);
-  spread_cloth(system, sum<Dim>(system.positions, 0.5 * dt, system.velocities),
-               sum<Dim>(forces, 1, external_forces(system, system.positions, time)));
+  const Points<Dim> places = sum<Dim>(system.positions, 0.5 * dt, system.velocities);
+  spread_cloth(system, places, sum<Dim>(forces, 1, external_forces(system, system.positions, time)));
   hold_bodies(system, time + dt);
   predict_and_project(system, dt);
 
   velocities_ = system.velocities;
-  const std::vector<double> inverse = inverse_mobility(system);
+  find_mobility(system, places);
   Points<Dim> interpolated = marker_velocities<Dim>(system, system.fluid.next_velocity(), time + dt);
   const petsc::Vector increment = petsc::zeros_like(system.force);
   for (PetscInt sweep = 0; sweep < options_.sweeps; ++sweep) {
-    velocities_ = move_elastically(system, dt, interpolated, forces, inverse);
+    velocities_ = move_elastically(system, dt, interpolated, forces);
     const Points<Dim> moved = system.cloths.elastic_forces(sum<Dim>(system.positions, dt, velocities_));
     WASH_PETSC(VecZeroEntries(increment));
     system.wall_reaction += system.transfer.spread(sum<Dim>(moved, -1, forces), increment);

@@ -5,16 +5,18 @@
 //   1. spread      S, J, rho at X^n + dt/2 V^n;  f = S (F(X^n) + weight, loads, contact)
 //   2. fluid       u, p by the fractional step with f
 //   3. markers     U = J [H u + (1-H) u_solid]
-//   4. mobility    D = factor times the row sums of J H S / rho: a diagonal that bounds the true mobility of the
-//                  markers, cloths that lie on each other included. Stable for any step if factor >= 3/4
-//   5. elasticity  D^-1 (V - U) - dt [F(X^n + dt V) - F] = 0, by Newton's method with the Jacobian D^-1 + dt^2 K,
-//                  K without the geometric stiffness of compressed edges while that is far from the solution
+//   4. mobility    M = factor times J H S / rho, a sparse matrix that bounds the true mobility of the markers, cloths
+//   that
+//                  lie on each other included; or, D, its row sums, a diagonal. Stable for any step if factor >= 3/4
+//   5. elasticity  V - U = dt M [F(X^n + dt V) - F], by Newton's method. With D the equations are the gradient of a
+//                  potential; with M they are solved by GMRES, preconditioned by those with D
 //   6. correction  f' = H S [F(X^n + dt V) - F]: u += dt f'/rho, projected;  F = F(X^n + dt V)
 //   7. slip        |V - J u| / |V|; above a tolerance 5 and 6 again with U = J u, a few times at most
 //   8. markers     X^(n+1) = X^n + dt V
 // Backward Euler damps as a Kelvin-Voigt time between dt and 2 dt does; -..._damping is not used.
 #pragma once
 
+#include "washfsi/coupling/mobility.hpp"
 #include "washfsi/simulation/cloth_solver.hpp"
 #include "washfsi/simulation/coupling_scheme.hpp"
 
@@ -28,14 +30,21 @@ class SemiImplicitCoupling : public CouplingScheme<Dim> {
   double step_bound(const System<Dim>& system) const override;
 
  private:
-  std::vector<double> inverse_mobility(const System<Dim>& system) const;
+  void find_mobility(const System<Dim>& system, const Points<Dim>& places);
+  /// V from U and F. Collective. Errors: DivergedError.
   Points<Dim> move_elastically(System<Dim>& system, double dt, const Points<Dim>& free_velocities,
-                               const Points<Dim>& forces, const std::vector<double>& inverse_mobility);
+                               const Points<Dim>& forces);
+  Points<Dim> move_by_matrix(System<Dim>& system, double dt, const Points<Dim>& free_velocities,
+                             const Points<Dim>& forces);
+  Points<Dim> move_by_row_sums(System<Dim>& system, double dt, const Points<Dim>& free_velocities,
+                               const Points<Dim>& forces);
   double slip(const System<Dim>& system, const Points<Dim>& interpolated) const;
 
   CouplingOptions options_;
   ClothSolver<Dim> solver_;
-  Points<Dim> velocities_;  ///< V of the step under way
+  MobilityMatrix<Dim> matrix_;    ///< J H S / rho of the step under way
+  std::vector<double> row_sums_;  ///< D of each of this rank's markers
+  Points<Dim> velocities_;        ///< V
 };
 
 }  // namespace washfsi

@@ -51,6 +51,7 @@ Simulation<Dim>::Simulation(Options& options, std::string case_name)
   if (options.help()) return;
 
   system_ = std::make_unique<System<Dim>>(options.comm(), system, std::move(bodies));
+  coupling_ = system_->has_fluid ? coupling.scheme : "to nothing";
   scheme_ = make_coupling_scheme<Dim>(coupling, *system_);
   measures_ = std::make_unique<Measures<Dim>>(*system_);
   if (!run_.restart.empty()) {
@@ -164,11 +165,15 @@ void Simulation<Dim>::watch_rest() {
   if (run_.rest_speed == 0) return;
   double fastest = 0;
   for (const auto& velocity : system_->velocities) fastest = std::max(fastest, velocity.norm());
+  fastest *= 1 + system_->cloth_slip;  // so that the water round them rests too
   steps_at_rest_ = largest(system_->grid.comm(), fastest) < run_.rest_speed ? steps_at_rest_ + 1 : 0;
 }
 
 template <int Dim>
 void Simulation<Dim>::check_health() const {
+  const auto finite = [](const Point<Dim>& point) { return point.allFinite(); };
+  const bool lost = !std::all_of(system_->positions.begin(), system_->positions.end(), finite);
+  if (any_rank(system_->grid.comm(), lost)) throw DivergedError("cloth: a marker's position is not finite");
   const Located& worst = measures_->flow().courant;
   if (worst.value <= run_.max_courant) return;
   const std::string what = std::isfinite(worst.value) ? format("velocity: CFL number %.3g exceeds -time_max_cfl %.3g",
@@ -209,7 +214,7 @@ void Simulation<Dim>::print_banner() {
   if (!bodies.empty()) progress_.note("  bodies    " + join(bodies, ", "));
   if (!groups.empty())
     progress_.note("  cloth     " + join(groups, ", ") + " (" + std::to_string(system.cloths.marker_count()) +
-                   " markers)");
+                   " markers), coupled " + coupling_);
   progress_.note("  solvers   momentum " + chosen_type("-momentum_ksp_type", "gmres") + "/" +
                  chosen_type("-momentum_pc_type", "jacobi") + ", pressure " + chosen_type("-pressure_ksp_type", "cg") +
                  "/" + chosen_type("-pressure_pc_type", "transform"));

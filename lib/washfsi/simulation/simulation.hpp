@@ -39,7 +39,7 @@ class Simulation {
   void print_summary(const RunSummary& summary);
 
   RunOptions run_;
-  std::string case_name_;
+  std::string case_name_, coupling_;
   std::vector<Profile<Dim>> profiles_;
   std::unique_ptr<System<Dim>> system_;
   std::unique_ptr<CouplingScheme<Dim>> scheme_;

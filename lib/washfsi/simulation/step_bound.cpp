@@ -33,7 +33,9 @@ double cloth_step_bound(const System<Dim>& system) {
   for (std::size_t m = 0; m < mobility.size(); ++m) {
     const Fibre& fibre = cloths.group_of(m).fibre;
     const double ds2 = fibre.spacing * fibre.spacing;
-    const double undamped2 = 1 / (mobility[m] * (fibre.ke / ds2 + 4 * fibre.kb / (ds2 * ds2)));  // (2/w)^2
+    const double held = cloths.group_of(m).held_markers().empty() ? 0 : cloths.group_of(m).hold_stiffness;
+    const double stiffness = fibre.ke / ds2 + 4 * fibre.kb / (ds2 * ds2) + 0.25 * held / fibre.spacing;
+    const double undamped2 = 1 / (mobility[m] * stiffness);  // (2/w)^2
     shortest = std::min(shortest, std::sqrt(fibre.damping * fibre.damping + undamped2) - fibre.damping);
   }
   return -largest(system.grid.comm(), -shortest);

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/coupling/mobility.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace washfsi {
+
+namespace {
+
+/// Which markers may overlap: those in the same or a neighbouring bin, bins being as long as two deltas' half widths.
+template <int Dim>
+class Bins {
+ public:
+  Bins(const Grid<Dim>& grid, const Points<Dim>& positions, double reach) {
+    for (int d = 0; d < Dim; ++d) {
+      const double length = grid.upper()[d] - grid.lower()[d];
+      const auto axis = static_cast<std::size_t>(d);
+      count_[axis] = std::max<PetscInt>(1, static_cast<PetscInt>(length / (reach * grid.spacing()[d])));
+      periodic_[axis] = grid.periodic(d);
+    }
+    for (std::size_t m = 0; m < positions.size(); ++m) {
+      Index<Dim> bin{};
+      for (int d = 0; d < Dim; ++d) {
+        const auto axis = static_cast<std::size_t>(d);
+        const double place = (positions[m][d] - grid.lower()[d]) / (grid.upper()[d] - grid.lower()[d]);
+        const double folded = periodic_[axis] ? place - std::floor(place) : place;
+        bin[axis] = static_cast<PetscInt>(std::floor(folded * static_cast<double>(count_[axis])));
+      }
+      bins_.push_back(bin);
+      markers_[bin].push_back(m);
+    }
+  }
+
+  template <class Visit>
+  void visit_near(std::size_t marker, Visit&& visit) const {
+    std::vector<Index<Dim>> seen;
+    Box<Dim> box;
+    for (std::size_t d = 0; d < Dim; ++d) {
+      box.lower[d] = bins_[marker][d] - 1;
+      box.upper[d] = bins_[marker][d] + 2;
+    }
+    for_each<Dim>(box, [&](Index<Dim> bin) {
+      for (std::size_t d = 0; d < Dim; ++d)
+        if (periodic_[d]) bin[d] = (bin[d] + count_[d]) % count_[d];
+      if (std::find(seen.begin(), seen.end(), bin) != seen.end()) return;  // a short period
+      seen.push_back(bin);
+      const auto found = markers_.find(bin);
+      if (found == markers_.end()) return;
+      for (const std::size_t other : found->second) visit(other);
+    });
+  }
+
+ private:
+  Index<Dim> count_{};
+  std::array<bool, Dim> periodic_{};
+  std::vector<Index<Dim>> bins_;
+  std::map<Index<Dim>, std::vector<std::size_t>> markers_;
+};
+
+}  // namespace
+
+template <int Dim>
+typename MobilityMatrix<Dim>::Stencils MobilityMatrix<Dim>::stencils_of(const Point<Dim>& position) const {
+  Stencils stencils;
+  for (int d = 0; d < Dim; ++d)
+    for (const std::size_t centered : {0, 1}) {
+      const auto axis = static_cast<std::size_t>(d);
+      const double place = (position[d] - grid_.lower()[d]) / grid_.spacing()[d] - 0.5 * static_cast<double>(centered);
+      stencils.spread[axis][centered] = axis_stencil(delta_.kernel, place, delta_.spread_width);
+      stencils.interpolate[axis][centered] = axis_stencil(delta_.kernel, place, delta_.interpolate_width);
+    }
+  return stencils;
+}
+
+// Sum of the products of two markers' weights along one axis.
+template <int Dim>
+double MobilityMatrix<Dim>::axis_overlap(int axis, const AxisStencil& a, const AxisStencil& b) const {
+  PetscInt shift = b.first - a.first;
+  if (grid_.periodic(axis)) {
+    const PetscInt cells = grid_.cells()[static_cast<std::size_t>(axis)];
+    shift -= cells * static_cast<PetscInt>(std::llround(static_cast<double>(shift) / static_cast<double>(cells)));
+  }
+  double sum = 0;
+  for (PetscInt i = std::max<PetscInt>(0, shift); i < std::min<PetscInt>(a.count, b.count + shift); ++i)
+    sum += a.weight[static_cast<std::size_t>(i)] * b.weight[static_cast<std::size_t>(i - shift)];
+  return sum;
+}
+
+// J S of one marker on another, for each component, per cell volume.
+template <int Dim>
+Point<Dim> MobilityMatrix<Dim>::overlap(const Stencils& moved, const Stencils& pushed) const {
+  Point<Dim> result = Point<Dim>::Ones();
+  for (int d = 0; d < Dim; ++d) {
+    const auto axis = static_cast<std::size_t>(d);
+    std::array<double, 2> along{};
+    for (const std::size_t centered : {0, 1})
+      along[centered] = axis_overlap(d, moved.interpolate[axis][centered], pushed.spread[axis][centered]);
+    for (int c = 0; c < Dim; ++c) result[c] *= along[c == d ? 0 : 1];
+    if (along[0] == 0 && along[1] == 0) break;
+  }
+  return result;
+}
+
+template <int Dim>
+void MobilityMatrix<Dim>::assemble(const Points<Dim>& positions, PetscInt first, const std::vector<double>& row_sums) {
+  const double reach = delta_.spread_width + delta_.interpolate_width;
+  const Bins<Dim> bins(grid_, positions, reach);
+  std::vector<Stencils> stencils;
+  for (const auto& position : positions) stencils.push_back(stencils_of(position));
+
+  // overlaps of this rank's markers, and what their row sums must be multiplied with
+  struct Entry {
+    std::size_t other;
+    Point<Dim> value;
+  };
+  std::vector<std::vector<Entry>> rows(row_sums.size());
+  std::vector<double> scales(positions.size(), 0.0);
+  PetscInt most = 1;
+  for (std::size_t m = 0; m < rows.size(); ++m) {
+    const std::size_t marker = static_cast<std::size_t>(first) + m;
+    Point<Dim> sum = Point<Dim>::Zero();
+    bins.visit_near(marker, [&](std::size_t other) {
+      const Point<Dim> value = overlap(stencils[marker], stencils[other]);
+      if (value == Point<Dim>::Zero()) return;
+      rows[m].push_back({other, value});
+      sum += value;
+    });
+    scales[marker] = row_sums[m] / sum.maxCoeff();
+    most = std::max(most, static_cast<PetscInt>(rows[m].size()));
+  }
+  MPI_Allreduce(MPI_IN_PLACE, scales.data(), static_cast<int>(scales.size()), MPI_DOUBLE, MPI_SUM, grid_.comm());
+
+  const auto owned = static_cast<PetscInt>(Dim * rows.size());
+  WASH_PETSC(MatCreateAIJ(grid_.comm(), owned, owned, PETSC_DETERMINE, PETSC_DETERMINE, most, nullptr, most, nullptr,
+                          matrix_.put()));
+  std::vector<PetscInt> columns;
+  std::vector<double> values;
+  for (std::size_t m = 0; m < rows.size(); ++m)
+    for (int c = 0; c < Dim; ++c) {
+      const PetscInt row = (first + static_cast<PetscInt>(m)) * Dim + c;
+      columns.clear();
+      values.clear();
+      for (const Entry& entry : rows[m]) {
+        columns.push_back(static_cast<PetscInt>(entry.other) * Dim + c);
+        values.push_back(std::sqrt(scales[static_cast<std::size_t>(first) + m] * scales[entry.other]) * entry.value[c]);
+      }
+      WASH_PETSC(MatSetValues(matrix_, 1, &row, static_cast<PetscInt>(columns.size()), columns.data(), values.data(),
+                              INSERT_VALUES));
+    }
+  WASH_PETSC(MatAssemblyBegin(matrix_, MAT_FINAL_ASSEMBLY));
+  WASH_PETSC(MatAssemblyEnd(matrix_, MAT_FINAL_ASSEMBLY));
+}
+
+template class MobilityMatrix<2>;
+template class MobilityMatrix<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/coupling/transfer.hpp"
+
+namespace washfsi {
+
+/// The mobility of markers before projection, J H S / rho, as a sparse matrix over all coordinates of all markers: the
+/// velocity of marker k per unit time under a unit nodal force on marker l [1/kg; m/kg in the plane]. Overlaps of two
+/// deltas are exact; what the density and solids change of them is taken from the row sums, alike for both markers.
+template <int Dim>
+class MobilityMatrix {
+ public:
+  MobilityMatrix(const Grid<Dim>& grid, const DeltaOptions& delta) : grid_(grid), delta_(delta) {}
+
+  /// Makes the matrix anew. `positions` are those of all markers, on every rank; `row_sums` those of this rank's
+  /// markers, which are the ones from `first` on. Collective.
+  void assemble(const Points<Dim>& positions, PetscInt first, const std::vector<double>& row_sums);
+
+  operator Mat() const { return matrix_; }
+
+ private:
+  /// Weights of a marker along each axis: among faces normal to the axis, and among cell centres.
+  struct Stencils {
+    std::array<std::array<AxisStencil, 2>, Dim> spread, interpolate;
+  };
+  Stencils stencils_of(const Point<Dim>& position) const;
+  Point<Dim> overlap(const Stencils& moved, const Stencils& pushed) const;
+  double axis_overlap(int axis, const AxisStencil& a, const AxisStencil& b) const;
+
+  const Grid<Dim>& grid_;
+  DeltaOptions delta_;
+  petsc::Matrix matrix_;
+};
+
+extern template class MobilityMatrix<2>;
+extern template class MobilityMatrix<3>;
+
+}  // namespace washfsi
