@@ -65,15 +65,22 @@ ClothSolver<Dim>::ClothSolver(const Cloths<Dim>& cloths, const Points<Dim>& posi
   WASH_PETSC(SNESSetOptionsPrefix(solver_, "cloth_"));
   WASH_PETSC(SNESSetFunction(solver_, value_, &ClothSolver::evaluate, this));
   set_default_solvers(defaults);
-  WASH_PETSC(SNESSetTolerances(solver_, 0, 1e-10, 1e-10, 60, 10000));
+  WASH_PETSC(SNESSetTolerances(solver_, 0, 1e-10, defaults.approximate ? 1e-7 : 1e-10, 60, 10000));
   const petsc::MutedErrors muted;
   try {
     WASH_PETSC(SNESSetFromOptions(solver_));
-    set_up_linear_solver(positions);
+    if (solves_linearly_) set_up_linear_solver(positions);
   } catch (const petsc::Error&) {
     throw InputError("-cloth_...: the solver of the cloth cannot be set up with this (" + muted.message() + ")");
   }
-  if (applies_matrix_free()) WASH_PETSC(MatCreateSNESMF(solver_, matrix_free_.put()));
+  if (approximate_) {
+    PetscInt rows = 0;
+    WASH_PETSC(VecGetLocalSize(unknown_, &rows));
+    WASH_PETSC(MatCreateShell(cloths.comm(), rows, rows, PETSC_DETERMINE, PETSC_DETERMINE, this, matrix_free_.put()));
+    WASH_PETSC(MatShellSetOperation(matrix_free_, MATOP_MULT, reinterpret_cast<void (*)()>(&ClothSolver::multiply)));
+  } else if (applies_matrix_free()) {
+    WASH_PETSC(MatCreateSNESMF(solver_, matrix_free_.put()));
+  }
   const Mat jacobian = matrix_free_ ? matrix_free_ : matrix_;
   WASH_PETSC(SNESSetJacobian(solver_, jacobian, matrix_, &ClothSolver::linearise, this));
   PetscBool given = PETSC_FALSE;
@@ -93,30 +100,38 @@ void ClothSolver<Dim>::set_up_linear_solver(const Points<Dim>& positions) {
   WASH_PETSC(KSPSetUp(linear));
 }
 
-// A direct solution, of all cloths by every rank: they are small, and the result does not depend on the ranks.
+// A direct solution, of all cloths by every rank: they are small, and the result does not depend on the ranks. Only
+// what the chosen method reads may be set.
 template <int Dim>
 void ClothSolver<Dim>::set_default_solvers(const Defaults& defaults) {
-  const bool quasi_newton = std::string(defaults.type) == SNESQN;
   WASH_PETSC(SNESSetType(solver_, defaults.type));
-  if (!quasi_newton && !defaults.approximate) {
+  std::array<char, 64> type{};
+  WASH_PETSC(PetscOptionsGetString(nullptr, "cloth_", "-snes_type", type.data(), type.size(), nullptr));
+  const std::string chosen = type[0] ? type.data() : defaults.type;
+  const bool newton = chosen == SNESNEWTONLS || chosen == SNESNEWTONTR;
+  if (chosen == SNESQN) {
+    petsc::set_default_option("-cloth_snes_qn_type", "broyden");
+    petsc::set_default_option("-cloth_snes_qn_scale_type", "jacobian");
+    petsc::set_default_option("-cloth_snes_linesearch_type", "basic");
+  }
+  if (newton && std::string(defaults.type) == SNESNEWTONLS) {
     SNESLineSearch search = nullptr;
     WASH_PETSC(SNESGetLineSearch(solver_, &search));
     WASH_PETSC(SNESLineSearchSetType(search, SNESLINESEARCHSHELL));
     WASH_PETSC(SNESLineSearchShellSetUserFunc(search, &ClothSolver::shorten, this));
   }
-  if (quasi_newton) {
-    petsc::set_default_option("-cloth_snes_qn_type", "broyden");
-    petsc::set_default_option("-cloth_snes_qn_scale_type", "jacobian");
-    petsc::set_default_option("-cloth_snes_linesearch_type", "basic");
+  approximate_ = defaults.approximate && newton;
+  solves_linearly_ = newton || chosen == SNESQN;
+  if (!solves_linearly_) return;
+  const bool preconditions = newton && (defaults.approximate || std::string(defaults.type) == SNESQN);
+  PetscBool chooses = PETSC_FALSE;
+  WASH_PETSC(PetscOptionsHasName(nullptr, "cloth_", "-pc_type", &chooses));
+  if (!chooses) {
+    petsc::set_default_option("-cloth_pc_type", "redundant");
+    petsc::set_default_option("-cloth_redundant_pc_type", defaults.symmetric ? "cholesky" : "lu");
   }
-  petsc::set_default_option("-cloth_pc_type", "redundant");
-  petsc::set_default_option("-cloth_redundant_pc_type", defaults.symmetric ? "cholesky" : "lu");
-  std::array<char, 64> type{};
-  WASH_PETSC(PetscOptionsGetString(nullptr, "cloth_", "-snes_type", type.data(), type.size(), nullptr));
-  const std::string chosen = type[0] ? type.data() : defaults.type;
-  const bool newton_on_other_matrix = defaults.approximate || (quasi_newton && chosen != SNESQN);
-  petsc::set_default_option("-cloth_ksp_type", newton_on_other_matrix ? "gmres" : "preonly");
-  if (newton_on_other_matrix) petsc::set_default_option("-cloth_ksp_rtol", "1e-2");
+  petsc::set_default_option("-cloth_ksp_type", preconditions ? "gmres" : "preonly");
+  if (preconditions) petsc::set_default_option("-cloth_ksp_rtol", defaults.approximate ? "1e-3" : "1e-2");
 }
 
 // Newton's method where the assembled matrix is not the Jacobian itself.
@@ -124,7 +139,7 @@ template <int Dim>
 bool ClothSolver<Dim>::applies_matrix_free() const {
   std::array<char, 64> type{};
   WASH_PETSC(PetscOptionsGetString(nullptr, "cloth_", "-ksp_type", type.data(), type.size(), nullptr));
-  return std::string(type.data()) != KSPPREONLY;
+  return solves_linearly_ && std::string(type.data()) != KSPPREONLY;
 }
 
 template <int Dim>
@@ -133,7 +148,7 @@ PetscErrorCode ClothSolver<Dim>::evaluate(SNES solver, Vec x, Vec f, void* conte
   return petsc::guarded([&] {
     ++self.evaluations_;
     try {
-      to_vector<Dim>((*self.residual_)(to_points<Dim>(x, self.cloths_.owned())), f);
+      to_vector<Dim>(self.equation_->residual(to_points<Dim>(x, self.cloths_.owned())), f);
     } catch (const DivergedError&) {
       self.failure_ = std::current_exception();
       WASH_PETSC(VecSet(f, 0));
@@ -159,35 +174,68 @@ double ClothSolver<Dim>::slope_towards_descent(Vec x, Vec f, Vec direction) {
   return slope;
 }
 
+// The size of what Newton's step would still change (Deuflhard's natural level function, with the preconditioner in
+// place of the Jacobian): a residual's own norm sees little but the stiffest waves.
+template <int Dim>
+double ClothSolver<Dim>::preconditioned_norm(Vec f, Vec work) const {
+  KSP linear = nullptr;
+  PC preconditioner = nullptr;
+  WASH_PETSC(SNESGetKSP(solver_, &linear));
+  WASH_PETSC(KSPGetPC(linear, &preconditioner));
+  WASH_PETSC(PCApply(preconditioner, f, work));
+  double norm = 0;
+  WASH_PETSC(VecNorm(work, NORM_2, &norm));
+  return norm;
+}
+
+template <int Dim>
+PetscErrorCode ClothSolver<Dim>::multiply(Mat jacobian, Vec x, Vec y) {
+  return petsc::guarded([&] {
+    void* context = nullptr;
+    WASH_PETSC(MatShellGetContext(jacobian, &context));
+    const auto& self = *static_cast<ClothSolver*>(context);
+    to_vector<Dim>(self.equation_->product(to_points<Dim>(x, self.cloths_.owned())), y);
+  });
+}
+
 // A step along Newton's direction: the whole of it, or a half, a quarter ... of it, the first that lowers the potential
 // or, near the solution, where differences of the potential drown in round-off, the residual.
 template <int Dim>
 PetscErrorCode ClothSolver<Dim>::shorten(SNESLineSearch search, void* context) {
   auto& self = *static_cast<ClothSolver*>(context);
   return petsc::guarded([&] {
-    constexpr double sufficient = 1e-4;
+    constexpr double sufficient = 1e-4, small = 1e-6;
     constexpr int most_halvings = 30;
-    Vec x = nullptr, f = nullptr, direction = nullptr, trial = nullptr;
-    WASH_PETSC(SNESLineSearchGetVecs(search, &x, &f, &direction, &trial, nullptr));
+    Vec x = nullptr, f = nullptr, direction = nullptr, trial = nullptr, work = nullptr;
+    WASH_PETSC(SNESLineSearchGetVecs(search, &x, &f, &direction, &trial, &work));
+    const Equation& equation = *self.equation_;
+    const bool has_potential = static_cast<bool>(equation.potential);
     const auto potential_at = [&](Vec place) {
-      return (*self.potential_)(to_points<Dim>(place, self.cloths_.owned()));
+      return has_potential ? equation.potential(to_points<Dim>(place, self.cloths_.owned())) : 0.0;
     };
-    double norm = 0, part = 1;
-    WASH_PETSC(VecNorm(f, NORM_2, &norm));
-    const double slope = self.slope_towards_descent(x, f, direction);
+    const auto norm_of = [&](Vec residual) {
+      double norm = 0;
+      if (!has_potential) return self.preconditioned_norm(residual, work);
+      WASH_PETSC(VecNorm(residual, NORM_2, &norm));
+      return norm;
+    };
+    double part = 1, step_norm = 0, place_norm = 0;
+    WASH_PETSC(VecNorm(direction, NORM_2, &step_norm));
+    WASH_PETSC(VecNorm(x, NORM_2, &place_norm));
+    const bool is_small = step_norm <= small * place_norm;  // so near the solution residuals may be round-off
+    const double norm = norm_of(f), slope = has_potential ? self.slope_towards_descent(x, f, direction) : 0;
     const double before = potential_at(x);
     for (int n = 0; n < most_halvings; ++n, part *= 0.5) {
       WASH_PETSC(VecWAXPY(trial, -part, direction, x));
       WASH_PETSC(SNESComputeFunction(self.solver_, trial, f));
-      double trial_norm = 0;
-      WASH_PETSC(VecNorm(f, NORM_2, &trial_norm));
-      if (trial_norm <= (1 - sufficient * part) * norm || potential_at(trial) <= before - sufficient * part * slope) {
+      const bool lowers = is_small || norm_of(f) <= (1 - sufficient * part) * norm;
+      if (lowers || (has_potential && potential_at(trial) <= before - sufficient * part * slope)) {
         WASH_PETSC(VecCopy(trial, x));
         WASH_PETSC(VecScale(direction, part));
         WASH_PETSC(SNESLineSearchSetLambda(search, part));
         WASH_PETSC(SNESLineSearchSetReason(search, SNES_LINESEARCH_SUCCEEDED));
         WASH_PETSC(SNESLineSearchComputeNorms(search));
-        self.geometric_ = part == 1 ? GeometricStiffness::all : GeometricStiffness::of_tension;
+        self.geometric_ = part == 1 && has_potential ? GeometricStiffness::all : GeometricStiffness::of_tension;
         return;
       }
     }
@@ -200,7 +248,7 @@ PetscErrorCode ClothSolver<Dim>::linearise(SNES, Vec x, Mat jacobian, Mat matrix
   auto& self = *static_cast<ClothSolver*>(context);
   return petsc::guarded([&] {
     WASH_PETSC(MatZeroEntries(matrix));
-    (*self.assemble_)(to_points<Dim>(x, self.cloths_.owned()), self.geometric_, matrix);
+    self.equation_->assemble(to_points<Dim>(x, self.cloths_.owned()), self.geometric_, matrix);
     if (jacobian == matrix) return;
     WASH_PETSC(MatAssemblyBegin(jacobian, MAT_FINAL_ASSEMBLY));
     WASH_PETSC(MatAssemblyEnd(jacobian, MAT_FINAL_ASSEMBLY));
@@ -220,12 +268,9 @@ void ClothSolver<Dim>::forget_last_solve() {
 }
 
 template <int Dim>
-PetscInt ClothSolver<Dim>::solve(const Residual& residual, const Assemble& assemble, const Potential& potential,
-                                 double tolerance, Points<Dim>& velocities) {
-  potential_ = &potential;
+PetscInt ClothSolver<Dim>::solve(const Equation& equation, double tolerance, Points<Dim>& velocities) {
   forget_last_solve();
-  residual_ = &residual;
-  assemble_ = &assemble;
+  equation_ = &equation;
   geometric_ = GeometricStiffness::of_tension;
   failure_ = nullptr;
   evaluations_ = 0;

@@ -18,30 +18,40 @@ class ClothSolver {
   /// Adds its Jacobian, or something near it, to a matrix of zeros. Collective.
   using Assemble = std::function<void(const Points<Dim>& velocities, GeometricStiffness geometric, Mat matrix)>;
 
-  /// A function whose gradient the residual is, for the line search. Collective.
+  /// A function whose gradient the residual is. Collective.
   using Potential = std::function<double(const Points<Dim>& velocities)>;
+  /// The Jacobian, where the matrix was assembled last, times a direction. Collective.
+  using Product = std::function<Points<Dim>(const Points<Dim>& direction)>;
+
+  /// An equation for the velocities. Newton's steps are shortened until they lower the potential or the residual;
+  /// without a potential, the preconditioned residual. Far from the solution the matrix of one with a potential leaves
+  /// the geometric stiffness of compressed edges out, so that they can.
+  struct Equation {
+    Residual residual;
+    Assemble assemble;
+    Potential potential = {};
+    Product product = {};  ///< if the assembled matrix only preconditions; else by differences of the residual
+  };
 
   /// What is solved unless the user chooses otherwise.
   struct Defaults {
     SNESType type;   ///< newtonls: the matrix is the Jacobian; qn: it is where the quasi-Newton matrix starts from
     bool symmetric;  ///< whether the matrix is symmetric positive definite: Cholesky instead of LU
-    bool approximate =
-        false;  ///< newtonls: the matrix only preconditions the Jacobian, which is applied by differences
+    bool approximate = false;  ///< newtonls: the matrix only preconditions the Jacobian, the equation's `product`
   };
   /// `positions` are any that the cloths may have. Collective. Errors: InputError.
   ClothSolver(const Cloths<Dim>& cloths, const Points<Dim>& positions, const Defaults& defaults);
   ClothSolver(const ClothSolver&) = delete;
   ClothSolver& operator=(const ClothSolver&) = delete;
 
-  /// Solves residual = 0 until its 2-norm over all markers is below `tolerance`; `velocities` holds a guess, then the
-  /// solution. With a potential, Newton's steps are shortened until they lower it or the residual; far from the
-  /// solution the matrix leaves the geometric stiffness of compressed edges out, so that they can. Returns the number
-  /// of evaluations of the residual. Collective. Errors: DivergedError.
-  PetscInt solve(const Residual& residual, const Assemble& assemble, const Potential& potential, double tolerance,
-                 Points<Dim>& velocities);
+  /// Solves an equation until the 2-norm of its residual over all markers is below `tolerance`; `velocities` holds a
+  /// guess, then the solution. Returns the number of evaluations of the residual. Collective. Errors: DivergedError.
+  PetscInt solve(const Equation& equation, double tolerance, Points<Dim>& velocities);
 
  private:
   static PetscErrorCode evaluate(SNES solver, Vec x, Vec f, void* self);
+  static PetscErrorCode multiply(Mat jacobian, Vec x, Vec y);
+  double preconditioned_norm(Vec f, Vec work) const;
   double slope_towards_descent(Vec x, Vec f, Vec direction);
   static PetscErrorCode shorten(SNESLineSearch search, void* self);
   static PetscErrorCode linearise(SNES solver, Vec x, Mat jacobian, Mat preconditioner, void* self);
@@ -54,13 +64,11 @@ class ClothSolver {
   petsc::NonlinearSolver solver_;
   petsc::Matrix matrix_, matrix_free_;
   petsc::Vector unknown_, value_;
-  const Residual* residual_ = nullptr;  ///< during `solve`
-  const Assemble* assemble_ = nullptr;
-  const Potential* potential_ = nullptr;
+  const Equation* equation_ = nullptr;  ///< during `solve`
   GeometricStiffness geometric_ = GeometricStiffness::of_tension;
   std::exception_ptr failure_;  ///< of the physics, thrown in a callback: it must not cross PETSc's frames
   PetscInt evaluations_ = 0;
-  bool user_sets_atol_ = false;
+  bool user_sets_atol_ = false, solves_linearly_ = false, approximate_ = false;
 };
 
 /// The product of a matrix of the cloths' lattice with one value per marker. Collective.

@@ -24,7 +24,7 @@ CouplingOptions CouplingOptions::from_options(Options& options) {
     block.choice("mobility", coupling.mobility, {"matrix", "row_sums"},
                  "what stands for the mobility of the markers: that without pressure, or its row sums (semi_implicit)");
     block.real("mobility_factor", coupling.mobility_factor, "-", positive,
-               "of what stands for the markers' mobility; stable from 0.75 on (semi_implicit)");
+               "of what stands for the markers' mobility; too small: unstable; large: slow to follow (semi_implicit)");
     block.real("tolerance", coupling.tolerance, "-", positive,
                "rms residual of the markers' velocities over the flow's speed (semi_implicit, implicit)");
     block.integer("sweeps", coupling.sweeps, at_least_one, "elastic solves and corrections at most (semi_implicit)");

@@ -16,7 +16,8 @@ SemiImplicitCoupling<Dim>::SemiImplicitCoupling(const System<Dim>& system, const
     : options_(options),
       solver_(system.cloths, system.positions,
               {SNESNEWTONLS, options.mobility == "row_sums", options.mobility == "matrix"}),
-      matrix_(system.grid, system.transfer.delta()) {}
+      matrix_(system.grid, system.transfer.delta()),
+      stiffness_(system.cloths.stiffness_matrix()) {}
 
 template <int Dim>
 double SemiImplicitCoupling<Dim>::step_bound(const System<Dim>&) const {
@@ -57,8 +58,16 @@ Points<Dim> SemiImplicitCoupling<Dim>::move_by_matrix(System<Dim>& system, doubl
     return sum<Dim>(sum<Dim>(velocities, -1, free_velocities), -dt, gained);
   };
   const auto assemble = [&](const Points<Dim>& velocities, GeometricStiffness geometric, Mat matrix) {
-    cloths.add_stiffness(sum<Dim>(system.positions, dt, velocities), geometric, dt * dt, matrix);
+    const Points<Dim> moved = sum<Dim>(system.positions, dt, velocities);
+    WASH_PETSC(MatZeroEntries(stiffness_));
+    cloths.add_stiffness(moved, GeometricStiffness::all, dt * dt, stiffness_);
+    WASH_PETSC(MatAssemblyBegin(stiffness_, MAT_FINAL_ASSEMBLY));
+    WASH_PETSC(MatAssemblyEnd(stiffness_, MAT_FINAL_ASSEMBLY));
+    cloths.add_stiffness(moved, geometric, dt * dt, matrix);
     scale_and_shift<Dim>(row_sums_, std::vector<double>(row_sums_.size(), 1.0), matrix);
+  };
+  const auto jacobian = [&](const Points<Dim>& direction) {
+    return sum<Dim>(direction, 1, product<Dim>(matrix_, product<Dim>(stiffness_, direction)));
   };
   double squares = 0, most = 0;
   for (std::size_t m = 0; m < velocities_.size(); ++m) {
@@ -68,8 +77,8 @@ Points<Dim> SemiImplicitCoupling<Dim>::move_by_matrix(System<Dim>& system, doubl
   const double round_off = 10 * dt * largest(system.grid.comm(), most) * cloths.force_round_off(system.positions);
   const double tolerance = options_.tolerance * std::sqrt(ordered_sum(system.grid.comm(), squares));
   Points<Dim> velocities = velocities_;
-  system.cloth_iterations +=
-      static_cast<double>(solver_.solve(residual, assemble, {}, std::max(tolerance, round_off), velocities));
+  system.cloth_iterations += static_cast<double>(
+      solver_.solve({residual, assemble, {}, jacobian}, std::max(tolerance, round_off), velocities));
   return velocities;
 }
 
@@ -109,7 +118,7 @@ Points<Dim> SemiImplicitCoupling<Dim>::move_by_row_sums(System<Dim>& system, dou
   const double tolerance = options_.tolerance * std::sqrt(squares[0] * squares[1] / markers);
   Points<Dim> velocities = velocities_;
   system.cloth_iterations +=
-      static_cast<double>(solver_.solve(residual, assemble, potential, std::max(tolerance, round_off), velocities));
+      static_cast<double>(solver_.solve({residual, assemble, potential}, std::max(tolerance, round_off), velocities));
   return velocities;
 }
 

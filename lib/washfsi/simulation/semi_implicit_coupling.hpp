@@ -5,9 +5,9 @@
 //   1. spread      S, J, rho at X^n + dt/2 V^n;  f = S (F(X^n) + weight, loads, contact)
 //   2. fluid       u, p by the fractional step with f
 //   3. markers     U = J [H u + (1-H) u_solid]
-//   4. mobility    M = factor times J H S / rho, a sparse matrix that bounds the true mobility of the markers, cloths
-//   that
-//                  lie on each other included; or, D, its row sums, a diagonal. Stable for any step if factor >= 3/4
+//   4. mobility    M = factor times J H S / rho, a sparse matrix that bounds the true mobility of the markers, that of
+//                  cloths lying on each other included; or, D, its row sums, a diagonal. Stable for any step if factor
+//                  >= 3/4 and the density is nearly uniform; a heavy plate needs 1
 //   5. elasticity  V - U = dt M [F(X^n + dt V) - F], by Newton's method. With D the equations are the gradient of a
 //                  potential; with M they are solved by GMRES, preconditioned by those with D
 //   6. correction  f' = H S [F(X^n + dt V) - F]: u += dt f'/rho, projected;  F = F(X^n + dt V)
@@ -43,6 +43,7 @@ class SemiImplicitCoupling : public CouplingScheme<Dim> {
   CouplingOptions options_;
   ClothSolver<Dim> solver_;
   MobilityMatrix<Dim> matrix_;    ///< J H S / rho of the step under way
+  petsc::Matrix stiffness_;       ///< dt^2 K where the equations were linearised last
   std::vector<double> row_sums_;  ///< D of each of this rank's markers
   Points<Dim> velocities_;        ///< V
 };
