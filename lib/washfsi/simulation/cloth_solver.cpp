@@ -131,7 +131,9 @@ void ClothSolver<Dim>::set_default_solvers(const Defaults& defaults) {
     petsc::set_default_option("-cloth_redundant_pc_type", defaults.symmetric ? "cholesky" : "lu");
   }
   petsc::set_default_option("-cloth_ksp_type", preconditions ? "gmres" : "preonly");
-  if (preconditions) petsc::set_default_option("-cloth_ksp_rtol", defaults.approximate ? "1e-3" : "1e-2");
+  if (!preconditions) return;
+  petsc::set_default_option("-cloth_ksp_rtol", defaults.approximate ? "1e-3" : "1e-2");
+  petsc::set_default_option("-cloth_ksp_gmres_restart", "200");  // stiff short waves that water hardly moves
 }
 
 // Newton's method where the assembled matrix is not the Jacobian itself.
@@ -286,7 +288,7 @@ PetscInt ClothSolver<Dim>::solve(const Equation& equation, double tolerance, Poi
   WASH_PETSC(SNESGetConvergedReason(solver_, &reason));
   if (reason < 0)
     throw DivergedError(std::string("cloth: its equations could not be solved (") + SNESConvergedReasons[reason] +
-                        "); a shorter step may help");
+                        "); a shorter step or -cloth_mobility row_sums may help");
   velocities = to_points<Dim>(unknown_, cloths_.owned());
   return evaluations_;
 }
