@@ -65,6 +65,7 @@ ClothSolver<Dim>::ClothSolver(const Cloths<Dim>& cloths, const Points<Dim>& posi
   WASH_PETSC(SNESSetOptionsPrefix(solver_, "cloth_"));
   WASH_PETSC(SNESSetFunction(solver_, value_, &ClothSolver::evaluate, this));
   set_default_solvers(defaults);
+  if (approximate_) WASH_PETSC(SNESSetConvergenceTest(solver_, &ClothSolver::test_convergence, this, nullptr));
   WASH_PETSC(SNESSetTolerances(solver_, 0, 1e-10, defaults.approximate ? 1e-7 : 1e-10, 60, 10000));
   const petsc::MutedErrors muted;
   try {
@@ -190,6 +191,17 @@ double ClothSolver<Dim>::preconditioned_norm(Vec f, Vec work) const {
   return norm;
 }
 
+// PETSc's own test, and an end where what is left is round-off.
+template <int Dim>
+PetscErrorCode ClothSolver<Dim>::test_convergence(SNES solver, PetscInt iteration, PetscReal unknown, PetscReal step,
+                                                  PetscReal residual, SNESConvergedReason* reason, void* context) {
+  return petsc::guarded([&] {
+    WASH_PETSC(SNESConvergedDefault(solver, iteration, unknown, step, residual, reason, nullptr));
+    const auto& self = *static_cast<ClothSolver*>(context);
+    if (*reason == SNES_CONVERGED_ITERATING && self.is_round_off_) *reason = SNES_CONVERGED_SNORM_RELATIVE;
+  });
+}
+
 template <int Dim>
 PetscErrorCode ClothSolver<Dim>::multiply(Mat jacobian, Vec x, Vec y) {
   return petsc::guarded([&] {
@@ -230,7 +242,9 @@ PetscErrorCode ClothSolver<Dim>::shorten(SNESLineSearch search, void* context) {
     for (int n = 0; n < most_halvings; ++n, part *= 0.5) {
       WASH_PETSC(VecWAXPY(trial, -part, direction, x));
       WASH_PETSC(SNESComputeFunction(self.solver_, trial, f));
-      const bool lowers = is_small || norm_of(f) <= (1 - sufficient * part) * norm;
+      const double now = norm_of(f);
+      self.is_round_off_ = !has_potential && now <= equation.round_off;
+      const bool lowers = is_small || self.is_round_off_ || now <= (1 - sufficient * part) * norm;
       if (lowers || (has_potential && potential_at(trial) <= before - sufficient * part * slope)) {
         WASH_PETSC(VecCopy(trial, x));
         WASH_PETSC(VecScale(direction, part));
@@ -274,6 +288,7 @@ PetscInt ClothSolver<Dim>::solve(const Equation& equation, double tolerance, Poi
   forget_last_solve();
   equation_ = &equation;
   geometric_ = GeometricStiffness::of_tension;
+  is_round_off_ = false;
   failure_ = nullptr;
   evaluations_ = 0;
   double atol = 0, rtol = 0, stol = 0;

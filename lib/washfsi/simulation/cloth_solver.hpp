@@ -29,6 +29,7 @@ class ClothSolver {
   struct Equation {
     Residual residual;
     Assemble assemble;
+    double round_off = 0;  ///< 2-norm over all markers that its residual may have at the solution
     Potential potential = {};
     Product product = {};  ///< if the assembled matrix only preconditions; else by differences of the residual
   };
@@ -50,6 +51,8 @@ class ClothSolver {
 
  private:
   static PetscErrorCode evaluate(SNES solver, Vec x, Vec f, void* self);
+  static PetscErrorCode test_convergence(SNES solver, PetscInt iteration, PetscReal unknown, PetscReal step,
+                                         PetscReal residual, SNESConvergedReason* reason, void* self);
   static PetscErrorCode multiply(Mat jacobian, Vec x, Vec y);
   double preconditioned_norm(Vec f, Vec work) const;
   double slope_towards_descent(Vec x, Vec f, Vec direction);
@@ -66,6 +69,7 @@ class ClothSolver {
   petsc::Vector unknown_, value_;
   const Equation* equation_ = nullptr;  ///< during `solve`
   GeometricStiffness geometric_ = GeometricStiffness::of_tension;
+  bool is_round_off_ = false;   ///< whether the last step's preconditioned residual was no more
   std::exception_ptr failure_;  ///< of the physics, thrown in a callback: it must not cross PETSc's frames
   PetscInt evaluations_ = 0;
   bool user_sets_atol_ = false, solves_linearly_ = false, approximate_ = false;

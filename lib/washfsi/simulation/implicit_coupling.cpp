@@ -68,7 +68,7 @@ void ImplicitCoupling<Dim>::advance(System<Dim>& system, double dt) {
   };
   Points<Dim> velocities = system.velocities;
   if (system.fluid.last_step() == 0) last = fluid_step(system, dt, velocities);
-  system.cloth_iterations += static_cast<double>(solver_.solve({residual, assemble}, tolerance(system), velocities));
+  system.cloth_iterations += static_cast<double>(solver_.solve({residual, assemble, 0}, tolerance(system), velocities));
   last = fluid_step(system, dt, velocities);  // the solver's last evaluation may have been elsewhere
   system.fluid.finish();
   system.positions = sum<Dim>(system.positions, dt, velocities);

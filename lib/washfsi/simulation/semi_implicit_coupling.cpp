@@ -78,7 +78,7 @@ Points<Dim> SemiImplicitCoupling<Dim>::move_by_matrix(System<Dim>& system, doubl
   const double tolerance = options_.tolerance * std::sqrt(ordered_sum(system.grid.comm(), squares));
   Points<Dim> velocities = velocities_;
   system.cloth_iterations += static_cast<double>(
-      solver_.solve({residual, assemble, {}, jacobian}, std::max(tolerance, round_off), velocities));
+      solver_.solve({residual, assemble, round_off, {}, jacobian}, std::max(tolerance, round_off), velocities));
   return velocities;
 }
 
@@ -117,8 +117,8 @@ Points<Dim> SemiImplicitCoupling<Dim>::move_by_row_sums(System<Dim>& system, dou
   const double round_off = 10 * dt * cloths.force_round_off(system.positions);
   const double tolerance = options_.tolerance * std::sqrt(squares[0] * squares[1] / markers);
   Points<Dim> velocities = velocities_;
-  system.cloth_iterations +=
-      static_cast<double>(solver_.solve({residual, assemble, potential}, std::max(tolerance, round_off), velocities));
+  system.cloth_iterations += static_cast<double>(
+      solver_.solve({residual, assemble, round_off, potential}, std::max(tolerance, round_off), velocities));
   return velocities;
 }
 
