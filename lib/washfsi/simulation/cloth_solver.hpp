@@ -75,15 +75,6 @@ class ClothSolver {
   bool user_sets_atol_ = false, solves_linearly_ = false, approximate_ = false;
 };
 
-/// The product of a matrix of the cloths' lattice with one value per marker. Collective.
-template <int Dim>
-Points<Dim> product(Mat matrix, const Points<Dim>& values);
-
-/// Ends the assembly of a matrix M of the cloths' lattice and makes it  diag(row_factors) M + diag(diagonal), with one
-/// value per marker. Collective.
-template <int Dim>
-void scale_and_shift(const std::vector<double>& row_factors, const std::vector<double>& diagonal, Mat matrix);
-
 extern template class ClothSolver<2>;
 extern template class ClothSolver<3>;
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "washfsi/simulation/coupling_operations.hpp"
+#include "washfsi/simulation/marker_vectors.hpp"
 #include "washfsi/support/collective.hpp"
 
 namespace washfsi {

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "washfsi/simulation/coupling_operations.hpp"
+#include "washfsi/simulation/marker_vectors.hpp"
 #include "washfsi/support/collective.hpp"
 
 namespace washfsi {
