@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "support/fibre_in_water.hpp"
-#include "washfsi/support/collective.hpp"
 
 namespace washfsi::test {
 namespace {
@@ -41,15 +40,10 @@ struct Ring {
 };
 
 Ring ring(const System<2>& system) {
-  const auto count = static_cast<std::size_t>(system.cloths.marker_count());
-  std::vector<double> places(2 * count, 0.0);
-  for (std::size_t m = 0; m < system.positions.size(); ++m)
-    for (std::size_t d = 0; d < 2; ++d)
-      places[2 * (m + static_cast<std::size_t>(system.cloths.begin())) + d] = system.positions[m][static_cast<int>(d)];
-  places = ordered_sum(system.grid.comm(), places);
+  const Points<2> places = system.cloths.of_all_ranks(system.positions);
   Ring result{0, 0};
-  for (std::size_t k = 0; k < count; ++k) {
-    const Point<2> here(&places[2 * k]), next(&places[2 * ((k + 1) % count)]);
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const Point<2>&here = places[k], &next = places[(k + 1) % places.size()];
     result.area += 0.5 * cross<2>(here, next)[0];
     result.eccentricity += std::abs(here[0] - 0.5) - std::abs(here[1] - 0.5);
   }

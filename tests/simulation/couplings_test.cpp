@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include "support/fibre_in_water.hpp"
-#include "washfsi/support/collective.hpp"
 
 namespace washfsi::test {
 namespace {
@@ -47,21 +46,17 @@ TEST_P(EveryCoupling, KeepsTheMomentumOfAPeriodicBox) {
 }
 
 // Markers after a given time in steps of dt, all of them on every rank.
-std::vector<double> places_after(const std::string& name, double time, int steps) {
+Points<2> places_after(const std::string& name, double time, int steps) {
   System<2> system(PETSC_COMM_WORLD, fibre_in_water(0.093, 0), {});
   disturb(system, 1e-3);
   const auto scheme = make_coupling_scheme<2>(coupling(name), system);
   for (int n = 0; n < steps; ++n) scheme->advance(system, time / steps);
-  std::vector<double> places(2 * static_cast<std::size_t>(system.cloths.marker_count()), 0.0);
-  for (std::size_t m = 0; m < system.positions.size(); ++m)
-    for (std::size_t d = 0; d < 2; ++d)
-      places[2 * (m + static_cast<std::size_t>(system.cloths.begin())) + d] = system.positions[m][static_cast<int>(d)];
-  return ordered_sum(PETSC_COMM_WORLD, places);
+  return system.cloths.of_all_ranks(system.positions);
 }
 
-double difference(const std::vector<double>& a, const std::vector<double>& b) {
+double difference(const Points<2>& a, const Points<2>& b) {
   double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, (a[i] - b[i]).cwiseAbs().maxCoeff());
   return largest;
 }
 

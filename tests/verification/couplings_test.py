@@ -14,10 +14,9 @@ import sys
 import tempfile
 from pathlib import Path
 
-import h5py
 import numpy as np
 
-from tables import SOURCE, command, print_head, print_row
+from tables import SOURCE, command, print_head, print_row, read_markers
 
 RANKS = 1
 QUARTER, INTERVAL, TRAVEL = 0.392, 0.004, 10  # s, s, spacings
@@ -44,9 +43,7 @@ class Run:
         self.ms = 1e3 * summary["seconds_per_step"]
         self.iterations = summary["iterations"]
         self.cost = summary["seconds_per_step"] / step
-        with h5py.File(Path(folder) / "cloth.h5") as file:
-            frames = sorted(file["frames"].values(), key=lambda frame: frame.attrs["time"])
-            self.places = np.array([frame["position"][()] for frame in frames])
+        self.places = read_markers(folder)[1]
         edges = np.linalg.norm(np.diff(self.places, axis=1), axis=2)
         self.tension = (stiffness * 0.5 * ((edges / SPACING) ** 2 - 1)[:, within_cloths()]).mean(axis=0)
 

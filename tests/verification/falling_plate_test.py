@@ -12,10 +12,9 @@ import tempfile
 from pathlib import Path
 from typing import NamedTuple
 
-import h5py
 import numpy as np
 
-from tables import SOURCE, command, print_head, print_row, read_columns
+from tables import SOURCE, command, print_head, print_row, read_columns, read_markers
 
 RANKS = 2
 LEAST_WAY = 0.1  # lengths: a shorter way back is no turn
@@ -51,9 +50,7 @@ def fall(case, cells):
                                "-grid_cells", f"{cells},{cells}", "-plate_markers", markers, "-time_step",
                                case.pace * STEPS[cells], "-output_dir", folder), check=True,
                        stdout=subprocess.DEVNULL)
-        with h5py.File(Path(folder) / "cloth.h5") as file:
-            places = np.array([file["frames"][name]["position"][:, :2] for name in sorted(file["frames"])])
-        return read_columns(Path(folder) / "history.csv"), places
+        return read_columns(Path(folder) / "history.csv"), read_markers(folder)[1]
 
 
 def turns(values, least):

@@ -7,12 +7,10 @@ Prints the table of docs/verification.md. Chain: J0(j01 sqrt(s/L)), s from the f
 import subprocess
 import sys
 import tempfile
-from pathlib import Path
 
-import h5py
 import numpy as np
 
-from tables import SOURCE, command, print_head, print_row
+from tables import SOURCE, command, print_head, print_row, read_markers
 
 SWING = SOURCE / "tests" / "verification" / "reference" / "filament" / "swing_tip_0.1pi_gamma0.01.csv"
 LENGTH, GRAVITY = 1, 10
@@ -33,10 +31,7 @@ def swing(*options):
     with tempfile.TemporaryDirectory(prefix="washfsi_") as folder:
         subprocess.run(command(1, "-options_file", SOURCE / "inputs" / "filament.opts", *options,
                                "-output_dir", folder), check=True, stdout=subprocess.DEVNULL)
-        with h5py.File(Path(folder) / "cloth.h5") as file:
-            frames = [file["frames"][name] for name in sorted(file["frames"])]
-            return (np.array([frame.attrs["time"] for frame in frames]),
-                    np.array([frame["position"][:, :2] for frame in frames]))
+        return read_markers(folder)
 
 
 def most_stretch(places):

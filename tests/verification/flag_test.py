@@ -12,10 +12,9 @@ import tempfile
 from pathlib import Path
 from typing import NamedTuple
 
-import h5py
 import numpy as np
 
-from tables import SOURCE, command, print_head, print_row, read_columns
+from tables import SOURCE, command, print_head, print_row, read_columns, read_markers
 
 RANKS = 2
 LENGTH = 1  # [m] from the first marker, where the hinge is, to the free end
@@ -43,14 +42,6 @@ def flag_options(cells):
     direction = np.cos(0.1 * np.pi), np.sin(0.1 * np.pi)
     return ["-grid_cells", f"{cells},{cells}", "-flag_markers", markers, "-flag_size", size,
             "-flag_center", f"{middle * direction[0]},{middle * direction[1]}", "-time_step", STEPS[cells]]
-
-
-def read_markers(path):
-    """Returns the times of the frames and the markers' positions in them."""
-    with h5py.File(path) as file:
-        frames = [file["frames"][name] for name in sorted(file["frames"])]
-        return (np.array([float(frame.attrs["time"]) for frame in frames]),
-                np.array([frame["position"][:, :2] for frame in frames]))
 
 
 def peaks(values):
@@ -87,7 +78,7 @@ def main():
         with tempfile.TemporaryDirectory(prefix="washfsi_") as folder:
             subprocess.run(command(RANKS, "-options_file", SOURCE / "inputs" / "flag.opts", *flag_options(cells),
                                    "-output_dir", folder), check=True, stdout=subprocess.DEVNULL)
-            time, markers = read_markers(Path(folder) / "cloth.h5")
+            time, markers = read_markers(folder)
             history = read_columns(Path(folder) / "history.csv")
         found = flapping(time, markers, LENGTH / (cells // 8 - 0.5))
         slip = history["cloth_slip"][history["time"] >= SETTLED].mean()

@@ -39,18 +39,20 @@ Cloths<Dim>::Cloths(MPI_Comm comm, std::vector<ClothGroup<Dim>> groups) : comm_(
 
 template <int Dim>
 void Cloths<Dim>::find_parts() {
-  for (const Piece& piece : pieces_) {
+  for (std::size_t p = 0; p < pieces_.size(); ++p) {
+    const Piece& piece = pieces_[p];
     const PetscInt own_first = std::max(piece.first, begin_), own_end = std::min(piece.first + piece.count, end_);
     if (own_first >= own_end) continue;
-    parts_.push_back(part_of(piece, own_first, own_end));
+    parts_.push_back(part_of(p, own_first, own_end));
     halo_count_ += parts_.back().markers.size();
   }
 }
 
 template <int Dim>
-typename Cloths<Dim>::Part Cloths<Dim>::part_of(const Piece& piece, PetscInt own_first, PetscInt own_end) const {
+typename Cloths<Dim>::Part Cloths<Dim>::part_of(std::size_t number, PetscInt own_first, PetscInt own_end) const {
+  const Piece& piece = pieces_[number];
   const bool closed = groups_[piece.group].fibre.closed;
-  Part part{piece.group, {}, halo_count_, 0, 0, static_cast<std::size_t>(own_first - begin_)};
+  Part part{number, {}, halo_count_, 0, 0, static_cast<std::size_t>(own_first - begin_)};
   for (PetscInt marker = own_first - fibre_reach; marker < own_end + fibre_reach; ++marker) {
     const PetscInt along = marker - piece.first;
     if (!closed && (along < 0 || along >= piece.count)) continue;
@@ -65,9 +67,7 @@ namespace {
 
 // A force at the very end, half a spacing beyond the first or last marker: its share of the marker so many places from
 // there, with the right force and torque.
-template <int Dim>
-double end_force_share(const ClothGroup<Dim>& group, PetscInt from_end) {
-  if (group.markers < 2) return 1;
+double end_force_share(PetscInt from_end) {
   return from_end == 0 ? 1.5 : from_end == 1 ? -0.5 : 0;
 }
 
@@ -76,21 +76,17 @@ double end_force_share(const ClothGroup<Dim>& group, PetscInt from_end) {
 template <int Dim>
 void Cloths<Dim>::find_markers() {
   for (const Part& part : parts_) {
-    const ClothGroup<Dim>& group = groups_[part.group];
+    const ClothGroup<Dim>& group = group_of(part);
+    const std::vector<PetscInt> held = group.held_markers();
     for (std::size_t i = part.own_begin; i < part.own_end; ++i) {
-      const auto after = std::upper_bound(pieces_.begin(), pieces_.end(), part.markers[i],
-                                          [](PetscInt marker, const Piece& piece) { return marker < piece.first; });
-      const auto piece = static_cast<std::size_t>(after - pieces_.begin()) - 1;
-      const PetscInt along = part.markers[i] - pieces_[piece].first;
-      piece_of_marker_.push_back(piece);
+      const PetscInt along = part.markers[i] - pieces_[part.piece].first;
+      if (std::find(held.begin(), held.end(), along) != held.end())
+        holds_.push_back({piece_of_marker_.size(), group.hold_stiffness, Point<Dim>::Zero()});
+      piece_of_marker_.push_back(part.piece);
       marker_lengths_.push_back(group.fibre.spacing);
       marker_masses_.push_back(group.excess_mass * group.fibre.spacing);
-      dead_loads_.push_back(group.fibre.spacing * group.load);
-      dead_loads_.back() += end_force_share(group, along) * group.end_force_first +
-                            end_force_share(group, group.markers - 1 - along) * group.end_force_last;
-      const std::vector<PetscInt> held = group.held_markers();
-      if (std::find(held.begin(), held.end(), along) != held.end())
-        holds_.push_back({piece_of_marker_.size() - 1, group.hold_stiffness, Point<Dim>::Zero()});
+      dead_loads_.push_back(group.fibre.spacing * group.load + end_force_share(along) * group.end_force_first +
+                            end_force_share(group.markers - 1 - along) * group.end_force_last);
     }
   }
 }
@@ -161,7 +157,7 @@ Points<Dim> Cloths<Dim>::elastic_forces(const Points<Dim>& positions) const {
   const petsc::LogPart log("cloth_force");
   const Points<Dim> x = with_halo(positions);
   Points<Dim> result = forces_of_parts([&](const Part& part, std::span<Point<Dim>> forces) {
-    const ClothGroup<Dim>& group = groups_[part.group];
+    const ClothGroup<Dim>& group = group_of(part);
     if constexpr (Dim == 2) {
       if (group.model == "love") add_love_forces(group.fibre, visible(x, part), forces);
     }
@@ -191,7 +187,7 @@ Points<Dim> Cloths<Dim>::damping_forces(const Points<Dim>& positions, const Poin
   const petsc::LogPart log("cloth_force");
   const Points<Dim> x = with_halo(positions), u = with_halo(velocities);
   return forces_of_parts([&](const Part& part, std::span<Point<Dim>> forces) {
-    add_damping_forces<Dim>(groups_[part.group].fibre, visible(x, part), visible(u, part), forces);
+    add_damping_forces<Dim>(group_of(part).fibre, visible(x, part), visible(u, part), forces);
   });
 }
 
@@ -221,7 +217,7 @@ void Cloths<Dim>::add_stiffness(const Points<Dim>& positions, GeometricStiffness
   };
   const Points<Dim> x = with_halo(positions);
   for (const Part& part : parts_)
-    add_energy_stiffness<Dim>(groups_[part.group].fibre, visible(x, part), geometric,
+    add_energy_stiffness<Dim>(group_of(part).fibre, visible(x, part), geometric,
                               [&](std::size_t row, std::size_t column, const StiffnessBlock<Dim>& block) {
                                 if (row < part.own_begin || row >= part.own_end)
                                   return;  // another rank's, or incomplete here
@@ -238,7 +234,7 @@ std::vector<MarkerState> Cloths<Dim>::marker_states(const Points<Dim>& positions
   const Points<Dim> x = with_halo(positions);
   std::vector<MarkerState> result(owned());
   for (const Part& part : parts_) {
-    const std::vector<MarkerState> values = washfsi::marker_states<Dim>(groups_[part.group].fibre, visible(x, part));
+    const std::vector<MarkerState> values = washfsi::marker_states<Dim>(group_of(part).fibre, visible(x, part));
     for (std::size_t i = part.own_begin; i < part.own_end; ++i) result[part.own_first + i - part.own_begin] = values[i];
   }
   return result;
@@ -249,8 +245,8 @@ std::vector<double> Cloths<Dim>::elastic_energies(const Points<Dim>& positions) 
   const Points<Dim> x = with_halo(positions);
   std::vector<double> energies(groups_.size(), 0.0);
   for (const Part& part : parts_)
-    energies[part.group] +=
-        elastic_energy<Dim>(groups_[part.group].fibre, visible(x, part), part.own_begin, part.own_end);
+    energies[pieces_[part.piece].group] +=
+        elastic_energy<Dim>(group_of(part).fibre, visible(x, part), part.own_begin, part.own_end);
   for (const Hold& hold : holds_)
     energies[pieces_[piece_of_marker_[hold.marker]].group] +=
         0.5 * hold.stiffness * (positions[hold.marker] - hold.anchor).squaredNorm();
@@ -263,10 +259,9 @@ std::vector<double> Cloths<Dim>::largest_stretches(const Points<Dim>& positions)
   std::vector<double> stretches(groups_.size(), 0.0);
   for (const Part& part : parts_) {
     const auto markers = visible(x, part);
-    for (std::size_t k = 0; k + 1 < markers.size(); ++k) {
-      const double stretch = (markers[k + 1] - markers[k]).norm() / groups_[part.group].fibre.spacing - 1;
-      stretches[part.group] = std::max(stretches[part.group], stretch);
-    }
+    double& most = stretches[pieces_[part.piece].group];
+    for (std::size_t k = 0; k + 1 < markers.size(); ++k)
+      most = std::max(most, (markers[k + 1] - markers[k]).norm() / group_of(part).fibre.spacing - 1);
   }
   for (double& stretch : stretches) stretch = largest(comm_, stretch);
   return stretches;

@@ -83,7 +83,7 @@ class Cloths {
   /// The markers of a piece that this rank sees: its own and `fibre_reach` neighbours on either side. A closed piece
   /// is seen as an open one that goes round beyond its own end.
   struct Part {
-    std::size_t group;
+    std::size_t piece;
     std::vector<PetscInt> markers;              ///< seen, by their numbers
     std::size_t first_in_halo;                  ///< where they begin in an array with halo
     std::size_t own_begin, own_end, own_first;  ///< this rank's among them, and the first of these in its arrays
@@ -96,7 +96,8 @@ class Cloths {
   };
   void find_parts();
   void find_markers();
-  Part part_of(const Piece& piece, PetscInt own_first, PetscInt own_end) const;
+  Part part_of(std::size_t number, PetscInt own_first, PetscInt own_end) const;
+  const ClothGroup<Dim>& group_of(const Part& part) const { return groups_[pieces_[part.piece].group]; }
   void build_halo(const petsc::Layout& layout);
   Points<Dim> with_halo(const Points<Dim>& values) const;
   std::span<const Point<Dim>> visible(const Points<Dim>& with_halo, const Part& part) const;

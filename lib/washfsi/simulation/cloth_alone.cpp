@@ -10,9 +10,7 @@ namespace {
 template <int Dim>
 void half_step(System<Dim>& system, double dt, double time) {
   const Cloths<Dim>& cloths = system.cloths;
-  Points<Dim> forces = cloths.elastic_forces(system.positions);
-  forces = sum<Dim>(forces, 1, cloths.damping_forces(system.positions, system.velocities));
-  forces = sum<Dim>(forces, 1, external_forces(system, system.positions, time));
+  const Points<Dim> forces = all_forces(system, system.positions, system.velocities, time);
   for (std::size_t m = 0; m < forces.size(); ++m) {
     const double mass = cloths.marker_masses()[m], drag = system.cloth_drag * cloths.marker_lengths()[m];
     system.velocities[m] = (mass * system.velocities[m] + 0.5 * dt * forces[m]) / (mass + 0.5 * dt * drag);

@@ -248,7 +248,8 @@ PetscInt ClothSolver<Dim>::solve(const Equation& equation, double tolerance, Poi
   PetscInt most_iterations = 0, most_evaluations = 0;
   WASH_PETSC(SNESGetTolerances(solver_, &atol, &rtol, &stol, &most_iterations, &most_evaluations));
   if (!user_sets_atol_)
-    WASH_PETSC(SNESSetTolerances(solver_, std::max(tolerance, 1e-300), rtol, stol, most_iterations, most_evaluations));
+    WASH_PETSC(SNESSetTolerances(solver_, std::max({tolerance, equation.round_off, 1e-300}), rtol, stol,
+                                 most_iterations, most_evaluations));
   to_vector<Dim>(velocities, unknown_);
   WASH_PETSC(SNESSolve(solver_, nullptr, unknown_));
   if (failure_) std::rethrow_exception(failure_);

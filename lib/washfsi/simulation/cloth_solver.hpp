@@ -45,8 +45,9 @@ class ClothSolver {
   ClothSolver(const ClothSolver&) = delete;
   ClothSolver& operator=(const ClothSolver&) = delete;
 
-  /// Solves an equation until the 2-norm of its residual over all markers is below `tolerance`; `velocities` holds a
-  /// guess, then the solution. Returns the number of evaluations of the residual. Collective. Errors: DivergedError.
+  /// Solves an equation until the 2-norm of its residual over all markers is below `tolerance`, or round-off;
+  /// `velocities` holds a guess, then the solution. Returns the number of evaluations of the residual. Collective.
+  /// Errors: DivergedError.
   PetscInt solve(const Equation& equation, double tolerance, Points<Dim>& velocities);
 
  private:

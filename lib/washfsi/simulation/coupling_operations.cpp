@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/simulation/coupling_operations.hpp"
 
+#include <cmath>
+
+#include "washfsi/support/collective.hpp"
+
 namespace washfsi {
 
 template <int Dim>
@@ -8,6 +12,13 @@ Points<Dim> sum(const Points<Dim>& a, double factor, const Points<Dim>& b) {
   Points<Dim> result(a);
   for (std::size_t m = 0; m < result.size(); ++m) result[m] += factor * b[m];
   return result;
+}
+
+template <int Dim>
+double norm(MPI_Comm comm, const Points<Dim>& values) {
+  double squares = 0;
+  for (const auto& value : values) squares += value.squaredNorm();
+  return std::sqrt(ordered_sum(comm, squares));
 }
 
 template <int Dim>
@@ -19,6 +30,13 @@ Points<Dim> external_forces(System<Dim>& system, const Points<Dim>& positions, d
   for (std::size_t m = 0; m < forces.size(); ++m)
     forces[m] += masses[m] * system.gravity + system.cloths.dead_loads()[m];
   return forces;
+}
+
+template <int Dim>
+Points<Dim> all_forces(System<Dim>& system, const Points<Dim>& positions, const Points<Dim>& velocities, double time) {
+  const Points<Dim> elastic = system.cloths.elastic_forces(positions);
+  return sum<Dim>(sum<Dim>(elastic, 1, system.cloths.damping_forces(positions, velocities)), 1,
+                  external_forces(system, positions, time));
 }
 
 template <int Dim>
@@ -55,6 +73,10 @@ Points<Dim> marker_velocities(const System<Dim>& system, Vec velocity, double ti
 
 template Points<2> sum<2>(const Points<2>&, double, const Points<2>&);
 template Points<3> sum<3>(const Points<3>&, double, const Points<3>&);
+template double norm<2>(MPI_Comm, const Points<2>&);
+template double norm<3>(MPI_Comm, const Points<3>&);
+template Points<2> all_forces<2>(System<2>&, const Points<2>&, const Points<2>&, double);
+template Points<3> all_forces<3>(System<3>&, const Points<3>&, const Points<3>&, double);
 template Points<2> external_forces<2>(System<2>&, const Points<2>&, double);
 template Points<3> external_forces<3>(System<3>&, const Points<3>&, double);
 template void spread_cloth<2>(System<2>&, const Points<2>&, const Points<2>&);

@@ -12,6 +12,10 @@ namespace washfsi {
 template <int Dim>
 Points<Dim> external_forces(System<Dim>& system, const Points<Dim>& positions, double time);
 
+/// All forces: of elasticity and the holding springs, of damping, and the external ones.
+template <int Dim>
+Points<Dim> all_forces(System<Dim>& system, const Points<Dim>& positions, const Points<Dim>& velocities, double time);
+
 /// Fixes spread, interpolate and the density at these places, and spreads the forces into the system's force density.
 template <int Dim>
 void spread_cloth(System<Dim>& system, const Points<Dim>& positions, const Points<Dim>& forces);
@@ -27,6 +31,10 @@ void predict_and_project(System<Dim>& system, double dt);
 /// U = J [H u + (1-H) u_solid] for a velocity at `time` and the bodies as they were placed last.
 template <int Dim>
 Points<Dim> marker_velocities(const System<Dim>& system, Vec velocity, double time);
+
+/// 2-norm over all markers of all ranks.
+template <int Dim>
+double norm(MPI_Comm comm, const Points<Dim>& values);
 
 /// a + factor b, marker by marker.
 template <int Dim>

@@ -8,10 +8,7 @@ namespace washfsi {
 template <int Dim>
 void ExplicitCoupling<Dim>::advance(System<Dim>& system, double dt) {
   const double time = system.fluid.time();
-  Points<Dim> forces = system.cloths.elastic_forces(system.positions);
-  forces = sum<Dim>(forces, 1, system.cloths.damping_forces(system.positions, system.velocities));
-  forces = sum<Dim>(forces, 1, external_forces(system, system.positions, time));
-  spread_cloth(system, system.positions, forces);
+  spread_cloth(system, system.positions, all_forces(system, system.positions, system.velocities, time));
 
   hold_bodies(system, time + dt);
   predict_and_project(system, dt);

@@ -51,8 +51,9 @@ void ImplicitCoupling<Dim>::advance(System<Dim>& system, double dt) {
   const double weight = trapezoidal ? 0.5 : 1.0;
   hold_bodies(system, system.fluid.time() + dt);
   system.fluid.keep_pressure();
-  Points<Dim> last;
+  Points<Dim> last, evaluated;
   const auto residual = [&](const Points<Dim>& velocities) {
+    evaluated = velocities;
     last = fluid_step(system, dt, velocities);
     Points<Dim> result = sum<Dim>(velocities, -weight, last);
     return trapezoidal ? sum<Dim>(result, -0.5, system.velocities) : result;
@@ -70,7 +71,7 @@ void ImplicitCoupling<Dim>::advance(System<Dim>& system, double dt) {
   Points<Dim> velocities = system.velocities;
   if (system.fluid.last_step() == 0) last = fluid_step(system, dt, velocities);
   system.cloth_iterations += static_cast<double>(solver_.solve({residual, assemble, 0}, tolerance(system), velocities));
-  last = fluid_step(system, dt, velocities);  // the solver's last evaluation may have been elsewhere
+  if (any_rank(system.grid.comm(), evaluated != velocities)) last = fluid_step(system, dt, velocities);
   system.fluid.finish();
   system.positions = sum<Dim>(system.positions, dt, velocities);
   system.velocities = last;

@@ -9,10 +9,7 @@ template <int Dim>
 void MidpointCoupling<Dim>::advance(System<Dim>& system, double dt) {
   const double time = system.fluid.time();
   const Points<Dim> middle = sum<Dim>(system.positions, 0.5 * dt, system.velocities);
-  Points<Dim> forces = system.cloths.elastic_forces(middle);
-  forces = sum<Dim>(forces, 1, system.cloths.damping_forces(middle, system.velocities));
-  forces = sum<Dim>(forces, 1, external_forces(system, middle, time + 0.5 * dt));
-  spread_cloth(system, middle, forces);
+  spread_cloth(system, middle, all_forces(system, middle, system.velocities, time + 0.5 * dt));
   const Points<Dim> before = marker_velocities<Dim>(system, system.fluid.velocity(), time);
 
   hold_bodies(system, time + dt);

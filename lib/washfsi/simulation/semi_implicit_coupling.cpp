@@ -44,14 +44,17 @@ template <int Dim>
 Points<Dim> SemiImplicitCoupling<Dim>::move_elastically(System<Dim>& system, double dt,
                                                         const Points<Dim>& free_velocities, const Points<Dim>& forces) {
   const petsc::LogPart part("cloth_solve");
-  return options_.mobility == "matrix" ? move_by_matrix(system, dt, free_velocities, forces)
-                                       : move_by_row_sums(system, dt, free_velocities, forces);
+  const MPI_Comm comm = system.grid.comm();
+  const double tolerance = options_.tolerance * std::hypot(norm(comm, free_velocities), norm(comm, velocities_));
+  return options_.mobility == "matrix" ? move_by_matrix(system, dt, free_velocities, forces, tolerance)
+                                       : move_by_row_sums(system, dt, free_velocities, forces, tolerance);
 }
 
 // V - U - dt M (F' - F) = 0
 template <int Dim>
 Points<Dim> SemiImplicitCoupling<Dim>::move_by_matrix(System<Dim>& system, double dt,
-                                                      const Points<Dim>& free_velocities, const Points<Dim>& forces) {
+                                                      const Points<Dim>& free_velocities, const Points<Dim>& forces,
+                                                      double tolerance) {
   const Cloths<Dim>& cloths = system.cloths;
   const auto residual = [&](const Points<Dim>& velocities) {
     const Points<Dim> moved = cloths.elastic_forces(sum<Dim>(system.positions, dt, velocities));
@@ -70,23 +73,20 @@ Points<Dim> SemiImplicitCoupling<Dim>::move_by_matrix(System<Dim>& system, doubl
   const auto jacobian = [&](const Points<Dim>& direction) {
     return sum<Dim>(direction, 1, product<Dim>(matrix_, product<Dim>(stiffness_, direction)));
   };
-  double squares = 0, most = 0;
-  for (std::size_t m = 0; m < velocities_.size(); ++m) {
-    squares += free_velocities[m].squaredNorm() + velocities_[m].squaredNorm();
-    most = std::max(most, row_sums_[m]);
-  }
+  double most = 0;
+  for (const double sum : row_sums_) most = std::max(most, sum);
   const double round_off = 10 * dt * largest(system.grid.comm(), most) * cloths.force_round_off(system.positions);
-  const double tolerance = options_.tolerance * std::sqrt(ordered_sum(system.grid.comm(), squares));
   Points<Dim> velocities = velocities_;
-  system.cloth_iterations += static_cast<double>(
-      solver_.solve({residual, assemble, round_off, {}, jacobian}, std::max(tolerance, round_off), velocities));
+  system.cloth_iterations +=
+      static_cast<double>(solver_.solve({residual, assemble, round_off, {}, jacobian}, tolerance, velocities));
   return velocities;
 }
 
 // D^-1 (V - U) - dt (F' - F) = 0, the gradient of a potential
 template <int Dim>
 Points<Dim> SemiImplicitCoupling<Dim>::move_by_row_sums(System<Dim>& system, double dt,
-                                                        const Points<Dim>& free_velocities, const Points<Dim>& forces) {
+                                                        const Points<Dim>& free_velocities, const Points<Dim>& forces,
+                                                        double tolerance) {
   const Cloths<Dim>& cloths = system.cloths;
   const auto residual = [&](const Points<Dim>& velocities) {
     const Points<Dim> moved = cloths.elastic_forces(sum<Dim>(system.positions, dt, velocities));
@@ -108,30 +108,21 @@ Points<Dim> SemiImplicitCoupling<Dim>::move_by_row_sums(System<Dim>& system, dou
     const std::vector<double> energies = cloths.elastic_energies(sum<Dim>(system.positions, dt, velocities));
     return std::accumulate(energies.begin(), energies.end(), ordered_sum(system.grid.comm(), work));
   };
-  std::vector<double> squares{0, 0};
-  for (std::size_t m = 0; m < inverse.size(); ++m) {
-    squares[0] += free_velocities[m].squaredNorm() + velocities_[m].squaredNorm();
-    squares[1] += inverse[m] * inverse[m];
-  }
-  squares = ordered_sum(system.grid.comm(), squares);
-  const double markers = static_cast<double>(cloths.marker_count());
+  double squares = 0;
+  for (const double value : inverse) squares += value * value;
+  const double weight =
+      std::sqrt(ordered_sum(system.grid.comm(), squares) / static_cast<double>(cloths.marker_count()));
   const double round_off = 10 * dt * cloths.force_round_off(system.positions);
-  const double tolerance = options_.tolerance * std::sqrt(squares[0] * squares[1] / markers);
   Points<Dim> velocities = velocities_;
-  system.cloth_iterations += static_cast<double>(
-      solver_.solve({residual, assemble, round_off, potential}, std::max(tolerance, round_off), velocities));
+  system.cloth_iterations +=
+      static_cast<double>(solver_.solve({residual, assemble, round_off, potential}, weight * tolerance, velocities));
   return velocities;
 }
 
 template <int Dim>
 double SemiImplicitCoupling<Dim>::slip(const System<Dim>& system, const Points<Dim>& interpolated) const {
-  std::vector<double> squares{0, 0};
-  for (std::size_t m = 0; m < velocities_.size(); ++m) {
-    squares[0] += (velocities_[m] - interpolated[m]).squaredNorm();
-    squares[1] += velocities_[m].squaredNorm();
-  }
-  squares = ordered_sum(system.grid.comm(), squares);
-  return squares[1] > 0 ? std::sqrt(squares[0] / squares[1]) : 0;
+  const double speed = norm(system.grid.comm(), velocities_);
+  return speed > 0 ? norm(system.grid.comm(), sum<Dim>(velocities_, -1, interpolated)) / speed : 0;
 }
 
 template <int Dim>

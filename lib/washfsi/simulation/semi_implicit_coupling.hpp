@@ -35,9 +35,9 @@ class SemiImplicitCoupling : public CouplingScheme<Dim> {
   Points<Dim> move_elastically(System<Dim>& system, double dt, const Points<Dim>& free_velocities,
                                const Points<Dim>& forces);
   Points<Dim> move_by_matrix(System<Dim>& system, double dt, const Points<Dim>& free_velocities,
-                             const Points<Dim>& forces);
+                             const Points<Dim>& forces, double tolerance);
   Points<Dim> move_by_row_sums(System<Dim>& system, double dt, const Points<Dim>& free_velocities,
-                               const Points<Dim>& forces);
+                               const Points<Dim>& forces, double tolerance);
   double slip(const System<Dim>& system, const Points<Dim>& interpolated) const;
 
   CouplingOptions options_;
