@@ -13,13 +13,13 @@ std::vector<ClothGroup<2>> two_groups(const std::string& model, bool closed = fa
   ClothGroup<2> large, small;
   large.name = "large";
   large.count = 2;
-  large.markers = 11;
+  large.markers = {11, 1};
   small.name = "small";
   small.count = 3;
-  small.markers = 4;
+  small.markers = {4, 1};
   large.model = small.model = model;
-  large.fibre = small.fibre = {.spacing = 0.1, .ke = 50, .kb = 0.02, .damping = 0.1, .thickness = 1e-3};
-  large.fibre.closed = closed;
+  large.sheet = small.sheet = {.ds = 0.1, .ke_s = 50, .kb_s = 0.02, .damping = 0.1, .thickness = 1e-3};
+  large.sheet.closed = closed;
   large.hold = "middle";
   small.hold = "edge";
   large.hold_stiffness = small.hold_stiffness = 300;
@@ -94,6 +94,120 @@ TEST(Cloths, StiffnessIsTheJacobianOfTheForces) {
   }
 }
 
+// One large sheet, cut wherever the ranks' shares end, and small ones.
+std::vector<ClothGroup<3>> sheets(const std::string& model) {
+  ClothGroup<3> large, small;
+  large.name = "large";
+  large.markers = {9, 7};
+  small.name = "small";
+  small.count = 2;
+  small.markers = {3, 4};
+  for (ClothGroup<3>* group : {&large, &small}) {
+    group->model = model;
+    group->sheet = {.width = static_cast<std::size_t>(group->markers[1]),
+                    .ds = 0.1,
+                    .dr = 0.1,
+                    .ke_s = 50,
+                    .ke_r = 50,
+                    .ks = 20,
+                    .kb_s = 0.02,
+                    .kb_r = 0.02,
+                    .kt = 0.01,
+                    .poisson = 0.2,
+                    .damping = 0.1,
+                    .thickness = 1e-3};
+    group->hold_stiffness = 300;
+  }
+  large.hold = "corners";
+  return {large, small};
+}
+
+Points<3> crumpled(const Cloths<3>& cloths) {
+  Points<3> x = random_points<3>(static_cast<std::size_t>(cloths.marker_count()), 21, 0.03);
+  for (const Piece& piece : cloths.pieces()) {
+    const PetscInt width = cloths.groups()[piece.group].markers[1];
+    for (PetscInt k = 0; k < piece.count; ++k)
+      x[static_cast<std::size_t>(piece.first + k)] +=
+          0.1 * Point<3>(static_cast<double>(k / width), static_cast<double>(k % width), 0);
+  }
+  return x;
+}
+
+TEST(Cloths, SheetsDoNotDependOnTheDistribution) {
+  for (const char* model : {"energy", "love"}) {
+    Cloths<3> all(PETSC_COMM_SELF, sheets(model)), mine(PETSC_COMM_WORLD, sheets(model));
+    ASSERT_EQ(all.marker_count(), 87);
+    const Points<3> x = crumpled(all), u = random_points<3>(87, 22);
+    const auto part = [&](const Points<3>& values) {
+      return Points<3>(values.begin() + mine.begin(), values.begin() + mine.end());
+    };
+    all.hold_at(u);
+    mine.hold_at(part(u));
+    const Points<3> whole = all.elastic_forces(x), forces = mine.elastic_forces(part(x));
+    const Points<3> whole_damping = all.damping_forces(x, u), damping = mine.damping_forces(part(x), part(u));
+    const std::vector<MarkerState> whole_states = all.marker_states(x), states = mine.marker_states(part(x));
+    for (std::size_t m = 0; m < mine.owned(); ++m) {
+      const std::size_t global = m + static_cast<std::size_t>(mine.begin());
+      EXPECT_EQ(forces[m], whole[global]);
+      EXPECT_EQ(damping[m], whole_damping[global]);
+      EXPECT_EQ(states[m].membrane_stress, whole_states[global].membrane_stress);
+      EXPECT_EQ(states[m].bending_stress, whole_states[global].bending_stress);
+      EXPECT_EQ(states[m].shear_angle, whole_states[global].shear_angle);
+    }
+    const std::vector<double> energies = mine.elastic_energies(part(x)), whole_energies = all.elastic_energies(x);
+    for (std::size_t g = 0; g < 2; ++g) EXPECT_NEAR(energies[g], whole_energies[g], 1e-12 * whole_energies[g]);
+  }
+}
+
+// The product of the matrix with random velocities against differences of the forces.
+TEST(Cloths, StiffnessOfSheetsIsTheJacobianOfTheForces) {
+  Cloths<3> cloths(PETSC_COMM_WORLD, sheets("energy"));
+  const Points<3> x = crumpled(cloths), u = random_points<3>(87, 23);
+  const auto part = [&](const Points<3>& values) {
+    return Points<3>(values.begin() + cloths.begin(), values.begin() + cloths.end());
+  };
+  cloths.hold_at(part(x));
+  const petsc::Matrix matrix = cloths.stiffness_matrix();
+  cloths.add_stiffness(part(x), GeometricStiffness::all, 1, matrix);
+  WASH_PETSC(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
+  WASH_PETSC(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
+  petsc::Vector direction, result;
+  WASH_PETSC(MatCreateVecs(matrix, direction.put(), result.put()));
+  double* values = nullptr;
+  WASH_PETSC(VecGetArray(direction, &values));
+  for (std::size_t m = 0; m < cloths.owned(); ++m)
+    for (int d = 0; d < 3; ++d) values[3 * m + static_cast<std::size_t>(d)] = part(u)[m][d];
+  WASH_PETSC(VecRestoreArray(direction, &values));
+  WASH_PETSC(MatMult(matrix, direction, result));
+  constexpr double e = 1e-6;
+  Points<3> above = x, below = x;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    above[k] += e * u[k];
+    below[k] -= e * u[k];
+  }
+  const Points<3> more = cloths.elastic_forces(part(above)), less = cloths.elastic_forces(part(below));
+  const double* found = nullptr;
+  WASH_PETSC(VecGetArrayRead(result, &found));
+  for (std::size_t m = 0; m < cloths.owned(); ++m)
+    for (int d = 0; d < 3; ++d)
+      EXPECT_NEAR(found[3 * m + static_cast<std::size_t>(d)], -(more[m] - less[m])[d] / (2 * e), 1e-6);
+  WASH_PETSC(VecRestoreArrayRead(result, &found));
+}
+
+TEST(Cloths, HoldsTheRightMarkersOfASheet) {
+  ClothGroup<3> group;
+  group.markers = {4, 3};
+  const auto held = [&](const char* where) {
+    group.hold = where;
+    return group.held_markers();
+  };
+  EXPECT_EQ(held("first"), (std::vector<PetscInt>{0, 1, 2}));
+  EXPECT_EQ(held("edge"), (std::vector<PetscInt>{0, 1, 2, 3, 4, 5}));
+  EXPECT_EQ(held("corners"), (std::vector<PetscInt>{0, 2, 9, 11}));
+  EXPECT_EQ(held("middle"), (std::vector<PetscInt>{4, 7}));
+  EXPECT_EQ(held("none"), (std::vector<PetscInt>{}));
+}
+
 TEST(Cloths, DeadLoadsAddUp) {
   std::vector<ClothGroup<2>> groups = two_groups("energy");
   groups[0].load = {1, -2};
@@ -108,12 +222,12 @@ TEST(Cloths, DeadLoadsAddUp) {
   EXPECT_NEAR(sum[1], 2 * (-2.2 + 0.3), 1e-12);
 }
 
-TEST(Cloths, MassesAndLengthsAddUp) {
+TEST(Cloths, MassesAndAreasAddUp) {
   const Cloths<2> cloths(PETSC_COMM_WORLD, two_groups("energy"));
-  double mass = 0, length = 0;
+  double mass = 0, area = 0;
   for (const double m : cloths.marker_masses()) mass += m;
-  for (const double l : cloths.marker_lengths()) length += l;
-  EXPECT_NEAR(ordered_sum(PETSC_COMM_WORLD, length), 3.4, 1e-12);
+  for (const double a : cloths.marker_areas()) area += a;
+  EXPECT_NEAR(ordered_sum(PETSC_COMM_WORLD, area), 3.4, 1e-12);
   EXPECT_NEAR(ordered_sum(PETSC_COMM_WORLD, mass), 3.4 * 0.093, 1e-12);
 }
 

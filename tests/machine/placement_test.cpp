@@ -6,6 +6,7 @@
 #include "washfsi/body/combinations.hpp"
 #include "washfsi/body/primitives.hpp"
 #include "washfsi/body/vaned.hpp"
+#include "washfsi/machine/plate_mode.hpp"
 #include "washfsi/support/errors.hpp"
 
 namespace washfsi::test {
@@ -24,9 +25,9 @@ ClothGroup<2> group(const std::string& name, PetscInt count, double size, PetscI
   ClothGroup<2> result;
   result.name = name;
   result.count = count;
-  result.size = size;
-  result.markers = markers;
-  result.fibre.spacing = size / static_cast<double>(markers);
+  result.size = {size, 1};
+  result.markers = {markers, 1};
+  result.sheet.ds = size / static_cast<double>(markers);
   return result;
 }
 
@@ -86,6 +87,112 @@ TEST(Placement, RefusesClothInASolid) {
 TEST(RandomPlacement, SaysSoWhenThereIsNoRoom) {
   const Cloths<2> cloths(PETSC_COMM_WORLD, {group("carpet", 1, 0.7, 10)});
   EXPECT_THROW((void)place_cloths<2>(cloths, {placed("random")}, washtub(), lower, upper), InputError);
+}
+
+FlatCloth<3> rectangle(const Point<3>& middle, const Eigen::Matrix3d& axes = Eigen::Matrix3d::Identity()) {
+  return {middle, axes, {0.1, 0.05}};
+}
+
+TEST(FlatCloths, DistanceOfRectanglesInSpace) {
+  const FlatCloth<3> cloth = rectangle({0, 0, 0});
+  EXPECT_NEAR(distance(cloth, rectangle({0.05, 0.02, 0.3})), 0.3, 1e-12);                    // above each other
+  EXPECT_NEAR(distance(cloth, rectangle({0.5, 0, 0})), 0.3, 1e-12);                          // side by side
+  EXPECT_NEAR(distance(cloth, rectangle({0.23, 0.14, 0})), 0.05, 1e-12);                     // corner to corner
+  EXPECT_NEAR(distance(cloth, rectangle({5, 0, 0})), 5 - 2 * std::hypot(0.1, 0.05), 1e-12);  // far: a lower bound
+  Eigen::Matrix3d standing;
+  standing.col(0) = Point<3>::UnitZ();
+  standing.col(1) = Point<3>::UnitX();
+  standing.col(2) = Point<3>::UnitY();
+  EXPECT_NEAR(distance(cloth, rectangle({0, 0, 0.05}, standing)), 0, 1e-12);  // through each other
+  EXPECT_NEAR(distance(cloth, rectangle({0, 0, 0.2}, standing)), 0.1, 1e-12);
+  EXPECT_NEAR(distance(rectangle({0, 0, 0.2}, standing), cloth), 0.1, 1e-12);
+}
+
+TEST(FlatCloths, DistanceOfSegmentsInThePlane) {
+  const FlatCloth<2> segment{{0, 0}, Eigen::Matrix2d::Identity(), FlatCloth<2>::Coordinates(0.1)};
+  Eigen::Matrix2d upright;
+  upright << 0, -1, 1, 0;
+  EXPECT_NEAR(distance(segment, {{0.05, 0.05}, upright, FlatCloth<2>::Coordinates(0.1)}), 0, 1e-12);
+  EXPECT_NEAR(distance(segment, {{0.15, 0.05}, upright, FlatCloth<2>::Coordinates(0.1)}), 0.05, 1e-12);
+}
+
+ClothGroup<3> towels(PetscInt count) {
+  ClothGroup<3> result;
+  result.name = "towel";
+  result.count = count;
+  result.size = {0.15, 0.12};
+  result.markers = {6, 5};
+  result.sheet = {.width = 5, .ds = 0.025, .dr = 0.024};
+  return result;
+}
+
+const Point<3> floor_corner(-0.36, -0.36, 0), lid_corner(0.36, 0.36, 0.24);
+
+TEST(Placement, StartsSheetsUnstretched) {
+  const Cloths<3> cloths(PETSC_COMM_WORLD, {towels(4)});
+  for (const char* rule : {"line", "stack", "radial", "random"}) {
+    PlacementOptions<3> options;
+    options.rule = rule;
+    options.center = {0, 0, 0.1};
+    options.shift = 0.003;
+    options.tilt = 0.05;
+    options.distance = 0.01;
+    if (options.rule == "line") options.center[0] = -0.25;
+    const Points<3> places = place_cloths<3>(cloths, {options}, {}, floor_corner, lid_corner);
+    ASSERT_EQ(places.size(), 120U);
+    for (std::size_t k = 0; k < 30; ++k) {
+      if (k % 5 > 0) {
+        EXPECT_NEAR((places[k] - places[k - 1]).norm(), 0.024, 1e-14) << rule;
+      }
+      if (k >= 5) {
+        EXPECT_NEAR((places[k] - places[k - 5]).norm(), 0.025, 1e-14) << rule;
+      }
+    }
+  }
+}
+
+TEST(RadialPlacement, StandsFinsRoundThePost) {
+  const Cloths<3> cloths(PETSC_COMM_WORLD, {towels(8)});
+  PlacementOptions<3> options;
+  options.rule = "radial";
+  options.center = {0, 0, 0.1};
+  options.inner_radius = 0.1;
+  const Points<3> places = place_cloths<3>(cloths, {options}, {}, floor_corner, lid_corner);
+  for (std::size_t cloth = 0; cloth < 8; ++cloth) {
+    const Point<3> first = places[30 * cloth], out = places[30 * cloth + 25], up = places[30 * cloth + 4];
+    EXPECT_NEAR(first.head<2>().norm(), 0.1 + 0.0125, 1e-12);
+    EXPECT_NEAR(out.head<2>().norm(), 0.25 - 0.0125, 1e-12);
+    EXPECT_NEAR((up - first)[2], 0.12 - 0.024, 1e-12);
+    EXPECT_NEAR((up - first).head<2>().norm(), 0, 1e-12);
+  }
+}
+
+TEST(RandomPlacement, KeepsSheetsApart) {
+  const Cloths<3> cloths(PETSC_COMM_WORLD, {towels(12)});
+  PlacementOptions<3> options;
+  options.rule = "random";
+  options.center = {0, 0, 0.12};
+  options.clearance = 0.008;
+  options.seed = 5;
+  const Points<3> places = place_cloths<3>(cloths, {options}, {}, floor_corner, lid_corner);
+  for (std::size_t a = 0; a < places.size(); ++a)
+    for (std::size_t b = a + 1; b < places.size(); ++b)
+      if (a / 30 != b / 30) {
+        EXPECT_GE((places[a] - places[b]).norm(), 0.008 - 1e-12);
+      }
+}
+
+// Exact frequencies of a free square plate (twist, saddle, breathing, 4/5, 6/7, 8), Kb = 1, side 1, mass 1 per area.
+TEST(PlateModes, HaveTheExactFrequencies) {
+  const std::array<double, 8> exact{13.4682, 19.5961, 24.2702, 34.8009, 34.8009, 61.0932, 61.0932, 63.6861};
+  const Sheet sheet{.kb_s = 1, .kb_r = 1, .kt = 0.7, .poisson = 0.3};
+  for (int mode = 1; mode <= 8; ++mode)
+    EXPECT_NEAR(PlateMode(sheet, 1, 1, mode).frequency(), exact[static_cast<std::size_t>(mode - 1)], 2e-4);
+  const PlateMode twist(sheet, 1, 1, 1);
+  EXPECT_NEAR(twist(0.5, 0.5), -twist(-0.5, 0.5), 1e-6);
+  EXPECT_NEAR(twist(0.3, 0.7), twist(0.7, 0.3), 1e-6);
+  // of two with the same frequency, each has a direction of its own
+  EXPECT_NEAR(PlateMode(sheet, 1, 1, 4)(0.5, 0.5), -PlateMode(sheet, 1, 1, 4)(-0.5, 0.5), 1e-5);
 }
 
 }  // namespace

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The physics of a wash does not depend on the number of ranks."""
+"""The physics of cloth in water does not depend on the number of ranks."""
 
 import unittest
 
-from support import EXPLICIT_WASH, TIGHT, ProgramTest, read_columns, relative_difference
+import numpy as np
+
+from support import EXPLICIT_WASH, SHEET, TIGHT, ProgramTest, read_columns, relative_difference
 
 NOT_PHYSICAL = {"step", "dt", "max_divergence"}
 
@@ -26,6 +28,19 @@ class Ranks(ProgramTest):
         self.assertEqual(len(expected["step"]), 1000)
         for ranks in (2, 3, 4):
             self.assert_same(self.history(ranks), expected, ranks=ranks)
+
+    def test_sheet_in_a_shear_flow_is_the_same_on_one_two_and_three_ranks(self):
+        case = ["-options_file", SHEET, *TIGHT, "-cloth_tolerance", 1e-10, "-time_end", 0.4]
+        tables = {}
+        for ranks in (1, 2, 3):
+            self.run_well(ranks, *case, "-output_dir", f"sheet_{ranks}")
+            tables[ranks] = read_columns(self.folder / f"sheet_{ranks}" / "history.csv")
+            with open(self.folder / f"sheet_{ranks}" / "cloth_final.csv", encoding="utf-8") as file:
+                rows = [line.split(",")[4:] for line in file.readlines()[2:]]
+            tables[ranks]["markers"] = np.array(rows, dtype=float)
+        self.assertGreater(len(tables[1]["step"]), 10)
+        for ranks in (2, 3):
+            self.assert_same(tables[ranks], tables[1], ranks=ranks)
 
     def test_history_of_couplings_that_solve_agrees_on_one_and_three_ranks(self):
         for coupling in ("semi_implicit", "implicit"):

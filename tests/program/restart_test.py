@@ -8,7 +8,7 @@ import unittest
 import h5py
 import numpy as np
 
-from support import CHANNEL, EXPLICIT_WASH, TIGHT, ProgramTest, read_columns, relative_difference
+from support import CHANNEL, EXPLICIT_WASH, SHEET, TIGHT, ProgramTest, read_columns, relative_difference
 
 CASE = [*EXPLICIT_WASH, *TIGHT]
 
@@ -92,6 +92,21 @@ class RestartOfCouplings(ProgramTest):
             for name in ("history.csv", "tracks.csv"):
                 with self.subTest(coupling=coupling, name=name):
                     self.assertEqual((straight / name).read_text(), (half / name).read_text())
+
+
+class RestartOfSheets(ProgramTest):
+    """In space too."""
+
+    def test_restart_agrees_with_the_straight_run(self):
+        case = ["-options_file", SHEET, *TIGHT]
+        self.run_well(2, *case, "-time_end", 0.4, "-output_dir", "straight")
+        self.run_well(2, *case, "-time_end", 0.2, "-output_dir", "half")
+        self.run_well(2, *case, "-time_end", 0.4, "-restart", "half/checkpoint.h5", "-output_dir", "half")
+        straight = read_columns(self.folder / "straight" / "history.csv")
+        restarted = read_columns(self.folder / "half" / "history.csv")
+        for name, values in straight.items():
+            with self.subTest(column=name):
+                np.testing.assert_array_equal(restarted[name], values)
 
 
 class RestartOfOpenSides(ProgramTest):

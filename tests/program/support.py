@@ -16,6 +16,7 @@ PROGRAM = pathlib.Path(os.environ["WASHFSI_PROGRAM"])
 SOURCE = pathlib.Path(os.environ["WASHFSI_SOURCE"])
 WASH = SOURCE / "inputs" / "wash2d.opts"
 CAVITY = SOURCE / "inputs" / "cavity.opts"
+SHEET = SOURCE / "inputs" / "sheet.opts"
 CHANNEL = SOURCE / "inputs" / "channel.opts"
 # in steps of equal length, whose number a test then knows
 EXPLICIT_WASH = ["-options_file", WASH, "-cloth_coupling", "explicit", "-time_cfl", "0", "-time_step", "1e-4"]

@@ -15,7 +15,7 @@ TEST(Conservation, ExplicitCouplingDoesNotGainEnergy) {
   options.fluid.momentum_tolerance = 1e-8;
   options.fluid.pressure_tolerance = 1e-8;
   options.cloths[0].shape = "crumpled";
-  options.cloths[0].fibre.kb = 0.01;
+  options.cloths[0].sheet.kb_s = 0.01;
   System<2> system(PETSC_COMM_WORLD, options, {});
   const double dt = 0.5 * cloth_step_bound<2>(system), before = total_energy(system);
   const auto scheme = make_coupling_scheme<2>({.scheme = "explicit"}, system);
@@ -60,12 +60,12 @@ TEST(Conservation, AClosedFibreKeepsItsArea) {
   options.fluid.pressure_tolerance = 1e-8;
   auto& group = options.cloths[0];
   group.shape = "ellipse";
-  group.markers = 186;  // ds = h/2 along the ellipse at the start
-  group.size = 0.8 * 1.4533;
-  group.fibre.closed = true;
-  group.fibre.spacing = group.size / 186;
-  group.fibre.ke = 100;
-  group.fibre.kb = 0;
+  group.markers = {186, 1};  // ds = h/2 along the ellipse at the start
+  group.size = {0.8 * 1.4533, 1};
+  group.sheet.closed = true;
+  group.sheet.ds = group.size[0] / 186;
+  group.sheet.ke_s = 100;
+  group.sheet.kb_s = 0;
   options.placements[0].center = {0.5, 0.5};
   options.placements[0].shape.semi_axes[0] = 0.3;
   options.placements[0].shape.semi_axes[1] = 0.15;

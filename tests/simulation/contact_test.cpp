@@ -16,8 +16,8 @@ TEST(Contact, PushesOutwardsWithinItsDistanceAndReactsOnTheBody) {
   bodies[0].motion.center = {1, 2};
   ClothGroup<2> group;
   group.name = "towel";
-  group.markers = 3;
-  group.fibre.spacing = 0.01;
+  group.markers = {3, 1};
+  group.sheet.ds = 0.01;
   const Cloths<2> cloths(PETSC_COMM_SELF, {group});
   const ContactOptions contact{.pressure = 100, .distance = 0.02};
   const Points<2> places{{1.11, 2}, {1, 2.1}, {1.13, 2}};  // half way into the cushion, on the surface, outside
@@ -36,8 +36,8 @@ TEST(Contact, IsOffByDefault) {
   std::vector<Body<2>> bodies(1);
   bodies[0].shape = std::make_unique<Sphere<2>>(0.1);
   ClothGroup<2> group;
-  group.markers = 2;
-  group.fibre.spacing = 0.01;
+  group.markers = {2, 1};
+  group.sheet.ds = 0.01;
   std::vector<Load<2>> reactions(1);
   for (const auto& force :
        contact_forces<2>({}, bodies, Cloths<2>(PETSC_COMM_SELF, {group}), {{0, 0}, {0.05, 0}}, 0, reactions))

@@ -20,10 +20,10 @@ inline SystemOptions<2> fibre_in_water(double excess_mass, double damping) {
   ClothGroup<2> group;
   group.name = "fibre";
   group.count = 1;
-  group.markers = 20;
-  group.size = 0.2;
+  group.markers = {20, 1};
+  group.size = {0.2, 1};
   group.excess_mass = excess_mass;
-  group.fibre = {.spacing = 0.01, .ke = 1000, .kb = 1e-4, .damping = damping, .thickness = 1e-3, .closed = false};
+  group.sheet = {.ds = 0.01, .ke_s = 1000, .kb_s = 1e-4, .damping = damping, .thickness = 1e-3};
   options.cloths = {group};
   PlacementOptions<2> placement;
   placement.center = {0.16, 0.16};

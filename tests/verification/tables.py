@@ -11,12 +11,12 @@ sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "program"))
 from support import CAVITY, SOURCE, command, read_columns  # noqa: E402, F401  (found by the line above)
 
 
-def read_markers(folder):
-    """Returns the times of a run's frames and the markers' places in them, frame by marker by axis, in the plane."""
+def read_markers(folder, axes=2):
+    """Returns the times of a run's frames and the markers' places in them, frame by marker by axis (two: the plane)."""
     with h5py.File(pathlib.Path(folder) / "cloth.h5") as file:
         frames = sorted(file["frames"].values(), key=lambda frame: frame.attrs["time"])
         return (np.array([float(frame.attrs["time"]) for frame in frames]),
-                np.array([frame["position"][:, :2] for frame in frames]))
+                np.array([frame["position"][:, :axes] for frame in frames]))
 
 
 def print_row(*words):

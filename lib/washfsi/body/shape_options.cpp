@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "washfsi/body/agitator.hpp"
 #include "washfsi/body/combinations.hpp"
 #include "washfsi/body/polygon.hpp"
 #include "washfsi/body/primitives.hpp"
@@ -28,7 +29,7 @@ template <int Dim>
 class ShapeReader {
  public:
   ShapeReader(Options& options, std::string name, double sample_spacing) : options_(options), name_(std::move(name)) {
-    stl_.sample_spacing = sample_spacing;
+    stl_.sample_spacing = sample_spacing_ = sample_spacing;
     options_.block(name_ + "_", "Shape " + name_, [&](OptionBlock& block) { read(block); });
   }
 
@@ -46,6 +47,7 @@ class ShapeReader {
     read_straight(block);
     read_outlines(block);
     if (used({"vaned"})) read_vaned(block);
+    if (Dim == 3 && used({"agitator"})) read_agitator(block);
     if (Dim == 3 && used({"stl"})) stl_.read(block);
     if (used(combinations)) {
       block.require("parts", "the names of the parts of the shape");
@@ -120,6 +122,30 @@ class ShapeReader {
              "at least half of -" + name_ + "_vane_thickness " + to_text(vaned_.vane_thickness));
   }
 
+  void read_agitator(OptionBlock& block) {
+    AgitatorDimensions& a = agitator_;
+    block.real("post_radius", a.post_radius, "m", positive,
+               "radius of the post and of the half sphere on it (agitator)");
+    block.real("post_height", a.post_height, "m", positive, "height of the half sphere's top (agitator)");
+    block.real("dome_radius", a.dome_radius, "m", positive, "radius of the dome (agitator)");
+    block.real("dome_height", a.dome_height, "m", positive, "height of the dome (agitator)");
+    block.real("tip_radius", a.tip_radius, "m", positive, "reach of the vanes from the axis (agitator)");
+    block.real("vane_height", a.vane_height, "m", positive, "height of the vanes' tops (agitator)");
+    block.real("vane_thickness", a.vane_thickness, "m", positive, "thickness of a vane (agitator)");
+    PetscInt vanes = a.vanes;
+    block.integer("vanes", vanes, copies, "number of vanes (agitator)");
+    a.vanes = static_cast<int>(vanes);
+    std::vector<double> curve(a.curve, a.curve + 3);
+    block.reals("vane_curve", curve, 3, 3, "-",
+                "plan of a vane: c1,c2,c3 of y/R = c1 x/R + c2 (x/R)^2 + c3 (x/R)^3, R = tip_radius (agitator)");
+    std::copy(curve.begin(), curve.end(), a.curve);
+    if (options_.help()) return;
+    if (a.post_height < a.post_radius) refuse("post_height", to_text(a.post_height), "at least the post's radius");
+    if (a.vane_height < 0.5 * a.vane_thickness)
+      refuse("vane_height", to_text(a.vane_height), "at least half of the vanes' thickness");
+    if (a.tip_radius < a.vane_thickness) refuse("tip_radius", to_text(a.tip_radius), "at least the vanes' thickness");
+  }
+
   void read_place(OptionBlock& block) {
     block.real("rounding", rounding_, "m", non_negative, "grows the shape by this, so that its edges are round");
     block.template point<Dim>("offset", offset_, "m", "place of the shape's origin in its parent's frame");
@@ -137,6 +163,8 @@ class ShapeReader {
       return outline();
     else if (kind_ == "stl")
       return shape_from_stl(options_.comm(), stl_, name_);
+    else if (kind_ == "agitator")
+      return sampled_agitator(options_.comm(), agitator_, sample_spacing_);
     else if (kind_ == "revolution")
       return std::make_unique<Revolved>(std::make_unique<Polygon>(corners_, Polygon::Kind::profile));
     else
@@ -170,8 +198,8 @@ class ShapeReader {
   static std::vector<std::string> kinds() {
     if (Dim == 2)
       return {"sphere", "box", "halfspace", "capsule", "polygon", "vaned", "union", "intersection", "difference"};
-    return {"sphere",     "box",   "cylinder", "halfspace", "capsule",      "polygon",
-            "revolution", "vaned", "stl",      "union",     "intersection", "difference"};
+    return {"sphere", "box",      "cylinder", "halfspace", "capsule",      "polygon",   "revolution",
+            "vaned",  "agitator", "stl",      "union",     "intersection", "difference"};
   }
 
   // -help shows the options of every kind.
@@ -196,6 +224,8 @@ class ShapeReader {
   Point<Dim> from_ = Point<Dim>::Zero(), to_ = Point<Dim>::Zero();
   Points<2> corners_;
   VanedDimensions vaned_;
+  AgitatorDimensions agitator_;
+  double sample_spacing_ = 0;
   StlOptions stl_;
   std::vector<std::string> parts_;
   double rounding_ = 0, turn_ = 0;

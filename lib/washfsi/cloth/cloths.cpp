@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "washfsi/cloth/love.hpp"
 #include "washfsi/support/collective.hpp"
 
 namespace washfsi {
@@ -26,8 +27,8 @@ template <int Dim>
 Cloths<Dim>::Cloths(MPI_Comm comm, std::vector<ClothGroup<Dim>> groups) : comm_(comm), groups_(std::move(groups)) {
   for (std::size_t g = 0; g < groups_.size(); ++g)
     for (PetscInt c = 0; c < groups_[g].count; ++c) {
-      pieces_.push_back({g, total_, groups_[g].markers});
-      total_ += groups_[g].markers;
+      pieces_.push_back({g, total_, groups_[g].marker_count()});
+      total_ += groups_[g].marker_count();
     }
   petsc::Layout layout;
   WASH_PETSC(PetscLayoutCreateFromSizes(comm_, PETSC_DECIDE, total_, 1, layout.put()));
@@ -51,13 +52,17 @@ void Cloths<Dim>::find_parts() {
 template <int Dim>
 typename Cloths<Dim>::Part Cloths<Dim>::part_of(std::size_t number, PetscInt own_first, PetscInt own_end) const {
   const Piece& piece = pieces_[number];
-  const bool closed = groups_[piece.group].fibre.closed;
+  const Sheet& sheet = groups_[piece.group].sheet;
+  const auto width = static_cast<PetscInt>(sheet.width);
+  const PetscInt first_row = (own_first - piece.first) / width - sheet_reach;
+  const PetscInt end_row = (own_end - piece.first + width - 1) / width + sheet_reach, rows = piece.count / width;
   Part part{number, {}, halo_count_, 0, 0, static_cast<std::size_t>(own_first - begin_)};
-  for (PetscInt marker = own_first - fibre_reach; marker < own_end + fibre_reach; ++marker) {
-    const PetscInt along = marker - piece.first;
-    if (!closed && (along < 0 || along >= piece.count)) continue;
-    if (marker == own_first) part.own_begin = part.markers.size();
-    part.markers.push_back(piece.first + (along + fibre_reach * piece.count) % piece.count);
+  for (PetscInt row = first_row; row < end_row; ++row) {
+    if (!sheet.closed && (row < 0 || row >= rows)) continue;
+    for (PetscInt marker = piece.first + row * width; marker < piece.first + (row + 1) * width; ++marker) {
+      if (marker == own_first) part.own_begin = part.markers.size();
+      part.markers.push_back(piece.first + (marker - piece.first + sheet_reach * piece.count) % piece.count);
+    }
   }
   part.own_end = part.own_begin + static_cast<std::size_t>(own_end - own_first);
   return part;
@@ -65,7 +70,7 @@ typename Cloths<Dim>::Part Cloths<Dim>::part_of(std::size_t number, PetscInt own
 
 namespace {
 
-// A force at the very end, half a spacing beyond the first or last marker: its share of the marker so many places from
+// A force at the very edge, half a spacing beyond the first or last row: the share of the row so many places from
 // there, with the right force and torque.
 double end_force_share(PetscInt from_end) {
   return from_end == 0 ? 1.5 : from_end == 1 ? -0.5 : 0;
@@ -78,15 +83,19 @@ void Cloths<Dim>::find_markers() {
   for (const Part& part : parts_) {
     const ClothGroup<Dim>& group = group_of(part);
     const std::vector<PetscInt> held = group.held_markers();
+    const double area = group.sheet.marker_area();
+    const auto width = static_cast<PetscInt>(group.sheet.width);
     for (std::size_t i = part.own_begin; i < part.own_end; ++i) {
       const PetscInt along = part.markers[i] - pieces_[part.piece].first;
       if (std::find(held.begin(), held.end(), along) != held.end())
         holds_.push_back({piece_of_marker_.size(), group.hold_stiffness, Point<Dim>::Zero()});
       piece_of_marker_.push_back(part.piece);
-      marker_lengths_.push_back(group.fibre.spacing);
-      marker_masses_.push_back(group.excess_mass * group.fibre.spacing);
-      dead_loads_.push_back(group.fibre.spacing * group.load + end_force_share(along) * group.end_force_first +
-                            end_force_share(group.markers - 1 - along) * group.end_force_last);
+      marker_areas_.push_back(area);
+      marker_masses_.push_back(group.excess_mass * area);
+      const PetscInt row = along / width, rows = group.markers[0];
+      const double of_row = 1 / static_cast<double>(width);
+      dead_loads_.push_back(area * group.load + of_row * end_force_share(row) * group.end_force_first +
+                            of_row * end_force_share(rows - 1 - row) * group.end_force_last);
     }
   }
 }
@@ -123,7 +132,7 @@ void Cloths<Dim>::build_halo(const petsc::Layout& layout) {
 
 template <int Dim>
 bool Cloths<Dim>::any_damping() const {
-  return std::any_of(groups_.begin(), groups_.end(), [](const auto& group) { return group.fibre.damping > 0; });
+  return std::any_of(groups_.begin(), groups_.end(), [](const auto& group) { return group.sheet.damping > 0; });
 }
 
 template <int Dim>
@@ -158,10 +167,10 @@ Points<Dim> Cloths<Dim>::elastic_forces(const Points<Dim>& positions) const {
   const Points<Dim> x = with_halo(positions);
   Points<Dim> result = forces_of_parts([&](const Part& part, std::span<Point<Dim>> forces) {
     const ClothGroup<Dim>& group = group_of(part);
-    if constexpr (Dim == 2) {
-      if (group.model == "love") add_love_forces(group.fibre, visible(x, part), forces);
-    }
-    if (group.model == "energy") add_energy_forces<Dim>(group.fibre, visible(x, part), forces);
+    if (group.model == "love")
+      add_love_forces(group.sheet, visible(x, part), forces);
+    else
+      add_energy_forces<Dim>(group.sheet, visible(x, part), forces);
   });
   for (const Hold& hold : holds_) result[hold.marker] -= hold.stiffness * (positions[hold.marker] - hold.anchor);
   return result;
@@ -172,8 +181,10 @@ double Cloths<Dim>::force_round_off(const Points<Dim>& positions) const {
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   std::vector<double> largest(positions.size());
   for (std::size_t m = 0; m < positions.size(); ++m) {
-    const Fibre& fibre = group_of(m).fibre;
-    largest[m] = fibre.ke + 16 * fibre.kb * positions[m].norm() / std::pow(fibre.spacing, 3);
+    const Sheet& sheet = group_of(m).sheet;
+    largest[m] = sheet.ke_s * sheet.dr + 16 * sheet.kb_s * sheet.dr * positions[m].norm() / std::pow(sheet.ds, 3);
+    if (sheet.width > 1)
+      largest[m] += sheet.ke_r * sheet.ds + 16 * sheet.kb_r * sheet.ds * positions[m].norm() / std::pow(sheet.dr, 3);
   }
   for (const Hold& hold : holds_) largest[hold.marker] += hold.stiffness * positions[hold.marker].norm();
   double squares = 0;
@@ -187,13 +198,13 @@ Points<Dim> Cloths<Dim>::damping_forces(const Points<Dim>& positions, const Poin
   const petsc::LogPart log("cloth_force");
   const Points<Dim> x = with_halo(positions), u = with_halo(velocities);
   return forces_of_parts([&](const Part& part, std::span<Point<Dim>> forces) {
-    add_damping_forces<Dim>(group_of(part).fibre, visible(x, part), visible(u, part), forces);
+    add_damping_forces<Dim>(group_of(part).sheet, visible(x, part), visible(u, part), forces);
   });
 }
 
 template <int Dim>
 petsc::Matrix Cloths<Dim>::stiffness_matrix() const {
-  constexpr PetscInt coupled = (2 * fibre_reach - 1) * Dim;  // a marker and two neighbours on either side
+  constexpr PetscInt coupled = (Dim == 2 ? 5 : 13) * Dim;  // a marker and those at most two edges away
   const PetscInt rows = (end_ - begin_) * Dim;
   petsc::Matrix matrix;
   WASH_PETSC(MatCreateAIJ(comm_, rows, rows, PETSC_DETERMINE, PETSC_DETERMINE, coupled, nullptr, coupled, nullptr,
@@ -217,7 +228,7 @@ void Cloths<Dim>::add_stiffness(const Points<Dim>& positions, GeometricStiffness
   };
   const Points<Dim> x = with_halo(positions);
   for (const Part& part : parts_)
-    add_energy_stiffness<Dim>(group_of(part).fibre, visible(x, part), geometric,
+    add_energy_stiffness<Dim>(group_of(part).sheet, visible(x, part), geometric,
                               [&](std::size_t row, std::size_t column, const StiffnessBlock<Dim>& block) {
                                 if (row < part.own_begin || row >= part.own_end)
                                   return;  // another rank's, or incomplete here
@@ -234,7 +245,7 @@ std::vector<MarkerState> Cloths<Dim>::marker_states(const Points<Dim>& positions
   const Points<Dim> x = with_halo(positions);
   std::vector<MarkerState> result(owned());
   for (const Part& part : parts_) {
-    const std::vector<MarkerState> values = washfsi::marker_states<Dim>(group_of(part).fibre, visible(x, part));
+    const std::vector<MarkerState> values = washfsi::marker_states<Dim>(group_of(part).sheet, visible(x, part));
     for (std::size_t i = part.own_begin; i < part.own_end; ++i) result[part.own_first + i - part.own_begin] = values[i];
   }
   return result;
@@ -246,7 +257,7 @@ std::vector<double> Cloths<Dim>::elastic_energies(const Points<Dim>& positions) 
   std::vector<double> energies(groups_.size(), 0.0);
   for (const Part& part : parts_)
     energies[pieces_[part.piece].group] +=
-        elastic_energy<Dim>(group_of(part).fibre, visible(x, part), part.own_begin, part.own_end);
+        elastic_energy<Dim>(group_of(part).sheet, visible(x, part), part.own_begin, part.own_end);
   for (const Hold& hold : holds_)
     energies[pieces_[piece_of_marker_[hold.marker]].group] +=
         0.5 * hold.stiffness * (positions[hold.marker] - hold.anchor).squaredNorm();
@@ -258,10 +269,8 @@ std::vector<double> Cloths<Dim>::largest_stretches(const Points<Dim>& positions)
   const Points<Dim> x = with_halo(positions);
   std::vector<double> stretches(groups_.size(), 0.0);
   for (const Part& part : parts_) {
-    const auto markers = visible(x, part);
     double& most = stretches[pieces_[part.piece].group];
-    for (std::size_t k = 0; k + 1 < markers.size(); ++k)
-      most = std::max(most, (markers[k + 1] - markers[k]).norm() / group_of(part).fibre.spacing - 1);
+    most = std::max(most, largest_stretch<Dim>(group_of(part).sheet, visible(x, part)));
   }
   for (double& stretch : stretches) stretch = largest(comm_, stretch);
   return stretches;

@@ -46,8 +46,8 @@ class Cloths {
   const ClothGroup<Dim>& group_of(std::size_t marker) const { return groups_[pieces_[piece_of_marker_[marker]].group]; }
   /// Values of all markers of all ranks, in marker order. Collective.
   Points<Dim> of_all_ranks(const Points<Dim>& values) const;
-  /// Undeformed length that each of this rank's markers stands for [m].
-  const std::vector<double>& marker_lengths() const { return marker_lengths_; }
+  /// Undeformed area that each of this rank's markers stands for [m2; m in the plane].
+  const std::vector<double>& marker_areas() const { return marker_areas_; }
   /// Excess mass of each of this rank's markers [kg; per unit depth in the plane].
   const std::vector<double>& marker_masses() const { return marker_masses_; }
 
@@ -76,12 +76,12 @@ class Cloths {
   std::vector<MarkerState> marker_states(const Points<Dim>& positions) const;
   /// Energy of elasticity and of the holding springs of each group [J; per unit depth in the plane]. Collective.
   std::vector<double> elastic_energies(const Points<Dim>& positions) const;
-  /// Largest stretch |X_s| - 1 of any edge in each group. Collective.
+  /// Largest stretch |X_s| - 1 or |X_r| - 1 of any edge in each group. Collective.
   std::vector<double> largest_stretches(const Points<Dim>& positions) const;
 
  private:
-  /// The markers of a piece that this rank sees: its own and `fibre_reach` neighbours on either side. A closed piece
-  /// is seen as an open one that goes round beyond its own end.
+  /// The rows of a piece that this rank sees: those of its own markers and `sheet_reach` more on either side. A closed
+  /// piece is seen as an open one that goes round beyond its own end.
   struct Part {
     std::size_t piece;
     std::vector<PetscInt> markers;              ///< seen, by their numbers
@@ -110,7 +110,7 @@ class Cloths {
   std::vector<Part> parts_;
   std::vector<Hold> holds_;
   std::vector<std::size_t> piece_of_marker_;
-  std::vector<double> marker_lengths_, marker_masses_;
+  std::vector<double> marker_areas_, marker_masses_;
   Points<Dim> dead_loads_;
   PetscInt total_ = 0, begin_ = 0, end_ = 0;
   std::size_t halo_count_ = 0;

@@ -2,7 +2,7 @@
 //
 // The thesis's strong form of a fibre in the plane, on its own lattice (Fig. 3.4-1): quantities at staggered points
 // j + 1/2 between the markers j and j + 1, and at the two ends, where tension, moment and shear are zero.
-#include "washfsi/cloth/fibre.hpp"
+#include "washfsi/cloth/love.hpp"
 
 namespace washfsi {
 
@@ -17,10 +17,10 @@ using Staggered = std::vector<double>;
 
 }  // namespace
 
-void add_love_forces(const Fibre& fibre, std::span<const Point<2>> positions, std::span<Point<2>> forces) {
+void add_love_forces(const Sheet& sheet, std::span<const Point<2>> positions, std::span<Point<2>> forces) {
   const auto& x = positions;
   const std::size_t n = x.size();
-  const double ds = fibre.spacing;
+  const double ds = sheet.ds;
   if (n < 2) return;
 
   std::vector<Point<2>> slope(n + 1, Point<2>::Zero()), normal(n + 1, Point<2>::Zero());  // X_s and e3, staggered
@@ -28,7 +28,7 @@ void add_love_forces(const Fibre& fibre, std::span<const Point<2>> positions, st
   for (std::size_t j = 1; j < n; ++j) {
     slope[j] = (x[j] - x[j - 1]) / ds;
     normal[j] = turned_left(slope[j].normalized());
-    tension[j] = fibre.ke * 0.5 * (slope[j].squaredNorm() - 1);
+    tension[j] = sheet.ke_s * 0.5 * (slope[j].squaredNorm() - 1);
   }
   slope[0] = slope[1];  // no moment, no change of slope at the ends
   slope[n] = slope[n - 1];
@@ -36,7 +36,7 @@ void add_love_forces(const Fibre& fibre, std::span<const Point<2>> positions, st
   // curvature at staggered points: e3 . X_ss / K^2, from the slopes at the two markers beside
   for (std::size_t j = 1; j < n; ++j) {
     const Point<2> at_left = 0.5 * (slope[j - 1] + slope[j]), at_right = 0.5 * (slope[j] + slope[j + 1]);
-    moment[j] = fibre.kb * normal[j].dot(at_right - at_left) / ds / slope[j].squaredNorm();
+    moment[j] = sheet.kb_s * normal[j].dot(at_right - at_left) / ds / slope[j].squaredNorm();
   }
 
   // shear at markers, then at staggered points

@@ -84,10 +84,23 @@ struct AxisStencil {
 inline AxisStencil axis_stencil(DeltaKernel kernel, double coordinate, double width) {
   AxisStencil stencil;
   stencil.first = static_cast<PetscInt>(std::floor(coordinate - width)) + 1;
-  for (PetscInt i = stencil.first; static_cast<double>(i) < coordinate + width && stencil.count < AxisStencil::most;
-       ++i)
-    stencil.weight[static_cast<std::size_t>(stencil.count++)] =
-        regularised_delta(kernel, static_cast<double>(i) - coordinate, width);
+  const auto last = static_cast<PetscInt>(std::ceil(coordinate + width)) - 1;
+  stencil.count = std::min(static_cast<int>(last - stencil.first) + 1, AxisStencil::most);
+  const double first = static_cast<double>(stencil.first) - coordinate;
+  if (kernel == DeltaKernel::cosine) {
+    // cos and sin of the first angle, turned by the same angle from point to point
+    const double turn = std::numbers::pi / width, c = std::cos(turn), s = std::sin(turn);
+    double real = std::cos(turn * first), imaginary = std::sin(turn * first);
+    for (int i = 0; i < stencil.count; ++i) {
+      stencil.weight[static_cast<std::size_t>(i)] = (1 + real) / (2 * width);
+      const double turned = real * c - imaginary * s;
+      imaginary = real * s + imaginary * c;
+      real = turned;
+    }
+    return stencil;
+  }
+  for (int i = 0; i < stencil.count; ++i)
+    stencil.weight[static_cast<std::size_t>(i)] = regularised_delta(kernel, first + i, width);
   return stencil;
 }
 

@@ -61,19 +61,6 @@ class Bins {
 
 }  // namespace
 
-template <int Dim>
-typename MobilityMatrix<Dim>::Stencils MobilityMatrix<Dim>::stencils_of(const Point<Dim>& position) const {
-  Stencils stencils;
-  for (int d = 0; d < Dim; ++d)
-    for (const std::size_t centered : {0, 1}) {
-      const auto axis = static_cast<std::size_t>(d);
-      const double place = (position[d] - grid_.lower()[d]) / grid_.spacing()[d] - 0.5 * static_cast<double>(centered);
-      stencils.spread[axis][centered] = axis_stencil(delta_.kernel, place, delta_.spread_width);
-      stencils.interpolate[axis][centered] = axis_stencil(delta_.kernel, place, delta_.interpolate_width);
-    }
-  return stencils;
-}
-
 // Sum of the products of two markers' weights along one axis.
 template <int Dim>
 double MobilityMatrix<Dim>::axis_overlap(int axis, const AxisStencil& a, const AxisStencil& b) const {
@@ -93,12 +80,12 @@ template <int Dim>
 Point<Dim> MobilityMatrix<Dim>::overlap(const Stencils& moved, const Stencils& pushed) const {
   Point<Dim> result = Point<Dim>::Ones();
   for (int d = 0; d < Dim; ++d) {
-    const auto axis = static_cast<std::size_t>(d);
-    std::array<double, 2> along{};
-    for (const std::size_t centered : {0, 1})
-      along[centered] = axis_overlap(d, moved.interpolate[axis][centered], pushed.spread[axis][centered]);
-    for (int c = 0; c < Dim; ++c) result[c] *= along[c == d ? 0 : 1];
-    if (along[0] == 0 && along[1] == 0) break;
+    const auto along = [&](int component) {
+      return axis_overlap(d, moved.interpolate.along(d, component), pushed.spread.along(d, component));
+    };
+    const double normal = along(d), between = along((d + 1) % Dim);
+    for (int c = 0; c < Dim; ++c) result[c] *= c == d ? normal : between;
+    if (normal == 0 && between == 0) break;
   }
   return result;
 }
@@ -108,7 +95,10 @@ void MobilityMatrix<Dim>::assemble(const Points<Dim>& positions, PetscInt first,
   const double reach = delta_.spread_width + delta_.interpolate_width;
   const Bins<Dim> bins(grid_, positions, reach);
   std::vector<Stencils> stencils;
-  for (const auto& position : positions) stencils.push_back(stencils_of(position));
+  stencils.reserve(positions.size());
+  for (const auto& position : positions)
+    stencils.push_back({FaceStencil<Dim>(grid_, delta_.kernel, delta_.spread_width, position),
+                        FaceStencil<Dim>(grid_, delta_.kernel, delta_.interpolate_width, position)});
 
   // overlaps of this rank's markers, and what their row sums must be multiplied with
   struct Entry {

@@ -20,11 +20,9 @@ class MobilityMatrix {
   operator Mat() const { return matrix_; }
 
  private:
-  /// Weights of a marker along each axis: among faces normal to the axis, and among cell centres.
   struct Stencils {
-    std::array<std::array<AxisStencil, 2>, Dim> spread, interpolate;
+    FaceStencil<Dim> spread, interpolate;
   };
-  Stencils stencils_of(const Point<Dim>& position) const;
   Point<Dim> overlap(const Stencils& moved, const Stencils& pushed) const;
   double axis_overlap(int axis, const AxisStencil& a, const AxisStencil& b) const;
 

@@ -30,34 +30,25 @@ template <int Dim>
 void Transfer<Dim>::locate(const Points<Dim>& positions) {
   check_inside(positions);
   exchange_.update(positions);
-  here_ = exchange_.to_cells(positions);
-  for (auto& position : here_)
+  Points<Dim> here = exchange_.to_cells(positions);
+  for (auto& position : here)
     for (int d = 0; d < Dim; ++d) {
       if (!grid_.periodic(d)) continue;
       const double length = grid_.upper()[d] - grid_.lower()[d];
       position[d] -= length * std::floor((position[d] - grid_.lower()[d]) / length);
     }
+  find_stencils(here);
 }
 
-// Calls visit(face, weight) for the faces of one component within the delta; the weights sum to 1.
 template <int Dim>
-template <class Visit>
-void Transfer<Dim>::visit_stencil(const Point<Dim>& position, int component, double width, Visit&& visit) const {
-  std::array<AxisStencil, Dim> axes;
-  Box<Dim> box;
-  for (int d = 0; d < Dim; ++d) {
-    const auto axis = static_cast<std::size_t>(d);
-    const double first_point = d == component ? 0.0 : 0.5;
-    axes[axis] =
-        axis_stencil(delta_.kernel, (position[d] - grid_.lower()[d]) / grid_.spacing()[d] - first_point, width);
-    box.lower[axis] = axes[axis].first;
-    box.upper[axis] = axes[axis].first + axes[axis].count;
-  }
-  for_each<Dim>(box, [&](const Index<Dim>& face) {
-    double weight = 1;
-    for (std::size_t d = 0; d < Dim; ++d) weight *= axes[d].weight[static_cast<std::size_t>(face[d] - axes[d].first)];
-    visit(face, weight);
-  });
+void Transfer<Dim>::find_stencils(const Points<Dim>& here) {
+  const auto fill = [&](std::vector<FaceStencil<Dim>>& stencils, double width) {
+    stencils.clear();
+    stencils.reserve(here.size());
+    for (const auto& position : here) stencils.emplace_back(grid_, delta_.kernel, width, position);
+  };
+  fill(spread_stencils_, delta_.spread_width);
+  if (delta_.interpolate_width != delta_.spread_width) fill(interpolate_stencils_, delta_.interpolate_width);
 }
 
 template <int Dim>
@@ -65,11 +56,15 @@ void Transfer<Dim>::add_to_local(const Points<Dim>& values, Vec local) const {
   WASH_PETSC(VecZeroEntries(local));
   const FaceView<Dim> field(grid_.wide_face_dm(), local);
   const double per_volume = 1 / grid_.cell_volume();
-  for (std::size_t m = 0; m < here_.size(); ++m)
-    for (int c = 0; c < Dim; ++c)
-      visit_stencil(here_[m], c, delta_.spread_width, [&](const Index<Dim>& face, double weight) {
-        field(face, c) += per_volume * weight * values[m][c];
+  for (std::size_t m = 0; m < spread_stencils_.size(); ++m)
+    for_each_component<Dim>([&](auto c) {
+      const AxisStencil& x = spread_stencils_[m].along(0, c);
+      spread_stencils_[m].visit_rows(c, [&](const Index<Dim>& first, double weight) {
+        const double value = per_volume * weight * values[m][c];
+        double* const row = &field(first, c);
+        for (int i = 0; i < x.count; ++i) row[i * Dim] += value * x.weight[static_cast<std::size_t>(i)];
       });
+    });
 }
 
 template <int Dim>
@@ -98,11 +93,20 @@ template <int Dim>
 Points<Dim> Transfer<Dim>::interpolate(Vec local_velocity) const {
   const petsc::LogPart part("interpolate");
   const ConstFaceView<Dim> u(grid_.wide_face_dm(), local_velocity);
-  Points<Dim> velocities(here_.size(), Point<Dim>::Zero());
-  for (std::size_t m = 0; m < here_.size(); ++m)
-    for (int c = 0; c < Dim; ++c)
-      visit_stencil(here_[m], c, delta_.interpolate_width,
-                    [&](const Index<Dim>& face, double weight) { velocities[m][c] += weight * u(face, c); });
+  const auto& stencils = delta_.interpolate_width != delta_.spread_width ? interpolate_stencils_ : spread_stencils_;
+  Points<Dim> velocities(stencils.size());
+  for (std::size_t m = 0; m < stencils.size(); ++m)
+    for_each_component<Dim>([&](auto c) {
+      const AxisStencil& x = stencils[m].along(0, c);
+      double sum = 0;
+      stencils[m].visit_rows(c, [&](const Index<Dim>& first, double weight) {
+        const double* const row = &u(first, c);
+        double along = 0;
+        for (int i = 0; i < x.count; ++i) along += row[i * Dim] * x.weight[static_cast<std::size_t>(i)];
+        sum += weight * along;
+      });
+      velocities[m][c] = sum;
+    });
   return exchange_.to_owners(velocities);
 }
 

@@ -9,7 +9,7 @@
 
 #include <array>
 
-#include "washfsi/coupling/delta.hpp"
+#include "washfsi/coupling/face_stencil.hpp"
 #include "washfsi/coupling/marker_exchange.hpp"
 #include "washfsi/grid/boundary.hpp"
 
@@ -37,8 +37,7 @@ class Transfer {
   Points<Dim> interpolate(Vec local_velocity) const;
 
  private:
-  template <class Visit>
-  void visit_stencil(const Point<Dim>& position, int component, double width, Visit&& visit) const;
+  void find_stencils(const Points<Dim>& here);
   void add_to_local(const Points<Dim>& values, Vec local) const;
   void check_inside(const Points<Dim>& positions) const;
 
@@ -46,7 +45,8 @@ class Transfer {
   const Boundary<Dim>& boundary_;
   DeltaOptions delta_;
   MarkerExchange<Dim> exchange_;
-  Points<Dim> here_;  ///< positions of the markers in this rank's cells, folded into the box
+  /// Of the markers in this rank's cells. The second is empty if both deltas are the same.
+  std::vector<FaceStencil<Dim>> spread_stencils_, interpolate_stencils_;
 };
 
 /// Velocity of each marker per unit time if every marker k bears the nodal force weights[k]: row sums of J H S / rho,

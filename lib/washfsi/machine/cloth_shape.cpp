@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/machine/cloth_shape.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "washfsi/machine/plate_mode.hpp"
 #include "washfsi/support/errors.hpp"
 
 namespace washfsi {
@@ -51,20 +53,72 @@ std::vector<double> equal_parts(double a, double b, PetscInt parts) {
   return angles;
 }
 
+// A marker's place along s (and r), in half lengths from the middle.
 template <int Dim>
-Points<Dim> crumpled(const ClothGroup<Dim>& group, double crumpling, const Point<Dim>& middle, const Point<Dim>& along,
-                     Uniform& uniform) {
-  Points<Dim> result{Point<Dim>::Zero()};
+typename FlatCloth<Dim>::Coordinates place_in(const ClothGroup<Dim>& group, PetscInt i, PetscInt j) {
+  typename FlatCloth<Dim>::Coordinates place;
+  place[0] = 2 * place_along(i, group.markers[0]) - 1;
+  if constexpr (Dim == 3) place[1] = 2 * place_along(j, group.markers[1]) - 1;
+  return place;
+}
+
+// Calls displacement(place in half lengths) for each marker of a flat cloth.
+template <int Dim, class Displacement>
+Points<Dim> displaced(const ClothGroup<Dim>& group, const FlatCloth<Dim>& flat, const Displacement& displacement) {
+  Points<Dim> result;
+  for (PetscInt i = 0; i < group.markers[0]; ++i)
+    for (PetscInt j = 0; j < group.markers[1]; ++j) {
+      const auto place = place_in(group, i, j);
+      result.push_back(flat.at(place) + displacement(place));
+    }
+  return result;
+}
+
+template <int Dim>
+Points<Dim> crumpled(const ClothGroup<Dim>& group, double crumpling, const FlatCloth<Dim>& flat, Uniform& uniform) {
+  Points<Dim> line{Point<Dim>::Zero()};
   double heading = 0;
   Point<Dim> center = Point<Dim>::Zero();
-  for (PetscInt k = 1; k < group.markers; ++k) {
+  for (PetscInt i = 1; i < group.markers[0]; ++i) {
     heading += crumpling * (2 * uniform() - 1);
-    result.push_back(result.back() +
-                     group.fibre.spacing * (std::cos(heading) * along + std::sin(heading) * turned_left<Dim>(along)));
-    center += result.back() / static_cast<double>(group.markers);
+    line.push_back(line.back() +
+                   group.sheet.ds * (std::cos(heading) * flat.along() + std::sin(heading) * flat.normal()));
+    center += line.back() / static_cast<double>(group.markers[0]);
   }
-  for (auto& place : result) place += middle - center;
+  auto straight = flat;
+  straight.half[0] = 0;
+  std::size_t marker = 0;
+  return displaced(group, straight, [&](const auto&) -> Point<Dim> {
+    return line[marker++ / static_cast<std::size_t>(group.markers[1])] - center;
+  });
+}
+
+template <int Dim>
+Points<Dim> ellipse(const ClothGroup<Dim>& group, const double (&semi_axes)[2], const FlatCloth<Dim>& flat) {
+  Points<Dim> result;
+  for (const double angle : equal_parts(semi_axes[0], semi_axes[1], group.markers[0]))
+    result.push_back(flat.middle + semi_axes[0] * std::cos(angle) * flat.along() +
+                     semi_axes[1] * std::sin(angle) * flat.normal());
   return result;
+}
+
+Points<2> bending_mode(const ClothGroup<2>& group, const ShapeOptions<2>& shape, const FlatCloth<2>& flat) {
+  const double root = free_beam_root(shape.mode);
+  return displaced(group, flat, [&](const auto& place) -> Point<2> {
+    return shape.amplitude * free_beam_mode(root, 0.5 * (place[0] + 1)) * flat.normal();
+  });
+}
+
+Points<3> bending_mode(const ClothGroup<3>& group, const ShapeOptions<3>& shape, const FlatCloth<3>& flat) {
+  const PlateMode mode(group.sheet, group.size[0], group.size[1], static_cast<int>(shape.mode));
+  double most = 0;
+  (void)displaced(group, flat, [&](const auto& place) -> Point<3> {
+    most = std::max(most, std::abs(mode(place[0], place[1])));
+    return Point<3>::Zero();
+  });
+  return displaced(group, flat, [&](const auto& place) -> Point<3> {
+    return shape.amplitude / most * mode(place[0], place[1]) * flat.normal();
+  });
 }
 
 }  // namespace
@@ -73,10 +127,11 @@ template <int Dim>
 ShapeOptions<Dim> ShapeOptions<Dim>::from_options(Options& options, const std::string& group) {
   ShapeOptions shape;
   std::vector<double> axes{shape.semi_axes[0], shape.semi_axes[1]};
+  constexpr Range one_to_forty{1.0, 40.0, false, "a whole number from 1 to 40"};
   options.block(group + "_", "Shape of " + group, [&](OptionBlock& block) {
-    block.reals("semi_axes", axes, 2, 2, "m", "of an ellipse, along and across the cloth's direction");
-    block.integer("mode", shape.mode, at_least_one, "which bending mode of a free cloth");
-    block.real("amplitude", shape.amplitude, "m", any_number, "of the mode, at the ends");
+    if (Dim == 2) block.reals("semi_axes", axes, 2, 2, "m", "of an ellipse, along and across the cloth's direction");
+    block.integer("mode", shape.mode, one_to_forty, "which bending mode of a free cloth");
+    block.real("amplitude", shape.amplitude, "m", any_number, "of the mode, where it is largest");
     block.real("crumpling", shape.crumpling, "rad", non_negative, "largest turn from edge to edge of crumpled cloth");
   });
   if (!(axes[0] > 0 && axes[1] > 0))
@@ -87,29 +142,20 @@ ShapeOptions<Dim> ShapeOptions<Dim>::from_options(Options& options, const std::s
 }
 
 template <int Dim>
-Points<Dim> shaped_cloth(const ClothGroup<Dim>& group, const ShapeOptions<Dim>& shape, const Segment<Dim>& segment,
+Points<Dim> shaped_cloth(const ClothGroup<Dim>& group, const ShapeOptions<Dim>& shape, const FlatCloth<Dim>& flat,
                          Uniform& uniform) {
-  const Point<Dim> along = (segment.to - segment.from).normalized(), across = turned_left<Dim>(along);
-  const Point<Dim> middle = 0.5 * (segment.from + segment.to);
-  if (group.shape == "crumpled") return crumpled<Dim>(group, shape.crumpling, middle, along, uniform);
-  Points<Dim> result;
-  if (group.shape == "ellipse") {
-    for (const double angle : equal_parts(shape.semi_axes[0], shape.semi_axes[1], group.markers))
-      result.push_back(middle + shape.semi_axes[0] * std::cos(angle) * along +
-                       shape.semi_axes[1] * std::sin(angle) * across);
-    return result;
-  }
-  const double root = free_beam_root(shape.mode), amplitude = group.shape == "mode" ? shape.amplitude : 0;
-  for (PetscInt k = 0; k < group.markers; ++k) {
-    const double s = place_along(k, group.markers);
-    result.push_back(segment.from + s * (segment.to - segment.from) + amplitude * free_beam_mode(root, s) * across);
-  }
-  return result;
+  if (group.shape == "crumpled") return crumpled<Dim>(group, shape.crumpling, flat, uniform);
+  if (group.shape == "ellipse") return ellipse<Dim>(group, shape.semi_axes, flat);
+  if (group.shape == "mode") return bending_mode(group, shape, flat);
+  const double amplitude = group.shape == "bar_mode" ? shape.amplitude : 0;
+  return displaced(group, flat, [&](const auto& place) -> Point<Dim> {
+    return amplitude * std::sin(0.5 * std::numbers::pi * place[0]) * flat.along();
+  });
 }
 
 template struct ShapeOptions<2>;
 template struct ShapeOptions<3>;
-template Points<2> shaped_cloth<2>(const ClothGroup<2>&, const ShapeOptions<2>&, const Segment<2>&, Uniform&);
-template Points<3> shaped_cloth<3>(const ClothGroup<3>&, const ShapeOptions<3>&, const Segment<3>&, Uniform&);
+template Points<2> shaped_cloth<2>(const ClothGroup<2>&, const ShapeOptions<2>&, const FlatCloth<2>&, Uniform&);
+template Points<3> shaped_cloth<3>(const ClothGroup<3>&, const ShapeOptions<3>&, const FlatCloth<3>&, Uniform&);
 
 }  // namespace washfsi

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <Eigen/Geometry>
+
 #include "washfsi/support/errors.hpp"
 
 namespace washfsi {
@@ -12,19 +14,45 @@ namespace washfsi {
 namespace {
 
 template <int Dim>
-double point_to_segment(const Point<Dim>& p, const Segment<Dim>& s) {
-  const Point<Dim> along = s.to - s.from;
-  const double t = std::clamp((p - s.from).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  return (p - s.from - t * along).norm();
+Point<Dim> unit(double angle) {
+  Point<Dim> result = Point<Dim>::Zero();
+  result.template head<2>() << std::cos(angle), std::sin(angle);
+  return result;
 }
 
-// Least distance of two segments in the plane; 0 if they cross.
-double segment_distance(const Segment<2>& a, const Segment<2>& b) {
-  const auto side = [](const Segment<2>& s, const Point<2>& p) { return cross<2>(s.to - s.from, p - s.from)[0]; };
-  const bool crossing = side(a, b.from) * side(a, b.to) < 0 && side(b, a.from) * side(b, a.to) < 0;
-  if (crossing) return 0;
-  return std::min(
-      {point_to_segment(a.from, b), point_to_segment(a.to, b), point_to_segment(b.from, a), point_to_segment(b.to, a)});
+// Orthonormal axes of a cloth from the direction of its s and, in space, something like that of its r.
+Eigen::Matrix2d axes_from(const Point<2>& along, const Point<2>&) {
+  Eigen::Matrix2d axes;
+  axes << along.normalized(), turned_left<2>(along.normalized());
+  return axes;
+}
+
+Eigen::Matrix3d axes_from(const Point<3>& along, const Point<3>& across) {
+  const Point<3> s = along.normalized(), normal = s.cross(across).normalized();
+  Eigen::Matrix3d axes;
+  axes << s, normal.cross(s), normal;
+  return axes;
+}
+
+Eigen::Matrix2d random_axes(const FlatCloth<2>&, Uniform& uniform) {
+  return axes_from(unit<2>(std::numbers::pi * uniform()), {});
+}
+
+// Uniformly distributed rotations (Shoemake 1992).
+Eigen::Matrix3d random_axes(const FlatCloth<3>&, Uniform& uniform) {
+  const double u = uniform(), a = 2 * std::numbers::pi * uniform(), b = 2 * std::numbers::pi * uniform();
+  const double below = std::sqrt(1 - u), above = std::sqrt(u);
+  return Eigen::Quaterniond(above * std::cos(b), below * std::sin(a), below * std::cos(a), above * std::sin(b))
+      .toRotationMatrix();
+}
+
+Eigen::Matrix2d small_turn(const Point<2>& angles) {
+  return Eigen::Rotation2Dd(angles[0]).toRotationMatrix();
+}
+
+Eigen::Matrix3d small_turn(const Point<3>& angles) {
+  return Eigen::AngleAxisd(angles.norm(), angles.norm() > 0 ? Point<3>(angles.normalized()) : Point<3>::UnitX())
+      .toRotationMatrix();
 }
 
 /// Finds places for the cloths of one group after another.
@@ -33,67 +61,101 @@ class Placer {
  public:
   explicit Placer(const std::vector<Body<Dim>>& bodies) : bodies_(bodies) {}
 
-  Segment<Dim> place(const ClothGroup<Dim>& group, const PlacementOptions<Dim>& options, PetscInt number,
-                     Uniform& uniform) {
-    Segment<Dim> segment;
-    const double turn = 2 * std::numbers::pi / static_cast<double>(std::max<PetscInt>(group.count, 1));
-    if (options.rule == "random") {
-      segment = draw(group, options, uniform);
-    } else if (options.rule == "radial") {
-      const Point<Dim> outwards = unit(turn * static_cast<double>(number));
-      segment = {options.center + options.inner_radius * outwards,
-                 options.center + (options.inner_radius + group.size) * outwards};
-    } else {
-      const Point<Dim> along = options.direction.normalized();
-      const bool stacked = options.rule == "stack";
-      const double pitch = stacked ? options.distance : group.size + options.distance;
-      const Point<Dim> middle =
-          options.center + static_cast<double>(number) * pitch * (stacked ? turned_left<Dim>(along) : along);
-      segment = {middle - 0.5 * group.size * along, middle + 0.5 * group.size * along};
-    }
-    placed_.push_back(segment);
-    return segment;
+  FlatCloth<Dim> place(const ClothGroup<Dim>& group, const PlacementOptions<Dim>& options, PetscInt number,
+                       Uniform& uniform) {
+    FlatCloth<Dim> cloth;
+    for (int d = 0; d < Dim - 1; ++d) cloth.half[d] = 0.5 * group.size[static_cast<std::size_t>(d)];
+    if (options.rule == "random")
+      cloth = draw(cloth, group, options, uniform);
+    else if (options.rule == "radial")
+      cloth = fin(cloth, options, static_cast<double>(number) / static_cast<double>(group.count), uniform);
+    else
+      cloth = in_a_row(cloth, options, static_cast<double>(number));
+    placed_.push_back(cloth);
+    return cloth;
   }
 
  private:
-  static Point<Dim> unit(double angle) {
-    Point<Dim> result = Point<Dim>::Zero();
-    result.template head<2>() << std::cos(angle), std::sin(angle);
-    return result;
+  static FlatCloth<Dim> in_a_row(FlatCloth<Dim> cloth, const PlacementOptions<Dim>& options, double number) {
+    cloth.axes = axes_from(options.direction, options.across);
+    const bool stacked = options.rule == "stack";
+    const double pitch = stacked ? options.distance : 2 * cloth.half[0] + options.distance;
+    cloth.middle = options.center + number * pitch * (stacked ? cloth.normal() : cloth.along());
+    return cloth;
   }
-  Segment<Dim> draw(const ClothGroup<Dim>& group, const PlacementOptions<Dim>& options, Uniform& uniform) const {
+
+  static FlatCloth<Dim> fin(FlatCloth<Dim> cloth, const PlacementOptions<Dim>& options, double part, Uniform& uniform) {
+    const Point<Dim> outwards = unit<Dim>(2 * std::numbers::pi * part);
+    cloth.axes = axes_from(outwards, Point<Dim>::Unit(Dim - 1));
+    cloth.middle = options.center + (options.inner_radius + cloth.half[0]) * outwards;
+    Point<Dim> shift, turn;
+    for (int d = 0; d < Dim; ++d) shift[d] = options.shift * (2 * uniform() - 1);
+    for (int d = 0; d < Dim; ++d) turn[d] = options.tilt * (2 * uniform() - 1);
+    cloth.middle += shift;
+    cloth.axes = small_turn(turn) * cloth.axes;
+    return cloth;
+  }
+
+  FlatCloth<Dim> draw(FlatCloth<Dim> cloth, const ClothGroup<Dim>& group, const PlacementOptions<Dim>& options,
+                      Uniform& uniform) const {
     constexpr int most_tries = 1000000;
     for (int n = 0; n < most_tries; ++n) {
       const double radius = options.radius * std::sqrt(uniform());
-      const Point<Dim> middle = options.center + radius * unit(2 * std::numbers::pi * uniform());
-      const Point<Dim> half = 0.5 * group.size * unit(std::numbers::pi * uniform());
-      Segment<Dim> segment{middle - half, middle + half};
-      if (is_free(segment, options)) return segment;
+      cloth.middle = options.center + radius * unit<Dim>(2 * std::numbers::pi * uniform());
+      if constexpr (Dim == 3) cloth.middle[2] += options.height * (uniform() - 0.5);
+      cloth.axes = random_axes(cloth, uniform);
+      if (is_free(cloth, options)) return cloth;
     }
     throw InputError("-" + group.name + "_placement random: no free place for a cloth after " +
                      std::to_string(most_tries) + " tries; use fewer or shorter cloths or a smaller -" + group.name +
                      "_clearance");
   }
 
-  bool is_free(const Segment<Dim>& segment, const PlacementOptions<Dim>& options) const {
-    const Point<Dim> along = segment.to - segment.from;
-    for (double walked = 0; walked <= 1;) {  // sphere tracing: what a distance exceeds the clearance by lies free ahead
-      const double distance = nearest_distance<Dim>(bodies_, segment.from + walked * along, 0.0);
-      if (distance < options.clearance) return false;
-      walked += std::max(distance - options.clearance, 0.02 * options.clearance) / along.norm();
+  bool is_free(const FlatCloth<Dim>& cloth, const PlacementOptions<Dim>& options) const {
+    if (!is_within(cloth, options)) return false;
+    const bool clear_of_cloths = std::all_of(placed_.begin(), placed_.end(), [&](const FlatCloth<Dim>& other) {
+      return distance(cloth, other) >= options.clearance;
+    });
+    return clear_of_cloths && is_clear_of_bodies(cloth, options.clearance);
+  }
+
+  // Whether all corners lie in the disc.
+  static bool is_within(const FlatCloth<Dim>& cloth, const PlacementOptions<Dim>& options) {
+    for (int corner = 0; corner < 1 << (Dim - 1); ++corner) {
+      typename FlatCloth<Dim>::Coordinates place;
+      for (int d = 0; d < Dim - 1; ++d) place[d] = (corner >> d) % 2 == 0 ? -1 : 1;
+      const Point<Dim> arm = cloth.at(place) - options.center;
+      if (arm.template head<2>().norm() > options.radius) return false;
+      if (Dim == 3 && std::abs(arm[Dim - 1]) > 0.5 * options.height) return false;
     }
-    if (nearest_distance<Dim>(bodies_, segment.to, 0.0) < options.clearance) return false;
-    for (const auto& end : {segment.from, segment.to})
-      if ((end - options.center).norm() > options.radius) return false;
-    if constexpr (Dim == 2)
-      return std::all_of(placed_.begin(), placed_.end(), [&](const Segment<2>& other) {
-        return segment_distance(segment, other) >= options.clearance;
-      });
     return true;
   }
 
+  // Along lines no farther apart than half the clearance.
+  bool is_clear_of_bodies(const FlatCloth<Dim>& cloth, double clearance) const {
+    typename FlatCloth<Dim>::Coordinates place;
+    if constexpr (Dim == 2) return is_line_clear(cloth, place, clearance);
+    const int lines = 1 + static_cast<int>(std::ceil(4 * cloth.half[Dim - 2] / clearance));
+    for (int line = 0; line < lines; ++line) {
+      place[Dim - 2] = -1 + 2.0 * line / (lines - 1);
+      if (!is_line_clear(cloth, place, clearance)) return false;
+    }
+    return true;
+  }
+
+  // Sphere tracing: what a distance exceeds the clearance by lies free ahead.
+  bool is_line_clear(const FlatCloth<Dim>& cloth, typename FlatCloth<Dim>::Coordinates place, double clearance) const {
+    for (place[0] = -1; place[0] <= 1;) {
+      const double free = nearest_distance<Dim>(bodies_, cloth.at(place), 0.0) - clearance;
+      if (free < 0) return false;
+      place[0] += std::max(free, 0.02 * clearance) / cloth.half[0];
+    }
+    place[0] = 1;
+    return nearest_distance<Dim>(bodies_, cloth.at(place), 0.0) >= clearance;
+  }
+
   const std::vector<Body<Dim>>& bodies_;
-  std::vector<Segment<Dim>> placed_;
+  std::vector<FlatCloth<Dim>> placed_;
 };
 
 template <int Dim>
@@ -121,15 +183,23 @@ PlacementOptions<Dim> PlacementOptions<Dim>::from_options(Options& options, cons
                  "rule by which the cloths are placed");
     block.template point<Dim>("center", placement.center, "m",
                               "centre of the first cloth (line, stack), of the fan (radial), of the disc (random)");
-    block.template point<Dim>("direction", placement.direction, "-", "direction of the cloths (line, stack)");
+    block.template point<Dim>("direction", placement.direction, "-", "direction of the cloths' s (line, stack)");
+    if (Dim == 3)
+      block.template point<Dim>("across", placement.across, "-", "direction of the cloths' r (line, stack)");
     block.real("distance", placement.distance, "m", non_negative, "between neighbours (line, stack)");
     block.real("inner_radius", placement.inner_radius, "m", non_negative, "where the cloths begin (radial)");
+    block.real("shift", placement.shift, "m", non_negative, "largest random shift of a cloth along each axis (radial)");
+    block.real("tilt", placement.tilt, "rad", non_negative, "largest random turn of a cloth about each axis (radial)");
     block.real("radius", placement.radius, "m", positive, "of the disc that holds the cloths (random)");
+    if (Dim == 3) block.real("height", placement.height, "m", positive, "of the disc that holds the cloths (random)");
     block.real("clearance", placement.clearance, "m", positive, "least distance from bodies and other cloths (random)");
-    block.integer("seed", placement.seed, non_negative_integer, "of the random placement and of crumpled cloth");
+    block.integer("seed", placement.seed, non_negative_integer,
+                  "of the random placement, of shift and tilt and of crumpled cloth");
   });
   placement.shape = ShapeOptions<Dim>::from_options(options, group);
   if (placement.direction.norm() == 0) throw InputError("-" + group + "_direction: must not be zero");
+  if (Dim == 3 && cross<Dim>(placement.direction, placement.across).norm() == 0)
+    throw InputError("-" + group + "_across: must not be zero or parallel to -" + group + "_direction");
   return placement;
 }
 
@@ -142,8 +212,8 @@ Points<Dim> place_cloths(const Cloths<Dim>& cloths, const std::vector<PlacementO
     const ClothGroup<Dim>& group = cloths.groups()[g];
     Uniform uniform(placements[g].seed);
     for (PetscInt number = 0; number < group.count; ++number) {
-      const Segment<Dim> segment = placer.place(group, placements[g], number, uniform);
-      for (const Point<Dim>& place : shaped_cloth<Dim>(group, placements[g].shape, segment, uniform)) {
+      const FlatCloth<Dim> flat = placer.place(group, placements[g], number, uniform);
+      for (const Point<Dim>& place : shaped_cloth<Dim>(group, placements[g].shape, flat, uniform)) {
         check_start<Dim>(group, bodies, place, lower, upper);
         positions.push_back(place);
       }

@@ -12,10 +12,14 @@ struct PlacementOptions {
   std::string rule = "line";  ///< line | stack | radial | random
   Point<Dim> center =
       Point<Dim>::Zero();  ///< of the first cloth (line, stack), of the fan (radial), of the disc (random)
-  Point<Dim> direction = Point<Dim>::UnitX();  ///< of the cloths (line, stack)
-  double distance = 0.02;                      ///< between neighbours (line: along the cloth; stack: across it)
+  Point<Dim> direction = Point<Dim>::UnitX();  ///< of the cloths' s (line, stack)
+  Point<Dim> across = Point<Dim>::UnitY();     ///< of their r, in space (line, stack)
+  double distance = 0.02;                      ///< between neighbours (line: along the cloth; stack: along its normal)
   double inner_radius = 0.1;                   ///< where the cloths begin (radial)
+  double shift = 0;                            ///< at most, of each cloth, along each axis (radial)
+  double tilt = 0;                             ///< at most, of each cloth, about each axis [rad] (radial)
   double radius = 0.3;                         ///< of the disc that holds the cloths (random)
+  double height = 0.2;                         ///< of that disc, in space (random)
   double clearance = 0.01;                     ///< least distance from bodies and other cloths (random)
   PetscInt seed = 1;
   ShapeOptions<Dim> shape;  ///< of the cloth, whatever its place
@@ -26,10 +30,12 @@ struct PlacementOptions {
 /// Marker positions of all cloths in marker order, flat or with the shape of their group. Every rank computes all of
 /// them.
 ///   line    cloths end to end, `distance` apart, centres along `direction`
-///   stack   parallel cloths, `distance` apart across `direction`
-///   radial  cloths standing as fins round `center`, evenly spread in angle, from `inner_radius` outwards
-///   random  centres and angles drawn uniformly in a disc until a cloth, at every point, is farther than `clearance`
-///           from every body and from every cloth placed before (of other groups too); seeded by `seed`
+///   stack   parallel cloths, `distance` apart along their normal
+///   radial  cloths standing as fins round `center` with s outwards, in space r upwards: evenly spread in angle, from
+///           `inner_radius` on; each shifted and tilted by a uniformly random part of `shift` and `tilt`
+///   random  middle and direction drawn uniformly in a disc (about z) until a cloth, at every point, is farther than
+///           `clearance` from every body and from every cloth placed before (of other groups too)
+/// Random numbers are seeded by `seed`.
 /// Errors: InputError if a random cloth finds no place, or if any cloth starts in a body or outside the box.
 template <int Dim>
 Points<Dim> place_cloths(const Cloths<Dim>& cloths, const std::vector<PlacementOptions<Dim>>& placements,

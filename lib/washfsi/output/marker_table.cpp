@@ -19,9 +19,10 @@ std::string rows_of_rank(const Cloths<Dim>& cloths, const Points<Dim>& positions
   std::string text;
   for (std::size_t m = 0; m < piece_of.size(); ++m) {
     const Piece& piece = cloths.pieces()[piece_of[m]];
-    const PetscInt i = cloths.begin() + static_cast<PetscInt>(m) - piece.first;
+    const PetscInt number = cloths.begin() + static_cast<PetscInt>(m) - piece.first;
+    const PetscInt width = cloths.groups()[piece.group].markers[1];
     text += cloths.groups()[piece.group].name + "," + std::to_string(number_in_group[piece_of[m]]) + "," +
-            std::to_string(i) + ",0";
+            std::to_string(number / width) + "," + std::to_string(number % width);
     for (int d = 0; d < Dim; ++d) text += "," + to_text(positions[m][d]);
     for (int d = 0; d < Dim; ++d) text += "," + to_text(velocities[m][d]);
     text += "\n";

@@ -137,22 +137,32 @@ ClothSeries<Dim>::ClothSeries(MPI_Comm comm, const Cloths<Dim>& cloths, const st
   if (file_.is_new()) write_topology();
 }
 
-// XDMF's mixed topology: type 2 (polyline), number of markers, markers; one such run per cloth.
+// XDMF's mixed topology: a polyline (type 2, number of markers, markers) for each fibre, a quadrilateral (type 5, its
+// four markers) for each quad of a sheet.
 template <int Dim>
-std::vector<long long> ClothSeries<Dim>::topology() const {
-  std::vector<long long> entries;
+typename ClothSeries<Dim>::Topology ClothSeries<Dim>::topology() const {
+  Topology topology;
   for (const Piece& piece : cloths_.pieces()) {
-    entries.push_back(2);
-    entries.push_back(piece.count);
-    for (PetscInt k = 0; k < piece.count; ++k) entries.push_back(piece.first + k);
+    const PetscInt width = cloths_.groups()[piece.group].markers[1];
+    if (width == 1) {
+      topology.entries.insert(topology.entries.end(), {2, piece.count});
+      for (PetscInt k = 0; k < piece.count; ++k) topology.entries.push_back(piece.first + k);
+      ++topology.elements;
+      continue;
+    }
+    for (PetscInt k = piece.first; k + width < piece.first + piece.count; ++k) {
+      if ((k - piece.first) % width + 1 == width) continue;
+      topology.entries.insert(topology.entries.end(), {5, k, k + 1, k + width + 1, k + width});
+      ++topology.elements;
+    }
   }
-  return entries;
+  return topology;
 }
 
 template <int Dim>
 void ClothSeries<Dim>::write_topology() {
   Hdf5File file = file_.open();
-  std::vector<long long> entries = topology();
+  std::vector<long long> entries = topology().entries;
   Slab slab{{entries.size()}, {0}, {entries.size()}};
   if (rank_of(comm_) != 0) slab.count = {0};  // rank 0 writes for all
   file.write("/topology", slab, entries);
@@ -173,8 +183,7 @@ void ClothSeries<Dim>::write(double time, long step, const Points<Dim>& position
   const Slab vector = marker_slab(cloths_.marker_count(), cloths_.begin(), cloths_.end(), 3);
   const Slab scalar = marker_slab(cloths_.marker_count(), cloths_.begin(), cloths_.end(), 1);
   std::vector<double> stress;
-  for (const MarkerState& state : cloths_.marker_states(positions))
-    stress.push_back(state.membrane_stress + state.bending_stress);
+  for (const MarkerState& state : cloths_.marker_states(positions)) stress.push_back(surface_stress(state));
   file_.add(
       time, step,
       [&](Hdf5File& file, const std::string& group) {
@@ -186,9 +195,9 @@ void ClothSeries<Dim>::write(double time, long step, const Points<Dim>& position
         const auto item = [&](const std::string& dataset, const Slab& slab) {
           return xdmf_data_item("cloth", dataset, slab.shape);
         };
-        return "<Topology TopologyType=\"Mixed\" NumberOfElements=\"" + std::to_string(cloths_.pieces().size()) +
-               "\">\n" +
-               xdmf_data_item("cloth", "/topology", {topology().size()}, "NumberType=\"Int\" Precision=\"8\"") +
+        const Topology mesh = topology();
+        return "<Topology TopologyType=\"Mixed\" NumberOfElements=\"" + std::to_string(mesh.elements) + "\">\n" +
+               xdmf_data_item("cloth", "/topology", {mesh.entries.size()}, "NumberType=\"Int\" Precision=\"8\"") +
                "</Topology>\n<Geometry GeometryType=\"XYZ\">\n" + item(frame.group + "/position", vector) +
                "</Geometry>\n" + xdmf_attribute("velocity", "Vector", "Node", item(frame.group + "/velocity", vector)) +
                xdmf_attribute("stress", "Scalar", "Node", item(frame.group + "/stress", scalar)) +

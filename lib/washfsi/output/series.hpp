@@ -46,8 +46,12 @@ class ClothSeries {
   void write(double time, long step, const Points<Dim>& positions, const Points<Dim>& velocities);
 
  private:
+  struct Topology {
+    std::vector<long long> entries;
+    std::size_t elements = 0;
+  };
   void write_topology();
-  std::vector<long long> topology() const;
+  Topology topology() const;
 
   MPI_Comm comm_;
   const Cloths<Dim>& cloths_;

@@ -69,7 +69,7 @@ std::vector<double> identity(const System<Dim>& system) {
   for (int d = 0; d < Dim; ++d) numbers.push_back(system.grid.upper()[d]);
   for (const Piece& piece : system.cloths.pieces()) {
     numbers.push_back(static_cast<double>(piece.count));
-    numbers.push_back(system.cloths.groups()[piece.group].fibre.spacing);
+    numbers.push_back(system.cloths.groups()[piece.group].sheet.ds);
   }
   return numbers;
 }
@@ -106,7 +106,8 @@ void write_checkpoint(const std::string& folder, const System<Dim>& system, Meas
   if (system.cloths.marker_count() > 0) {
     file.write("/cloth/position", slab_of_markers(system.cloths, Dim), flattened<Dim>(system.positions));
     file.write("/cloth/velocity", slab_of_markers(system.cloths, Dim), flattened<Dim>(system.velocities));
-    file.write("/cloth/time_integrals", slab_of_markers(system.cloths, ClothMeasures<Dim>::marker_sums),
+    file.write("/cloth/time_integrals",
+               slab_of_markers(system.cloths, static_cast<int>(marker_quantities<Dim>().size())),
                measures.cloth().time_integrals());
   }
   const std::vector<double> numbers = identity(system);
@@ -138,8 +139,8 @@ RunState read_checkpoint(const std::string& path, System<Dim>& system, Measures<
     if (system.cloths.marker_count() > 0) {
       system.positions = read_points(file, "/cloth/position", system.cloths);
       system.velocities = read_points(file, "/cloth/velocity", system.cloths);
-      measures.cloth().time_integrals() =
-          file.read("/cloth/time_integrals", slab_of_markers(system.cloths, ClothMeasures<Dim>::marker_sums));
+      measures.cloth().time_integrals() = file.read(
+          "/cloth/time_integrals", slab_of_markers(system.cloths, static_cast<int>(marker_quantities<Dim>().size())));
     }
     measures.set_totals(file.read("/totals", shared_slab(comm, measures.totals_count(), false)));
     system.locate_cloth(system.positions);

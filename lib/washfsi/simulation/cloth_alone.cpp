@@ -12,7 +12,7 @@ void half_step(System<Dim>& system, double dt, double time) {
   const Cloths<Dim>& cloths = system.cloths;
   const Points<Dim> forces = all_forces(system, system.positions, system.velocities, time);
   for (std::size_t m = 0; m < forces.size(); ++m) {
-    const double mass = cloths.marker_masses()[m], drag = system.cloth_drag * cloths.marker_lengths()[m];
+    const double mass = cloths.marker_masses()[m], drag = system.cloth_drag * cloths.marker_areas()[m];
     system.velocities[m] = (mass * system.velocities[m] + 0.5 * dt * forces[m]) / (mass + 0.5 * dt * drag);
   }
 }

@@ -9,11 +9,51 @@
 namespace washfsi {
 
 template <int Dim>
+const std::vector<Column>& marker_quantities() {
+  static const std::vector<Column> in_plane{
+      {"stress", "Pa"}, {"membrane_stress", "Pa"}, {"bending_stress", "Pa"}, {"stretch", "-"}, {"curvature", "1/m"}};
+  static const std::vector<Column> in_space{{"stress", "Pa"},
+                                            {"stress_ss", "Pa"},
+                                            {"stress_rr", "Pa"},
+                                            {"stress_sr", "Pa"},
+                                            {"membrane_stress_ss", "Pa"},
+                                            {"membrane_stress_rr", "Pa"},
+                                            {"membrane_stress_sr", "Pa"},
+                                            {"bending_stress_ss", "Pa"},
+                                            {"bending_stress_rr", "Pa"},
+                                            {"bending_stress_sr", "Pa"},
+                                            {"stretch", "-"},
+                                            {"curvature", "1/m"},
+                                            {"shear_angle", "rad"}};
+  return Dim == 2 ? in_plane : in_space;
+}
+
+template <int Dim>
+std::vector<double> quantities_of(const MarkerState& state) {
+  const auto &membrane = state.membrane_stress, &bending = state.bending_stress;
+  const auto surface = [&](StressComponent component) { return membrane[component] + bending[component]; };
+  if constexpr (Dim == 2) return {surface(ss), membrane[ss], bending[ss], state.stretch, state.curvature};
+  return {0.5 * (surface(ss) + surface(rr)),
+          surface(ss),
+          surface(rr),
+          surface(sr),
+          membrane[ss],
+          membrane[rr],
+          membrane[sr],
+          bending[ss],
+          bending[rr],
+          bending[sr],
+          state.stretch,
+          state.curvature,
+          state.shear_angle};
+}
+
+template <int Dim>
 ClothMeasures<Dim>::ClothMeasures(const System<Dim>& system)
     : system_(system),
       groups_(system.cloths.groups().size()),
       centers_(system.cloths.pieces().size(), Point<Dim>::Zero()),
-      time_integrals_(marker_sums * system.cloths.owned(), 0.0) {
+      time_integrals_(marker_quantities<Dim>().size() * system.cloths.owned(), 0.0) {
   for (const std::size_t piece : system.cloths.piece_of_marker())
     group_of_.push_back(system.cloths.pieces()[piece].group);
   counts_ = sums_by(group_of_, groups_.size(), std::vector<double>(group_of_.size(), 1.0));
@@ -28,50 +68,44 @@ std::vector<double> ClothMeasures<Dim>::sums_by(const std::vector<std::size_t>& 
   return ordered_sum(system_.grid.comm(), sums);
 }
 
+// Means over the markers of each group of each of the values that every marker has.
 template <int Dim>
-std::vector<MarkerMeans> ClothMeasures<Dim>::means_of(const std::vector<MarkerState>& states) const {
-  const auto mean = [&](auto&& value) {
-    std::vector<double> values;
-    for (const MarkerState& state : states) values.push_back(value(state));
-    std::vector<double> sums = sums_by(group_of_, groups_.size(), values);
-    for (std::size_t g = 0; g < sums.size(); ++g) sums[g] /= counts_[g];
-    return sums;
-  };
-  const auto membrane = mean([](const MarkerState& s) { return s.membrane_stress; });
-  const auto bending = mean([](const MarkerState& s) { return s.bending_stress; });
-  const auto stretch = mean([](const MarkerState& s) { return s.stretch; });
-  const auto curvature = mean([](const MarkerState& s) { return s.curvature; });
-  const auto square = mean([](const MarkerState& s) { return std::pow(s.membrane_stress + s.bending_stress, 2); });
-  std::vector<MarkerMeans> result;
+std::vector<std::vector<double>> ClothMeasures<Dim>::means_of(const std::vector<double>& values) const {
+  const std::size_t each = marker_quantities<Dim>().size();
+  std::vector<double> sums(groups_.size() * each, 0.0);
+  for (std::size_t n = 0; n < values.size(); ++n) sums[group_of_[n / each] * each + n % each] += values[n];
+  sums = ordered_sum(system_.grid.comm(), sums);
+  std::vector<std::vector<double>> means;
   for (std::size_t g = 0; g < groups_.size(); ++g) {
-    const double stress = membrane[g] + bending[g];
-    result.push_back({stress, membrane[g], bending[g], stretch[g], curvature[g],
-                      std::sqrt(std::max(0.0, square[g] - stress * stress))});
+    means.emplace_back(sums.begin() + static_cast<long>(g * each), sums.begin() + static_cast<long>((g + 1) * each));
+    for (double& mean : means.back()) mean /= counts_[g];
   }
-  return result;
+  return means;
 }
 
 template <int Dim>
 void ClothMeasures<Dim>::observe(double dt) {
   if (groups_.empty()) return;
-  const std::vector<MarkerState> states = system_.cloths.marker_states(system_.positions);
   averaged_time_ += dt;
   const double time = averaged_time_ > 0 ? averaged_time_ : 1;
-  std::vector<MarkerState> averages;
-  for (std::size_t m = 0; m < states.size(); ++m) {
-    double* sums = &time_integrals_[marker_sums * m];
-    sums[0] += dt * states[m].membrane_stress;
-    sums[1] += dt * states[m].bending_stress;
-    sums[2] += dt * states[m].stretch;
-    sums[3] += dt * states[m].curvature;
-    averages.push_back({sums[0] / time, sums[1] / time, sums[2] / time, sums[3] / time});
+  std::vector<double> values;
+  for (const MarkerState& state : system_.cloths.marker_states(system_.positions))
+    for (const double value : quantities_of<Dim>(state)) values.push_back(value);
+  std::vector<double> averages, squares;
+  for (std::size_t n = 0; n < values.size(); ++n) {
+    time_integrals_[n] += dt * values[n];
+    averages.push_back(time_integrals_[n] / time);
+    squares.push_back(averages[n] * averages[n]);
   }
-  const auto now = means_of(states), means = means_of(averages);
+  const auto now = means_of(values), means = means_of(averages), mean_squares = means_of(squares);
   const std::vector<double> energies = system_.cloths.elastic_energies(system_.positions);
   const std::vector<double> stretches = system_.cloths.largest_stretches(system_.positions);
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     groups_[g].now = now[g];
     groups_[g].mean = means[g];
+    groups_[g].deviation.clear();
+    for (std::size_t n = 0; n < means[g].size(); ++n)
+      groups_[g].deviation.push_back(std::sqrt(std::max(0.0, mean_squares[g][n] - means[g][n] * means[g][n])));
     groups_[g].elastic_energy = energies[g];
     groups_[g].max_stretch = std::max(groups_[g].max_stretch, stretches[g]);
   }
@@ -105,11 +139,8 @@ std::vector<Column> ClothMeasures<Dim>::columns() const {
   columns.push_back({"cloth_slip", "-"});
   for (const auto& group : system_.cloths.groups()) {
     columns.push_back({group.name + "_elastic_energy", Dim == 2 ? "J/m" : "J"});
-    columns.push_back({group.name + "_stress_mean", "Pa"});
-    columns.push_back({group.name + "_membrane_stress_mean", "Pa"});
-    columns.push_back({group.name + "_bending_stress_mean", "Pa"});
-    columns.push_back({group.name + "_stretch_mean", "-"});
-    columns.push_back({group.name + "_curvature_mean", "1/m"});
+    for (const Column& quantity : marker_quantities<Dim>())
+      columns.push_back({group.name + "_" + quantity.name + "_mean", quantity.unit});
     columns.push_back({group.name + "_max_stretch", "-"});
     columns.push_back({group.name + "_depth", "m"});
     for (int d = 0; d < Dim; ++d) columns.push_back({group.name + "_center_" + "xyz"[d], "m"});
@@ -124,8 +155,9 @@ std::vector<double> ClothMeasures<Dim>::row() const {
   row.push_back(system_.cloth_slip);
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     const GroupMeasures& group = groups_[g];
-    row.insert(row.end(), {group.elastic_energy, group.now.stress, group.now.membrane, group.now.bending,
-                           group.now.stretch, group.now.curvature, group.max_stretch, group.depth});
+    row.push_back(group.elastic_energy);
+    row.insert(row.end(), group.now.begin(), group.now.end());
+    row.insert(row.end(), {group.max_stretch, group.depth});
     Point<Dim> center = Point<Dim>::Zero();  // all cloths of a group are equal
     for (std::size_t p = 0; p < centers_.size(); ++p)
       if (system_.cloths.pieces()[p].group == g)
@@ -167,6 +199,10 @@ void ClothMeasures<Dim>::set_totals(std::span<const double> totals) {
   }
 }
 
+template const std::vector<Column>& marker_quantities<2>();
+template const std::vector<Column>& marker_quantities<3>();
+template std::vector<double> quantities_of<2>(const MarkerState&);
+template std::vector<double> quantities_of<3>(const MarkerState&);
 template class ClothMeasures<2>;
 template class ClothMeasures<3>;
 

@@ -6,24 +6,25 @@
 
 namespace washfsi {
 
-/// Mean over the markers of a group of what a marker bears: now, or of the averages over time.
-struct MarkerMeans {
-  double stress = 0;            ///< at the surface, (5.2-2): the sum of the next two [Pa]
-  double membrane = 0;          ///< |T|/q [Pa]
-  double bending = 0;           ///< 6 |M|/q2 [Pa]
-  double stretch = 0;           ///< of its edges, | |X_s| - 1 |
-  double curvature = 0;         ///< |X_ss| [1/m]
-  double stress_deviation = 0;  ///< standard deviation of the stress over the markers [Pa]
-};
+/// What is known of each marker, by name and unit: `stress` at the surface (5.2-2), the sum of `membrane_stress` and
+/// `bending_stress`; `stretch` of the edges beside, `curvature`. In space each stress has the components ss, rr and sr,
+/// `stress` without one is the mean of ss and rr, and there is the `shear_angle`.
+template <int Dim>
+const std::vector<Column>& marker_quantities();
 
-/// Numbers of one group of cloths.
+/// The quantities of one marker, in this order.
+template <int Dim>
+std::vector<double> quantities_of(const MarkerState& state);
+
+/// Numbers of one group of cloths. The vectors have a value for each of `marker_quantities`.
 struct GroupMeasures {
-  double elastic_energy = 0;  ///< now [J; per unit depth in the plane]
-  MarkerMeans now;
-  MarkerMeans mean;        ///< (5.2-5): over the markers of the averages over the run so far
-  double max_stretch = 0;  ///< largest |X_s| - 1 so far
-  double depth = 0;        ///< of the deepest marker in any body now [m]; 0 if none is inside
-  double max_depth = 0;    ///< the same, largest so far [m]
+  double elastic_energy = 0;      ///< now [J; per unit depth in the plane]
+  std::vector<double> now;        ///< means over the markers
+  std::vector<double> mean;       ///< (5.2-5): means over the markers of the averages over the run so far
+  std::vector<double> deviation;  ///< standard deviations of these over the markers
+  double max_stretch = 0;         ///< largest |X_s| - 1 so far
+  double depth = 0;               ///< of the deepest marker in any body now [m]; 0 if none is inside
+  double max_depth = 0;           ///< the same, largest so far [m]
 };
 
 /// Stress, deformation and place of the cloths after each step, and over a run.
@@ -44,8 +45,7 @@ class ClothMeasures {
   std::vector<Column> track_columns() const;
   std::vector<double> track_row() const;
 
-  /// Sums that a restart needs: `marker_sums` numbers at each of this rank's markers, and the totals.
-  static constexpr int marker_sums = 4;
+  /// Sums that a restart needs: a number for each quantity of each of this rank's markers, and the totals.
   std::vector<double>& time_integrals() { return time_integrals_; }
   std::vector<double> totals() const;
   void set_totals(std::span<const double> totals);
@@ -54,7 +54,7 @@ class ClothMeasures {
  private:
   std::vector<double> sums_by(const std::vector<std::size_t>& part_of, std::size_t parts,
                               const std::vector<double>& marker_values) const;
-  std::vector<MarkerMeans> means_of(const std::vector<MarkerState>& states) const;
+  std::vector<std::vector<double>> means_of(const std::vector<double>& values) const;
   void measure_places();
 
   const System<Dim>& system_;
@@ -62,7 +62,7 @@ class ClothMeasures {
   std::vector<std::size_t> group_of_;   ///< of each of this rank's markers
   std::vector<double> counts_;          ///< markers of each group
   std::vector<Point<Dim>> centers_;     ///< of each cloth [m]
-  std::vector<double> time_integrals_;  ///< of membrane and bending stress [Pa s], stretch [s], curvature [s/m]
+  std::vector<double> time_integrals_;  ///< of the quantities of each marker
   double averaged_time_ = 0;            ///< [s]
 };
 

@@ -36,13 +36,13 @@ Points<Dim> contact_forces(const ContactOptions& contact, const std::vector<Body
                            std::vector<Load<Dim>>& reactions) {
   Points<Dim> forces(positions.size(), Point<Dim>::Zero());
   if (contact.pressure == 0) return forces;
-  const std::vector<double>& lengths = cloths.marker_lengths();
+  const std::vector<double>& areas = cloths.marker_areas();
   for (std::size_t m = 0; m < positions.size(); ++m)
     for (std::size_t b = 0; b < bodies.size(); ++b) {
       const double nearness = 1 - bodies[b].distance(positions[m], time) / contact.distance;
       if (nearness <= 0) continue;
       const Point<Dim> normal = outward_normal(bodies[b], positions[m], time, 1e-3 * contact.distance);
-      const Point<Dim> force = contact.pressure * lengths[m] * nearness * nearness * normal;
+      const Point<Dim> force = contact.pressure * areas[m] * nearness * nearness * normal;
       forces[m] += force;
       reactions[b].force -= force;
       reactions[b].torque -= cross<Dim>(positions[m] - bodies[b].motion.center_at(time), force);

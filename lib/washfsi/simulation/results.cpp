@@ -118,15 +118,15 @@ void Results<Dim>::write_summary(const RunSummary& summary) const {
   json["cloths"] = nlohmann::ordered_json::object();
   for (std::size_t g = 0; g < measures_.cloth().groups().size(); ++g) {
     const GroupMeasures& group = measures_.cloth().groups()[g];
-    json["cloths"][system_.cloths.groups()[g].name] = {{"stress_mean", group.mean.stress},
-                                                       {"stress_std", group.mean.stress_deviation},
-                                                       {"membrane_stress_mean", group.mean.membrane},
-                                                       {"bending_stress_mean", group.mean.bending},
-                                                       {"stretch_mean", group.mean.stretch},
-                                                       {"curvature_mean", group.mean.curvature},
-                                                       {"max_stretch", group.max_stretch},
-                                                       {"max_depth", group.max_depth},
-                                                       {"tumbles", nullptr}};  // a turn needs three dimensions
+    auto& cloth = json["cloths"][system_.cloths.groups()[g].name];
+    const auto& quantities = marker_quantities<Dim>();
+    for (std::size_t n = 0; n < quantities.size(); ++n) {
+      cloth[quantities[n].name + "_mean"] = group.mean[n];
+      cloth[quantities[n].name + "_std"] = group.deviation[n];
+    }
+    cloth["max_stretch"] = group.max_stretch;
+    cloth["max_depth"] = group.max_depth;
+    cloth["tumbles"] = nullptr;  // a turn needs three dimensions
   }
   write_text_file(system_.grid.comm(), folder_ + "/summary.json", json.dump(2) + "\n");
 }

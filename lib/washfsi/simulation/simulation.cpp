@@ -209,8 +209,8 @@ void Simulation<Dim>::print_banner() {
   std::vector<std::string> bodies, groups;
   for (const auto& body : system.bodies) bodies.push_back(body.name);
   for (const auto& group : system.cloths.groups())
-    groups.push_back(std::to_string(group.count) + " " + group.name + " of " + std::to_string(group.markers) +
-                     " markers");
+    groups.push_back(std::to_string(group.count) + " " + group.name + " of " + std::to_string(group.markers[0]) +
+                     (Dim == 3 ? " x " + std::to_string(group.markers[1]) : "") + " markers");
   if (!bodies.empty()) progress_.note("  bodies    " + join(bodies, ", "));
   if (!groups.empty())
     progress_.note("  cloth     " + join(groups, ", ") + " (" + std::to_string(system.cloths.marker_count()) +
@@ -273,7 +273,7 @@ void Simulation<Dim>::print_summary(const RunSummary& summary) {
   for (std::size_t g = 0; g < measures_->cloth().groups().size(); ++g) {
     const GroupMeasures& group = measures_->cloth().groups()[g];
     progress_.note(format("  %-18s mean stress %.4g Pa (+- %.3g), largest stretch %.3g %%",
-                          system_->cloths.groups()[g].name.c_str(), group.mean.stress, group.mean.stress_deviation,
+                          system_->cloths.groups()[g].name.c_str(), group.mean[0], group.deviation[0],
                           100 * group.max_stretch));
   }
   progress_.note("  results            " + run_.output_dir);

@@ -14,12 +14,25 @@ namespace {
 // Velocity of each marker per force on unit areas of all cloths and time [m2/kg].
 template <int Dim>
 std::vector<double> mobility_per_area(const System<Dim>& system) {
-  const std::vector<double>&lengths = system.cloths.marker_lengths(), &masses = system.cloths.marker_masses();
+  const std::vector<double>&areas = system.cloths.marker_areas(), &masses = system.cloths.marker_masses();
   if (system.has_fluid)
-    return row_sum_mobility<Dim>(system.transfer, system.grid, system.boundary, system.density, nullptr, lengths);
+    return row_sum_mobility<Dim>(system.transfer, system.grid, system.boundary, system.density, nullptr, areas);
   std::vector<double> mobility;
-  for (std::size_t m = 0; m < masses.size(); ++m) mobility.push_back(lengths[m] / masses[m]);
+  for (std::size_t m = 0; m < masses.size(); ++m) mobility.push_back(areas[m] / masses[m]);
   return mobility;
+}
+
+// A quarter of the largest eigenvalue of the stiffness per area: of stretching and shear, and of bending and twist
+// [N/m3].
+double largest_stiffness(const Sheet& sheet) {
+  const double per_s = 1 / (sheet.ds * sheet.ds), per_r = 1 / (sheet.dr * sheet.dr);
+  const double bending_s = 4 * sheet.kb_s * per_s * per_s;
+  if (sheet.width == 1) return sheet.ke_s * per_s + bending_s;
+  const double poisson = std::abs(sheet.poisson);
+  const double along_s = (1 + poisson) * sheet.ke_s * per_s + sheet.ks * per_r;
+  const double along_r = (1 + poisson) * sheet.ke_r * per_r + sheet.ks * per_s;
+  const double mixed = 8 * (poisson * std::sqrt(sheet.kb_s * sheet.kb_r) + sheet.kt) * per_s * per_r;
+  return std::max(along_s, along_r) + bending_s + 4 * sheet.kb_r * per_r * per_r + mixed;
 }
 
 }  // namespace
@@ -31,12 +44,12 @@ double cloth_step_bound(const System<Dim>& system) {
   const std::vector<double> mobility = mobility_per_area(system);
   double shortest = std::numeric_limits<double>::infinity();
   for (std::size_t m = 0; m < mobility.size(); ++m) {
-    const Fibre& fibre = cloths.group_of(m).fibre;
-    const double ds2 = fibre.spacing * fibre.spacing;
-    const double held = cloths.group_of(m).held_markers().empty() ? 0 : cloths.group_of(m).hold_stiffness;
-    const double stiffness = fibre.ke / ds2 + 4 * fibre.kb / (ds2 * ds2) + 0.25 * held / fibre.spacing;
+    const ClothGroup<Dim>& group = cloths.group_of(m);
+    const double held = group.held_markers().empty() ? 0 : group.hold_stiffness;
+    const double stiffness = largest_stiffness(group.sheet) + 0.25 * held / group.sheet.marker_area();
+    const double damping = group.sheet.damping;
     const double undamped2 = 1 / (mobility[m] * stiffness);  // (2/w)^2
-    shortest = std::min(shortest, std::sqrt(fibre.damping * fibre.damping + undamped2) - fibre.damping);
+    shortest = std::min(shortest, std::sqrt(damping * damping + undamped2) - damping);
   }
   return -largest(system.grid.comm(), -shortest);
 }

@@ -104,9 +104,6 @@ SystemOptions<Dim> SystemOptions<Dim>::from_options(Options& options) {
     block.template point<Dim>("gravity", system.gravity, "m/s2", "acceleration by gravity, acting on excess mass");
   });
   system.cloths = cloth_groups_from_options<Dim>(options);
-  if (Dim == 3 && !system.cloths.empty() && !options.help())
-    throw InputError("-cloths " + system.cloths.front().name +
-                     ": cloth needs a grid of two dimensions (nx,ny in -grid_cells)");
   for (const ClothGroup<Dim>& group : system.cloths)
     system.placements.push_back(PlacementOptions<Dim>::from_options(options, group.name));
   system.treatment = BodyTreatment::from_options(options);

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Elasticity of a sheet: a lattice of n x m markers X_ij, i along s (warp), j along r (weft), spacings ds and dr on the
+// undeformed cloth, edges half a spacing beyond the outermost markers. Marker (i, j) has the number i m + j. A fibre is
+// a sheet one marker wide. Formulation 3.1, 3.2, thesis 3.3.3 to 3.3.5.
+//
+// Energy form (default), forces F_ij = -dE/dX_ij; all conditions at free edges are natural:
+//   E = sum over s-edges    1/2 w Ke_s ds dr E11^2,  E11 = (|X_(i+1,j) - X_ij|^2/ds^2 - 1)/2
+//     + sum over r-edges    1/2 w Ke_r ds dr E22^2,  E22 likewise
+//     + sum over quads      ds dr (nu sqrt(Ke_s Ke_r) <E11> <E22> + 1/2 Ks (a.b)^2)
+//     + sum over markers    1/2 ds dr (f Kb_s |D_s|^2 + f Kb_r |D_r|^2 + 2 nu sqrt(Kb_s Kb_r) D_s.D_r)
+//     + sum over quads      g ds dr Kt |D_q|^2
+// <> is the mean of a quad's two edges, a and b are its mean tangents X_s and X_r, D_s and D_r second differences
+// (absent where a neighbour is missing), D_q the mixed one. The strip of half a spacing round the markers has no quads:
+// there w = 1 - nu^2/2 per side of an edge without a quad, f = 1 - nu^2 where D_s or D_r is absent, g = 1 + 1/2 per
+// side without a next row of quads. The form conserves linear and angular momentum to round-off and cannot create
+// energy; bending is linear in X, so that nothing is singular on crumpled cloth.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <span>
+
+#include "washfsi/support/point.hpp"
+
+namespace washfsi {
+
+/// Lattice and stiffnesses of a sheet. In the plane all are per unit depth, which then is `dr`.
+struct Sheet {
+  std::size_t width = 1;      ///< markers along r, m
+  double ds = 0, dr = 1;      ///< spacings [m]
+  double ke_s = 0, ke_r = 0;  ///< extensional stiffness [N/m]
+  double ks = 0;              ///< shear stiffness, N12 = 2 Ks E12 [N/m]
+  double kb_s = 0, kb_r = 0;  ///< bending stiffness [N m]
+  double kt = 0;              ///< twisting stiffness, M12 = Kt tau [N m]
+  double poisson = 0;         ///< nu, the geometric mean of nu_sr and nu_rs
+  double damping = 0;         ///< Kelvin-Voigt time beta of the edges [s]
+  double thickness = 1;       ///< q [m], for stresses only
+  bool closed = false;        ///< a ring along s: no ends
+
+  double marker_area() const { return ds * dr; }  ///< undeformed [m2; m in the plane]
+};
+
+/// A block of a stiffness matrix K = d2E/dX2, between two markers [N/m; per unit depth in the plane].
+template <int Dim>
+using StiffnessBlock = Eigen::Matrix<double, Dim, Dim>;
+
+/// Takes the block of a row and a column, to be added to what is there.
+template <int Dim>
+using AddBlock = std::function<void(std::size_t row, std::size_t column, const StiffnessBlock<Dim>& block)>;
+
+/// How much of the geometric stiffness, which stems from the stresses and not from the moduli, enters a matrix: all of
+/// it, or only that of edges in tension. Without the rest the matrix is positive definite.
+enum class GeometricStiffness { all, of_tension };
+
+/// The functions below act on neighbouring rows of one sheet (a row: all markers of one i). Given only some of its
+/// rows, they are exact for all markers that are at least this many rows from those where it was cut.
+inline constexpr int sheet_reach = 3;
+
+/// Adds -dE/dX [N; per unit depth in the plane].
+template <int Dim>
+void add_energy_forces(const Sheet& sheet, std::span<const Point<Dim>> positions, std::span<Point<Dim>> forces);
+
+/// Adds the exact Jacobian of -forces, K = d2E/dX2, block by block.
+template <int Dim>
+void add_energy_stiffness(const Sheet& sheet, std::span<const Point<Dim>> positions, GeometricStiffness geometric,
+                          const AddBlock<Dim>& add);
+
+/// Adds the Kelvin-Voigt damping of the edges: along s beta Ke_s dr d (d . dU)/ds^3 with d the edge vector.
+template <int Dim>
+void add_damping_forces(const Sheet& sheet, std::span<const Point<Dim>> positions,
+                        std::span<const Point<Dim>> velocities, std::span<Point<Dim>> forces);
+
+/// Elastic energy of the edges, quads and bends that belong to markers first..last-1: an edge to its first marker, a
+/// quad to its lowest.
+template <int Dim>
+double elastic_energy(const Sheet& sheet, std::span<const Point<Dim>> positions, std::size_t first, std::size_t last);
+
+/// Largest stretch |X_s| - 1 or |X_r| - 1 of any edge.
+template <int Dim>
+double largest_stretch(const Sheet& sheet, std::span<const Point<Dim>> positions);
+
+/// Components of stress: along warp, along weft, shear. In the plane there is only the first.
+enum StressComponent : std::size_t { ss, rr, sr, stress_components };
+
+/// What a marker bears. The stress at the surface of the cloth is the sum of both (5.2-2 to 5.2-4).
+struct MarkerState {
+  std::array<double, stress_components> membrane_stress{};  ///< |N|/q, N the mean over the edges or quads beside,
+                                                            ///< zero beyond an edge of the cloth [Pa]
+  std::array<double, stress_components> bending_stress{};   ///< 6 |M|/q^2 [Pa]
+  double stretch = 0;                                       ///< mean of | |X_s| - 1 | of the edges beside
+  double curvature = 0;                                     ///< sqrt(kappa_s^2 + kappa_r^2 + 2 tau^2) [1/m]
+  double shear_angle = 0;                                   ///< mean of the quads beside [rad]
+};
+
+/// The larger of the stresses along warp and weft at the surface of the cloth [Pa].
+double surface_stress(const MarkerState& state);
+
+/// The state at each marker.
+template <int Dim>
+std::vector<MarkerState> marker_states(const Sheet& sheet, std::span<const Point<Dim>> positions);
+
+}  // namespace washfsi

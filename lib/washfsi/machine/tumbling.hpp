@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "washfsi/support/point.hpp"
+
+namespace washfsi {
+
+/// Counts the turns of cloths in a machine with a vertical axis: how often the centre of a cloth goes round a point of
+/// the plane (r, z), r the distance from the axis. Up outside and down at the axis is positive (thesis Fig. 5.5-6).
+class TumbleCounter {
+ public:
+  /// `axis`: its x and y [m]; `orbit_center`: r and z [m] of what is gone round.
+  TumbleCounter(const Point<2>& axis, const Point<2>& orbit_center, std::size_t cloths);
+
+  /// Takes the centres of all cloths after a step. The first ones count nothing.
+  void observe(const std::vector<Point<3>>& centers);
+  /// Turns of each cloth so far.
+  std::vector<double> turns() const;
+
+  /// Numbers that a restart needs.
+  std::vector<double> state() const;
+  void set_state(std::span<const double> state);
+  std::size_t state_count() const { return 2 * angles_.size(); }
+
+ private:
+  Point<2> axis_, orbit_center_;
+  std::vector<double> angles_;  ///< where each cloth is now on its way round, -pi to pi; not a number before the first
+  std::vector<double> turned_;  ///< angles gone through so far [rad]
+};
+
+}  // namespace washfsi
