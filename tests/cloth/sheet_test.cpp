@@ -118,6 +118,18 @@ TEST(SheetEnergy, StiffnessIsTheJacobianOfItsForces) {
   }
 }
 
+TEST(SheetEnergy, ForceRatesAreItsStiffnessTimesADirection) {
+  for (const auto& [rows, width] : shapes) {
+    const Points<3> x = crumpled_sheet(rows, width, 4), direction = random_points<3>(x.size(), 9);
+    const Eigen::MatrixXd matrix = stiffness_of(woven(width), x, GeometricStiffness::all);
+    Points<3> rates(x.size(), Point<3>::Zero());
+    add_energy_force_rates<3>(woven(width), x, direction, rates);
+    const auto size = 3 * static_cast<Eigen::Index>(x.size());
+    const Eigen::VectorXd expected = -matrix * Eigen::Map<const Eigen::VectorXd>(direction[0].data(), size);
+    EXPECT_LE((Eigen::Map<const Eigen::VectorXd>(rates[0].data(), size) - expected).norm(), 1e-12 * matrix.norm());
+  }
+}
+
 TEST(SheetEnergy, StiffnessWithoutCompressionAndShearIsPositive) {
   const Points<3> x = crumpled_sheet(5, 6, 5);
   const auto least = [&](GeometricStiffness geometric) {

@@ -66,7 +66,7 @@ TEST(ClothCrossings, CountsMarkersThatGoThroughAnotherCloth) {
   sheets.observe_by(crossings, cloths);
   EXPECT_EQ(crossings.crossings(), 1);
   EXPECT_NEAR(crossings.least_distance(), 0.002, 2e-4);  // the upper sheet, bent, is near to others
-  sheets.places[16 + 5][2] = -0.004;  // it goes on, on the other side
+  sheets.places[16 + 5][2] = -0.004;                     // it goes on, on the other side
   sheets.observe_by(crossings, cloths);
   EXPECT_EQ(crossings.crossings(), 1);
   sheets.places[16 + 5][2] = 0.01;  // and comes back

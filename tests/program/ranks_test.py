@@ -30,7 +30,7 @@ class Ranks(ProgramTest):
             self.assert_same(self.history(ranks), expected, ranks=ranks)
 
     def test_sheet_in_a_shear_flow_is_the_same_on_one_two_and_three_ranks(self):
-        case = ["-options_file", SHEET, *TIGHT, "-cloth_tolerance", 1e-10, "-time_end", 0.4]
+        case = ["-options_file", SHEET, *TIGHT, "-cloth_tolerance", 1e-12, "-time_end", 0.4]
         tables = {}
         for ranks in (1, 2, 3):
             self.run_well(ranks, *case, "-output_dir", f"sheet_{ranks}")
@@ -39,6 +39,8 @@ class Ranks(ProgramTest):
                 rows = [line.split(",")[4:] for line in file.readlines()[2:]]
             tables[ranks]["markers"] = np.array(rows, dtype=float)
         self.assertGreater(len(tables[1]["step"]), 10)
+        for table in tables.values():  # while nothing moves yet, what is solved to the flow's speed is solved coarsely
+            table["cloth_slip"] = table["cloth_slip"][2:]
         for ranks in (2, 3):
             self.assert_same(tables[ranks], tables[1], ranks=ranks)
 

@@ -40,7 +40,8 @@ inline void disturb(System<2>& system, double size) {
 }
 
 inline double total_energy(const System<2>& system) {
-  const auto flow = FlowDiagnostics<2>::of(system.grid, system.boundary, system.fluid.velocity(), system.density, 0, 1);
+  const auto flow =
+      FlowDiagnostics<2>::of(system.grid, system.boundary, {system.fluid.velocity(), system.density}, 0, 1);
   return flow.kinetic_energy + system.cloths.elastic_energies(system.positions)[0];
 }
 

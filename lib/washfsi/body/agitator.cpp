@@ -58,7 +58,8 @@ Points<2> plan_of_vane(const AgitatorDimensions& dimensions) {
 
 Points<2> profile_of_dome(const AgitatorDimensions& dimensions) {
   constexpr int parts = 30;
-  Points<2> profile{{0, 0}};
+  const double below = -dimensions.dome_height;  // it stands on the floor: no water beneath
+  Points<2> profile{{0, below}, {dimensions.dome_radius, below}};
   for (int k = parts; k >= 0; --k) {
     const double part = static_cast<double>(k) / parts;
     profile.emplace_back(dimensions.dome_radius * part, dimensions.dome_height * (1 - part * part));
@@ -84,7 +85,7 @@ ShapePtr<3> agitator(const AgitatorDimensions& dimensions) {
 ShapePtr<3> sampled_agitator(MPI_Comm comm, const AgitatorDimensions& dimensions, double spacing) {
   const double radius = std::max({dimensions.dome_radius, dimensions.tip_radius, dimensions.post_radius});
   const double height = std::max({dimensions.dome_height, dimensions.vane_height, dimensions.post_height});
-  const Point<3> lower(-radius, -radius, -dimensions.post_radius), upper(radius, radius, height);
+  const Point<3> lower(-radius, -radius, -dimensions.dome_height), upper(radius, radius, height);
   const ShapePtr<3> exact = agitator(dimensions);
   return Sampled<3>::of(comm, *exact, Lattice<3>::around(lower, upper, 4 * spacing, spacing));
 }

@@ -201,6 +201,46 @@ Loads<Dim> Mask<Dim>::loads(Vec constraint_force, Vec density, Vec pressure, dou
   return ordered_sum<Dim>(grid_.comm(), loads);
 }
 
+template <int Dim>
+double Mask<Dim>::dissipation(Vec velocity_before, Vec density, double dt) const {
+  if (!any_moves_) return 0;
+  const ConstFaceView<Dim> u(grid_.face_dm(), velocity_before), rho(grid_.face_dm(), density);
+  const ConstFaceView<Dim> fraction(grid_.face_dm(), fraction_), solid(grid_.face_dm(), solid_velocity_);
+  double lost = 0;
+  grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
+    const double change = solid(face, c) - u(face, c);
+    lost += 0.5 * (1 - fraction(face, c)) * rho(face, c) * change * change;
+  });
+  return ordered_sum(grid_.comm(), lost * grid_.cell_volume() / dt);
+}
+
+template <int Dim>
+Loads<Dim> Mask<Dim>::hidden_wall_shear(const Boundary<Dim>& boundary, Vec velocity, double viscosity,
+                                        double time) const {
+  Loads<Dim> loads(bodies_.size());
+  const petsc::LocalVector local(grid_.face_dm(), velocity);
+  boundary.fill(local, time);
+  const ConstFaceView<Dim> u(grid_.face_dm(), local), holder(grid_.face_dm(), body_);
+  for (int axis = 0; axis < Dim; ++axis)
+    for (const End end : {End::lower, End::upper}) {
+      const auto& side = boundary.side(axis, end);
+      if (side.kind != BoundaryKind::wall || side.motion) continue;
+      const double spacing = grid_.spacing()[axis], area = grid_.cell_volume() / spacing;
+      const int outwards = end == End::upper ? 1 : -1;
+      for_each<Dim>(grid_.cells_beside(axis, end), [&](const Index<Dim>& face) {
+        for (int c = 0; c < Dim; ++c) {
+          if (c == axis || holder(face, c) < 0) continue;
+          const auto b = static_cast<std::size_t>(holder(face, c));
+          Point<Dim> place = grid_.face_center(face, c), force = Point<Dim>::Zero();
+          place[axis] += 0.5 * outwards * spacing;
+          force[c] = area * viscosity * (u(face, c) - u(shifted<Dim>(face, axis, outwards), c)) / spacing;
+          loads[b].add(place - bodies_[b].motion.center_at(time), force);
+        }
+      });
+    }
+  return ordered_sum<Dim>(grid_.comm(), loads);
+}
+
 template class Mask<2>;
 template class Mask<3>;
 

@@ -34,9 +34,17 @@ class Mask {
   void hold(Vec velocity) const;
 
   /// Load on each body from the force density by which the bodies held the water over a step, less the inertia of the
-  /// water inside them, and what the walls of the box held for them: their pressure, not their shear. `time` is the
-  /// middle of the step. Collective.
+  /// water inside them, and what the walls of the box held for them: their pressure. `time` is the middle of
+  /// the step. Collective.
   Loads<Dim> loads(Vec constraint_force, Vec density, Vec pressure, double time) const;
+
+  /// Energy that the water lost in a step of dt where a moving mask took it along: 1/2 rho |u_solid - u|^2 on the faces
+  /// that are solid now, u the velocity before, over dt [W; in the plane W/m]. An effect of the staircase. Collective.
+  double dissipation(Vec velocity_before, Vec density, double dt) const;
+
+  /// The drag of walls of the box at rest on the water inside each body, which is not the body's: what `loads` must be
+  /// given on top where a body moves along a wall. The velocity is that at `time`. Collective.
+  Loads<Dim> hidden_wall_shear(const Boundary<Dim>& boundary, Vec velocity, double viscosity, double time) const;
 
  private:
   void place(const PosedBodies<Dim>& posed, std::size_t body, double time);

@@ -58,10 +58,13 @@ Loads<Dim> wall_loads(const Grid<Dim>& grid, const Boundary<Dim>& boundary, cons
     const double spacing = grid.spacing()[axis], area = grid.cell_volume() / spacing;
     const bool slips = boundary.side(axis, end).kind == BoundaryKind::slip;
     for_each<Dim>(grid.cells_beside(axis, end), [&](const Index<Dim>& cell) {
-      Point<Dim> place = grid.cell_center(cell);
-      if (posed.holder(place) < bodies.size()) return;
-      place[axis] = end == End::upper ? grid.upper()[axis] : grid.lower()[axis];
-      loads[s].add(place - middle, area * traction<Dim>(u, p, cell, sides[s], slips, viscosity, spacing));
+      const Point<Dim> force = area * traction<Dim>(u, p, cell, sides[s], slips, viscosity, spacing);
+      for (int c = 0; c < Dim; ++c) {  // each where its velocity is
+        Point<Dim> place = c == axis ? grid.cell_center(cell) : grid.face_center(cell, c);
+        if (posed.holder(place) < bodies.size()) continue;
+        place[axis] = end == End::upper ? grid.upper()[axis] : grid.lower()[axis];
+        loads[s].add(place - middle, force[c] * Point<Dim>::Unit(c));
+      }
     });
   }
   return ordered_sum<Dim>(grid.comm(), loads);

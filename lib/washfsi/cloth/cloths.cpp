@@ -177,6 +177,17 @@ Points<Dim> Cloths<Dim>::elastic_forces(const Points<Dim>& positions) const {
 }
 
 template <int Dim>
+Points<Dim> Cloths<Dim>::stiffness_product(const Points<Dim>& positions, const Points<Dim>& direction) const {
+  const Points<Dim> x = with_halo(positions), d = with_halo(direction);
+  Points<Dim> result = forces_of_parts([&](const Part& part, std::span<Point<Dim>> rates) {
+    add_energy_force_rates<Dim>(group_of(part).sheet, visible(x, part), visible(d, part), rates);
+  });
+  for (const Hold& hold : holds_) result[hold.marker] -= hold.stiffness * direction[hold.marker];
+  for (auto& rate : result) rate = -rate;
+  return result;
+}
+
+template <int Dim>
 double Cloths<Dim>::force_round_off(const Points<Dim>& positions) const {
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   std::vector<double> largest(positions.size());

@@ -57,6 +57,9 @@ class Cloths {
   /// Force of elasticity and of the holding springs on each of this rank's markers [N; per unit depth in the plane].
   /// Collective.
   Points<Dim> elastic_forces(const Points<Dim>& positions) const;
+  /// Minus the Jacobian of elastic_forces, of the energy form whatever the group's model, times a direction.
+  /// Collective.
+  Points<Dim> stiffness_product(const Points<Dim>& positions, const Points<Dim>& direction) const;
   /// 2-norm over all markers of the round-off that elastic_forces may have [N; per unit depth in the plane].
   /// Collective.
   double force_round_off(const Points<Dim>& positions) const;

@@ -75,6 +75,21 @@ Membrane strains_of(const Lattice<Dim>& lattice) {
   return strains;
 }
 
+// Rates of the strains as the markers move along a direction.
+template <int Dim>
+Membrane strain_rates_of(const Lattice<Dim>& lattice, const Lattice<Dim>& direction) {
+  Membrane rates(lattice.x.size());
+  const double ds2 = lattice.sheet.ds * lattice.sheet.ds, dr2 = lattice.sheet.dr * lattice.sheet.dr;
+  for (std::size_t k = 0; k < lattice.x.size(); ++k) {
+    if (lattice.has_edge_s(k)) rates.s[k] = lattice.edge_s(k).dot(direction.edge_s(k)) / ds2;
+    if (lattice.has_edge_r(k)) rates.r[k] = lattice.edge_r(k).dot(direction.edge_r(k)) / dr2;
+    if (lattice.has_quad(k))
+      rates.shear[k] =
+          direction.tangent_s(k).dot(lattice.tangent_r(k)) + lattice.tangent_s(k).dot(direction.tangent_r(k));
+  }
+  return rates;
+}
+
 double cross_extension(const Sheet& sheet) {
   return sheet.poisson * std::sqrt(sheet.ke_s * sheet.ke_r);
 }
@@ -104,11 +119,11 @@ Membrane resultants_of(const Lattice<Dim>& lattice, const Membrane& strains) {
   return result;
 }
 
+// Forces of resultants along the edges and tangents of a lattice: linear in both.
 template <int Dim>
-void add_membrane_forces(const Lattice<Dim>& lattice, std::span<Point<Dim>> forces) {
+void add_membrane_forces(const Lattice<Dim>& lattice, const Membrane& pulls, std::span<Point<Dim>> forces) {
   const double ds = lattice.sheet.ds, dr = lattice.sheet.dr;
   const std::size_t m = lattice.m;
-  const Membrane pulls = resultants_of(lattice, strains_of(lattice));
   for (std::size_t k = 0; k < lattice.x.size(); ++k) {
     if (lattice.has_edge_s(k)) {
       const Point<Dim> pull = pulls.s[k] * dr / ds * lattice.edge_s(k);
@@ -291,8 +306,17 @@ void add_bending_stiffness(const Lattice<Dim>& lattice, const AddBlock<Dim>& add
 template <int Dim>
 void add_energy_forces(const Sheet& sheet, std::span<const Point<Dim>> positions, std::span<Point<Dim>> forces) {
   const Lattice<Dim> lattice(sheet, positions);
-  add_membrane_forces(lattice, forces);
+  add_membrane_forces(lattice, resultants_of(lattice, strains_of(lattice)), forces);
   add_bending_forces(lattice, forces);
+}
+
+template <int Dim>
+void add_energy_force_rates(const Sheet& sheet, std::span<const Point<Dim>> positions,
+                            std::span<const Point<Dim>> direction, std::span<Point<Dim>> rates) {
+  const Lattice<Dim> lattice(sheet, positions), change(sheet, direction);
+  add_membrane_forces(lattice, resultants_of(lattice, strain_rates_of(lattice, change)), rates);
+  add_membrane_forces(change, resultants_of(lattice, strains_of(lattice)), rates);
+  add_bending_forces(change, rates);
 }
 
 template <int Dim>
@@ -434,6 +458,10 @@ std::vector<MarkerState> marker_states(const Sheet& sheet, std::span<const Point
 
 template void add_energy_forces<2>(const Sheet&, std::span<const Point<2>>, std::span<Point<2>>);
 template void add_energy_forces<3>(const Sheet&, std::span<const Point<3>>, std::span<Point<3>>);
+template void add_energy_force_rates<2>(const Sheet&, std::span<const Point<2>>, std::span<const Point<2>>,
+                                        std::span<Point<2>>);
+template void add_energy_force_rates<3>(const Sheet&, std::span<const Point<3>>, std::span<const Point<3>>,
+                                        std::span<Point<3>>);
 template void add_damping_forces<2>(const Sheet&, std::span<const Point<2>>, std::span<const Point<2>>,
                                     std::span<Point<2>>);
 template void add_damping_forces<3>(const Sheet&, std::span<const Point<3>>, std::span<const Point<3>>,

@@ -66,6 +66,11 @@ template <int Dim>
 void add_energy_stiffness(const Sheet& sheet, std::span<const Point<Dim>> positions, GeometricStiffness geometric,
                           const AddBlock<Dim>& add);
 
+/// Adds -K d for a direction d: the rate of change of the forces as the markers move along it.
+template <int Dim>
+void add_energy_force_rates(const Sheet& sheet, std::span<const Point<Dim>> positions,
+                            std::span<const Point<Dim>> direction, std::span<Point<Dim>> rates);
+
 /// Adds the Kelvin-Voigt damping of the edges: along s beta Ke_s dr d (d . dU)/ds^3 with d the edge vector.
 template <int Dim>
 void add_damping_forces(const Sheet& sheet, std::span<const Point<Dim>> positions,

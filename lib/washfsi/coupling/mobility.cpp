@@ -117,6 +117,8 @@ void MobilityMatrix<Dim>::assemble(const Points<Dim>& positions, PetscInt first,
       rows[m].push_back({other, value});
       sum += value;
     });
+    // in ascending order the matrix takes them several times faster
+    std::sort(rows[m].begin(), rows[m].end(), [](const Entry& a, const Entry& b) { return a.other < b.other; });
     scales[marker] = row_sums[m] / sum.maxCoeff();
     most = std::max(most, static_cast<PetscInt>(rows[m].size()));
   }

@@ -6,16 +6,25 @@
 
 namespace washfsi {
 
-/// What is watched after each step. `velocity` is global, at `time`.
+/// A flow as global face vectors, and its viscosity [Pa s].
+struct FlowState {
+  Vec velocity, density;
+  Vec fluid_fraction = nullptr;  ///< H of the faces; none: no solids
+  double viscosity = 0;
+};
+
+/// What is watched after each step. Sums are over faces, without those in solids [in 2D per unit depth].
 template <int Dim>
 struct FlowDiagnostics {
-  double kinetic_energy = 0;  ///< 1/2 sum rho |u|^2 over faces [J; in 2D J/m]
-  double max_divergence = 0;  ///< [1/s]
-  Located courant;            ///< largest dt sum_d |u_d|/h_d and its place; infinite where not finite
+  double kinetic_energy = 0;    ///< 1/2 sum rho |u|^2 [J]
+  double angular_momentum = 0;  ///< sum rho (x v - y u), about the vertical (in 2D the point) in the box's middle [J s]
+  double dissipation = 0;       ///< 2 mu e:e, e the rate of strain [W]
+  double max_divergence = 0;    ///< [1/s]
+  Located courant;              ///< largest dt sum_d |u_d|/h_d and its place; infinite where not finite
 
   /// Collective.
-  static FlowDiagnostics of(const Grid<Dim>& grid, const Boundary<Dim>& boundary, Vec velocity, Vec density,
-                            double time, double dt);
+  static FlowDiagnostics of(const Grid<Dim>& grid, const Boundary<Dim>& boundary, const FlowState& state, double time,
+                            double dt);
 };
 
 extern template struct FlowDiagnostics<2>;

@@ -57,6 +57,11 @@ ClothMeasures<Dim>::ClothMeasures(const System<Dim>& system)
   for (const std::size_t piece : system.cloths.piece_of_marker())
     group_of_.push_back(system.cloths.pieces()[piece].group);
   counts_ = sums_by(group_of_, groups_.size(), std::vector<double>(group_of_.size(), 1.0));
+  if constexpr (Dim == 3) {
+    if (groups_.empty()) return;
+    tumbles_.emplace(system.machine.axis, system.machine.orbit_center, centers_.size());
+    crossings_.emplace(system.cloths);
+  }
 }
 
 // Sums over the markers of each part, groups or cloths.
@@ -110,6 +115,26 @@ void ClothMeasures<Dim>::observe(double dt) {
     groups_[g].max_stretch = std::max(groups_[g].max_stretch, stretches[g]);
   }
   measure_places();
+  if constexpr (Dim == 3) measure_laundry();
+}
+
+template <int Dim>
+void ClothMeasures<Dim>::measure_laundry() {
+  if constexpr (Dim == 3) {
+    tumbles_->observe(centers_);
+    const std::vector<double> turns = tumbles_->turns();
+    for (std::size_t g = 0; g < groups_.size(); ++g) groups_[g].tumbles = mean_over_cloths(g, turns);
+    crossings_->observe(system_.positions);
+  }
+}
+
+// All cloths of a group are equal.
+template <int Dim>
+double ClothMeasures<Dim>::mean_over_cloths(std::size_t group, const std::vector<double>& values) const {
+  double sum = 0;
+  for (std::size_t p = 0; p < values.size(); ++p)
+    if (system_.cloths.pieces()[p].group == group) sum += values[p];
+  return sum / static_cast<double>(system_.cloths.groups()[group].count);
 }
 
 template <int Dim>
@@ -137,12 +162,17 @@ std::vector<Column> ClothMeasures<Dim>::columns() const {
   std::vector<Column> columns;
   if (groups_.empty()) return columns;
   columns.push_back({"cloth_slip", "-"});
+  if (crossings_) {
+    columns.push_back({"cloth_distance", "m"});
+    columns.push_back({"cloth_crossings", "-"});
+  }
   for (const auto& group : system_.cloths.groups()) {
     columns.push_back({group.name + "_elastic_energy", Dim == 2 ? "J/m" : "J"});
     for (const Column& quantity : marker_quantities<Dim>())
       columns.push_back({group.name + "_" + quantity.name + "_mean", quantity.unit});
     columns.push_back({group.name + "_max_stretch", "-"});
     columns.push_back({group.name + "_depth", "m"});
+    if (tumbles_) columns.push_back({group.name + "_tumbles", "-"});
     for (int d = 0; d < Dim; ++d) columns.push_back({group.name + "_center_" + "xyz"[d], "m"});
   }
   return columns;
@@ -153,16 +183,18 @@ std::vector<double> ClothMeasures<Dim>::row() const {
   std::vector<double> row;
   if (groups_.empty()) return row;
   row.push_back(system_.cloth_slip);
+  if (crossings_) row.insert(row.end(), {crossings_->least_distance(), crossings_->crossings()});
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     const GroupMeasures& group = groups_[g];
     row.push_back(group.elastic_energy);
     row.insert(row.end(), group.now.begin(), group.now.end());
     row.insert(row.end(), {group.max_stretch, group.depth});
-    Point<Dim> center = Point<Dim>::Zero();  // all cloths of a group are equal
-    for (std::size_t p = 0; p < centers_.size(); ++p)
-      if (system_.cloths.pieces()[p].group == g)
-        center += centers_[p] / static_cast<double>(system_.cloths.groups()[g].count);
-    row.insert(row.end(), center.data(), center.data() + Dim);
+    if (tumbles_) row.push_back(group.tumbles);
+    for (int d = 0; d < Dim; ++d) {
+      std::vector<double> coordinate;
+      for (const auto& center : centers_) coordinate.push_back(center[d]);
+      row.push_back(mean_over_cloths(g, coordinate));
+    }
   }
   return row;
 }
@@ -187,6 +219,9 @@ template <int Dim>
 std::vector<double> ClothMeasures<Dim>::totals() const {
   std::vector<double> totals{averaged_time_};
   for (const GroupMeasures& group : groups_) totals.insert(totals.end(), {group.max_stretch, group.max_depth});
+  if (crossings_) totals.push_back(crossings_->crossings());
+  if (tumbles_)
+    for (const double number : tumbles_->state()) totals.push_back(number);
   return totals;
 }
 
@@ -197,6 +232,9 @@ void ClothMeasures<Dim>::set_totals(std::span<const double> totals) {
     groups_[g].max_stretch = totals[1 + 2 * g];
     groups_[g].max_depth = totals[2 + 2 * g];
   }
+  const std::size_t next = 1 + 2 * groups_.size();
+  if (crossings_) crossings_->set_crossings(totals[next]);
+  if (tumbles_) tumbles_->set_state(totals.subspan(next + 1, tumbles_->state_count()));
 }
 
 template const std::vector<Column>& marker_quantities<2>();

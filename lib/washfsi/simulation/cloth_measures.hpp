@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+
+#include "washfsi/machine/crossings.hpp"
+#include "washfsi/machine/tumbling.hpp"
 #include "washfsi/output/history.hpp"
 #include "washfsi/simulation/system.hpp"
 
@@ -25,6 +29,7 @@ struct GroupMeasures {
   double max_stretch = 0;         ///< largest |X_s| - 1 so far
   double depth = 0;               ///< of the deepest marker in any body now [m]; 0 if none is inside
   double max_depth = 0;           ///< the same, largest so far [m]
+  double tumbles = 0;             ///< mean turns of its cloths in the (r, z) plane so far; in space
 };
 
 /// Stress, deformation and place of the cloths after each step, and over a run.
@@ -37,6 +42,8 @@ class ClothMeasures {
   void observe(double dt);
 
   const std::vector<GroupMeasures>& groups() const { return groups_; }
+  /// In space, where there are sheets.
+  const ClothCrossings* crossings() const { return crossings_ ? &*crossings_ : nullptr; }
 
   /// Columns of history.csv, and their present values.
   std::vector<Column> columns() const;
@@ -49,13 +56,15 @@ class ClothMeasures {
   std::vector<double>& time_integrals() { return time_integrals_; }
   std::vector<double> totals() const;
   void set_totals(std::span<const double> totals);
-  std::size_t totals_count() const { return 1 + 2 * groups_.size(); }
+  std::size_t totals_count() const { return totals().size(); }
 
  private:
   std::vector<double> sums_by(const std::vector<std::size_t>& part_of, std::size_t parts,
                               const std::vector<double>& marker_values) const;
   std::vector<std::vector<double>> means_of(const std::vector<double>& values) const;
   void measure_places();
+  void measure_laundry();
+  double mean_over_cloths(std::size_t group, const std::vector<double>& values) const;
 
   const System<Dim>& system_;
   std::vector<GroupMeasures> groups_;
@@ -64,6 +73,8 @@ class ClothMeasures {
   std::vector<Point<Dim>> centers_;     ///< of each cloth [m]
   std::vector<double> time_integrals_;  ///< of the quantities of each marker
   double averaged_time_ = 0;            ///< [s]
+  std::optional<TumbleCounter> tumbles_;
+  std::optional<ClothCrossings> crossings_;
 };
 
 extern template class ClothMeasures<2>;

@@ -10,19 +10,6 @@
 
 namespace washfsi {
 
-namespace {
-
-constexpr PetscInt largest_for_direct_solution = 256;  // markers
-
-template <int Dim>
-PetscInt largest_piece(const Cloths<Dim>& cloths) {
-  PetscInt largest = 0;
-  for (const Piece& piece : cloths.pieces()) largest = std::max(largest, piece.count);
-  return largest;
-}
-
-}  // namespace
-
 template <int Dim>
 ClothSolver<Dim>::ClothSolver(const Cloths<Dim>& cloths, const Points<Dim>& positions, const Defaults& defaults)
     : cloths_(cloths), matrix_(cloths.stiffness_matrix()) {
@@ -67,9 +54,9 @@ void ClothSolver<Dim>::set_up_linear_solver(const Points<Dim>& positions) {
   WASH_PETSC(KSPSetUp(linear));
 }
 
-// A direct solution, of all cloths by every rank, where they are small: the result does not depend on the ranks. Large
-// sheets would fill its factors; as a preconditioner an incomplete one is as good. Only what the chosen method reads
-// may be set.
+// A direct solution, of all cloths by every rank, of fibres: they are small, and the result does not depend on the
+// ranks. Sheets would fill its factors; as a preconditioner an incomplete one is as good. Only what the chosen method
+// reads may be set.
 template <int Dim>
 void ClothSolver<Dim>::set_default_solvers(const Defaults& defaults) {
   WASH_PETSC(SNESSetType(solver_, defaults.type));
@@ -94,7 +81,7 @@ void ClothSolver<Dim>::set_default_solvers(const Defaults& defaults) {
   const bool preconditions = newton && (defaults.approximate || std::string(defaults.type) == SNESQN);
   PetscBool chooses = PETSC_FALSE;
   WASH_PETSC(PetscOptionsHasName(nullptr, "cloth_", "-pc_type", &chooses));
-  if (!chooses && preconditions && largest_piece(cloths_) > largest_for_direct_solution) {
+  if (!chooses && preconditions && Dim == 3) {
     petsc::set_default_option("-cloth_pc_type", "bjacobi");
     petsc::set_default_option("-cloth_sub_pc_type", "ilu");
   } else if (!chooses) {

@@ -31,19 +31,56 @@ Measures<Dim>::Measures(const System<Dim>& system)
 
 template <int Dim>
 void Measures<Dim>::observe_start(double dt) {
-  flow_ = FlowDiagnostics<Dim>::of(system_.grid, system_.boundary, system_.fluid.velocity(), system_.density,
-                                   system_.fluid.time(), dt);
+  measure_flow(dt);
   cloth_.observe(0);
+  elastic_energy_ = elastic_energy();
 }
 
 template <int Dim>
 void Measures<Dim>::observe(double dt) {
   const petsc::LogPart part("measures");
-  flow_ = FlowDiagnostics<Dim>::of(system_.grid, system_.boundary, system_.fluid.velocity(), system_.density,
-                                   system_.fluid.time(), dt);
+  measure_flow(dt);
   largest_divergence_ = std::max(largest_divergence_, flow_.max_divergence);
   measure_loads(dt);
   cloth_.observe(dt);
+  if (!cloth_.groups().empty()) measure_cloth_dissipation(dt);
+}
+
+template <int Dim>
+double Measures<Dim>::elastic_energy() const {
+  double energy = 0;
+  for (const GroupMeasures& group : cloth_.groups()) energy += group.elastic_energy;
+  return energy;
+}
+
+// What the cloths got (from bodies that push them, weight, loads, and out of their elastic energy) and did not give to
+// the water: their damping, and that of the coupling.
+template <int Dim>
+void Measures<Dim>::measure_cloth_dissipation(double dt) {
+  const FractionalStep<Dim>& fluid = system_.fluid;
+  double before = 0, after = 0;
+  WASH_PETSC(VecDot(system_.force, fluid.velocity_before(), &before));
+  WASH_PETSC(VecDot(system_.force, fluid.velocity(), &after));
+  const double given = 0.5 * (before + after) * system_.grid.cell_volume();
+  double got = 0;
+  for (std::size_t m = 0; m < system_.velocities.size(); ++m)
+    got +=
+        system_.velocities[m].dot(system_.cloths.marker_masses()[m] * system_.gravity + system_.cloths.dead_loads()[m]);
+  got = ordered_sum(system_.grid.comm(), got);
+  const Loads<Dim> contact = ordered_sum<Dim>(system_.grid.comm(), system_.contact_loads);
+  for (std::size_t b = 0; b < contact.size(); ++b)
+    got += power(system_.bodies[b].motion, contact[b], fluid.time() - 0.5 * dt);
+  const double energy = elastic_energy();
+  cloth_dissipation_ = got - given - (energy - elastic_energy_) / dt;
+  elastic_energy_ = energy;
+}
+
+template <int Dim>
+void Measures<Dim>::measure_flow(double dt) {
+  const FractionalStep<Dim>& fluid = system_.fluid;
+  const Vec share = system_.mask.empty() ? nullptr : system_.mask.fluid_fraction();
+  flow_ = FlowDiagnostics<Dim>::of(system_.grid, system_.boundary,
+                                   {fluid.velocity(), system_.density, share, fluid.viscosity()}, fluid.time(), dt);
 }
 
 template <int Dim>
@@ -54,6 +91,12 @@ void Measures<Dim>::measure_loads(double dt) {
                                 fluid.pressure(), fluid.viscosity(), fluid.time());
   if (loads_.empty()) return;
   loads_ = system_.mask.loads(fluid.constraint_force(), system_.density, fluid.pressure(), middle);
+  const Loads<Dim> beneath =
+      system_.mask.hidden_wall_shear(system_.boundary, fluid.velocity(), fluid.viscosity(), fluid.time());
+  for (std::size_t b = 0; b < loads_.size(); ++b) {
+    loads_[b].force += beneath[b].force;
+    loads_[b].torque += beneath[b].torque;
+  }
   if (control_volumes_)
     balance_loads_ =
         control_volumes_->loads({fluid.velocity_before(), fluid.velocity(), fluid.pressure(), system_.density,
@@ -64,6 +107,7 @@ void Measures<Dim>::measure_loads(double dt) {
       load->force += contact[b].force;
       load->torque += contact[b].torque;
     }
+  mask_dissipation_ = system_.mask.dissipation(fluid.velocity_before(), system_.density, dt);
   for (std::size_t b = 0; b < loads_.size(); ++b) powers_[b] = power(system_.bodies[b].motion, loads_[b], middle);
 }
 
@@ -96,15 +140,23 @@ std::vector<Column> Measures<Dim>::columns() const {
   const bool plane = Dim == 2;
   const char* energy = plane ? "J/m" : "J";
   const char* power = plane ? "W/m" : "W";
-  std::vector<Column> columns{
-      {"step", "-"}, {"time", "s"}, {"dt", "s"}, {"cfl", "-"}, {"kinetic_energy", energy}, {"max_divergence", "1/s"}};
+  std::vector<Column> columns{{"step", "-"},
+                              {"time", "s"},
+                              {"dt", "s"},
+                              {"cfl", "-"},
+                              {"kinetic_energy", energy},
+                              {"max_divergence", "1/s"},
+                              {"angular_momentum", plane ? "J s/m" : "J s"},
+                              {"dissipation", power}};
   if (system_.fluid.upwind()) columns.push_back({"numerical_dissipation", power});
+  if (!system_.mask.empty()) columns.push_back({"mask_dissipation", power});
   for (const auto& body : system_.bodies) {
     add_columns<Dim>(columns, body.name + "_");
     columns.push_back({body.name + "_power", power});
     if (control_volumes_) add_columns<Dim>(columns, body.name + "_balance_");
   }
   for (const SideName side : walls_) add_columns<Dim>(columns, name_of(side) + "_");
+  if (!cloth_.groups().empty()) columns.push_back({"cloth_dissipation", power});
   const std::vector<Column> of_cloth = cloth_.columns();
   columns.insert(columns.end(), of_cloth.begin(), of_cloth.end());
   return columns;
@@ -119,14 +171,18 @@ std::vector<std::string> Measures<Dim>::wall_names() const {
 
 template <int Dim>
 std::vector<double> Measures<Dim>::row(double dt) const {
-  std::vector<double> row{system_.fluid.time(), dt, flow_.courant.value, flow_.kinetic_energy, flow_.max_divergence};
+  std::vector<double> row{
+      system_.fluid.time(), dt, flow_.courant.value, flow_.kinetic_energy, flow_.max_divergence, flow_.angular_momentum,
+      flow_.dissipation};
   if (system_.fluid.upwind()) row.push_back(system_.fluid.numerical_dissipation());
+  if (!system_.mask.empty()) row.push_back(mask_dissipation_);
   for (std::size_t b = 0; b < loads_.size(); ++b) {
     add_values(row, loads_[b]);
     row.push_back(powers_[b]);
     if (control_volumes_) add_values(row, balance_loads_[b]);
   }
   for (const Load<Dim>& load : wall_loads_) add_values(row, load);
+  if (!cloth_.groups().empty()) row.push_back(cloth_dissipation_);
   const std::vector<double> of_cloth = cloth_.row();
   row.insert(row.end(), of_cloth.begin(), of_cloth.end());
   return row;

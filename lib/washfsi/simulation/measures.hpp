@@ -44,7 +44,10 @@ class Measures {
   std::size_t totals_count() const { return 1 + cloth_.totals_count(); }
 
  private:
+  void measure_flow(double dt);
   void measure_loads(double dt);
+  void measure_cloth_dissipation(double dt);
+  double elastic_energy() const;
 
   const System<Dim>& system_;
   FlowDiagnostics<Dim> flow_;
@@ -54,6 +57,9 @@ class Measures {
   std::vector<double> powers_;
   ClothMeasures<Dim> cloth_;
   double largest_divergence_ = 0;  ///< [1/s]
+  double mask_dissipation_ = 0;    ///< [W; W/m in the plane]
+  double cloth_dissipation_ = 0;   ///< [W; W/m in the plane]
+  double elastic_energy_ = 0;      ///< of all cloths after the last step [J; J/m in the plane]
 };
 
 extern template class Measures<2>;

@@ -126,8 +126,13 @@ void Results<Dim>::write_summary(const RunSummary& summary) const {
     }
     cloth["max_stretch"] = group.max_stretch;
     cloth["max_depth"] = group.max_depth;
-    cloth["tumbles"] = nullptr;  // a turn needs three dimensions
+    if (Dim == 3)
+      cloth["tumbles"] = group.tumbles;
+    else
+      cloth["tumbles"] = nullptr;  // a turn needs three dimensions
   }
+  if (const ClothCrossings* crossings = measures_.cloth().crossings())
+    json["cloth_crossings"] = std::llround(crossings->crossings());
   write_text_file(system_.grid.comm(), folder_ + "/summary.json", json.dump(2) + "\n");
 }
 

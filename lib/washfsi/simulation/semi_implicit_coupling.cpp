@@ -17,8 +17,7 @@ SemiImplicitCoupling<Dim>::SemiImplicitCoupling(const System<Dim>& system, const
     : options_(options),
       solver_(system.cloths, system.positions,
               {SNESNEWTONLS, options.mobility == "row_sums", options.mobility == "matrix"}),
-      matrix_(system.grid, system.transfer.delta()),
-      stiffness_(system.cloths.stiffness_matrix()) {}
+      matrix_(system.grid, system.transfer.delta()) {}
 
 template <int Dim>
 double SemiImplicitCoupling<Dim>::step_bound(const System<Dim>&) const {
@@ -28,6 +27,7 @@ double SemiImplicitCoupling<Dim>::step_bound(const System<Dim>&) const {
 // Within solids, where nothing moves a marker, the row sums have a floor.
 template <int Dim>
 void SemiImplicitCoupling<Dim>::find_mobility(const System<Dim>& system, const Points<Dim>& places) {
+  const petsc::LogPart part("mobility");
   constexpr double floor = 1e-3;
   const Vec share = system.mask.empty() ? nullptr : system.mask.fluid_fraction();
   row_sums_ = row_sum_mobility<Dim>(system.transfer, system.grid, system.boundary, system.density, share,
@@ -61,17 +61,14 @@ Points<Dim> SemiImplicitCoupling<Dim>::move_by_matrix(System<Dim>& system, doubl
     const Points<Dim> gained = product<Dim>(matrix_, sum<Dim>(moved, -1, forces));
     return sum<Dim>(sum<Dim>(velocities, -1, free_velocities), -dt, gained);
   };
+  Points<Dim> linearised_at;
   const auto assemble = [&](const Points<Dim>& velocities, GeometricStiffness geometric, Mat matrix) {
-    const Points<Dim> moved = sum<Dim>(system.positions, dt, velocities);
-    WASH_PETSC(MatZeroEntries(stiffness_));
-    cloths.add_stiffness(moved, GeometricStiffness::all, dt * dt, stiffness_);
-    WASH_PETSC(MatAssemblyBegin(stiffness_, MAT_FINAL_ASSEMBLY));
-    WASH_PETSC(MatAssemblyEnd(stiffness_, MAT_FINAL_ASSEMBLY));
-    cloths.add_stiffness(moved, geometric, dt * dt, matrix);
+    linearised_at = sum<Dim>(system.positions, dt, velocities);
+    cloths.add_stiffness(linearised_at, geometric, dt * dt, matrix);
     scale_and_shift<Dim>(row_sums_, std::vector<double>(row_sums_.size(), 1.0), matrix);
   };
   const auto jacobian = [&](const Points<Dim>& direction) {
-    return sum<Dim>(direction, 1, product<Dim>(matrix_, product<Dim>(stiffness_, direction)));
+    return sum<Dim>(direction, dt * dt, product<Dim>(matrix_, cloths.stiffness_product(linearised_at, direction)));
   };
   double most = 0;
   for (const double sum : row_sums_) most = std::max(most, sum);

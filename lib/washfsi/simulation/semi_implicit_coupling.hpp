@@ -43,7 +43,6 @@ class SemiImplicitCoupling : public CouplingScheme<Dim> {
   CouplingOptions options_;
   ClothSolver<Dim> solver_;
   MobilityMatrix<Dim> matrix_;    ///< J H S / rho of the step under way
-  petsc::Matrix stiffness_;       ///< dt^2 K where the equations were linearised last
   std::vector<double> row_sums_;  ///< D of each of this rank's markers
   Points<Dim> velocities_;        ///< V
 };

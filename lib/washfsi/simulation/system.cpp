@@ -88,6 +88,20 @@ void start_couette(System<Dim>& system) {
 
 }  // namespace
 
+MachineAxis MachineAxis::from_options(Options& options, const GridShape<3>& shape) {
+  MachineAxis machine;
+  const Point<3> middle = 0.5 * (shape.lower + shape.upper);
+  machine.axis = middle.head<2>();
+  machine.orbit_center = {0.25 * (shape.upper - shape.lower).head<2>().minCoeff(), middle[2]};
+  options.block("machine_", "Machine", [&](OptionBlock& block) {
+    block.point<2>("axis", machine.axis, "m", "x,y of the vertical axis; default: the middle of the box");
+    block.point<2>("orbit_center", machine.orbit_center, "m",
+                   "distance from the axis and height of what tumbling cloths go round; default: half-way between axis"
+                   " and sides, half the height");
+  });
+  return machine;
+}
+
 template <int Dim>
 SystemOptions<Dim> SystemOptions<Dim>::from_options(Options& options) {
   SystemOptions<Dim> system;
@@ -113,6 +127,7 @@ SystemOptions<Dim> SystemOptions<Dim>::from_options(Options& options) {
   });
   system.delta = DeltaOptions::from_options(options);
   system.contact = ContactOptions::from_options(options);
+  if constexpr (Dim == 3) system.machine = MachineAxis::from_options(options, system.grid.shape);
   return system;
 }
 
@@ -130,6 +145,7 @@ System<Dim>::System(MPI_Comm comm, const SystemOptions<Dim>& options, std::vecto
       cloth_drag(options.cloth_drag),
       balance_loads(options.balance_loads),
       contact(options.contact),
+      machine(options.machine),
       gravity(options.gravity),
       density(grid.face_vector()),
       force(grid.face_vector()) {

@@ -11,6 +11,14 @@
 
 namespace washfsi {
 
+/// The machine's axis, a vertical, and the place of its (r, z) plane round which cloths tumble.
+struct MachineAxis {
+  Point<2> axis = Point<2>::Zero();          ///< x and y [m]
+  Point<2> orbit_center = Point<2>::Zero();  ///< r and z [m]
+
+  static MachineAxis from_options(Options& options, const GridShape<3>& shape);
+};
+
 /// All options that describe what is simulated.
 template <int Dim>
 struct SystemOptions {
@@ -25,6 +33,7 @@ struct SystemOptions {
   bool balance_loads = false;  ///< whether loads are measured by the balance of momentum too
   DeltaOptions delta;
   ContactOptions contact;
+  MachineAxis machine;  ///< in space
 
   static SystemOptions from_options(Options& options);
 };
@@ -54,6 +63,7 @@ struct System {
   double cloth_drag;     ///< on cloth alone, force per undeformed area and speed [kg/(m2 s)]
   bool balance_loads;    ///< whether loads are measured by the balance of momentum too
   ContactOptions contact;
+  MachineAxis machine;                            ///< in space
   Point<Dim> gravity;                             ///< [m/s2]
   petsc::Vector density;                          ///< of the last step, on faces [kg/m3]
   petsc::Vector force;                            ///< of cloth on water in the last step, on faces [N/m3]

@@ -100,9 +100,9 @@ void Options::block(const std::string& prefix, const std::string& title,
 }
 
 void Options::claim_prefix(const std::string& name, const std::string& option) {
-  static constexpr std::array<std::string_view, 14> ours{"grid",     "bc",     "fluid",  "body",      "bodies",
-                                                         "cloth",    "cloths", "delta",  "contact",   "momentum",
-                                                         "pressure", "time",   "output", "checkpoint"};
+  static constexpr std::array<std::string_view, 15> ours{"grid",     "bc",       "fluid",  "body",   "bodies",
+                                                         "machine",  "cloth",    "cloths", "delta",  "contact",
+                                                         "momentum", "pressure", "time",   "output", "checkpoint"};
   const bool reserved = std::find(ours.begin(), ours.end(), name) != ours.end() || belongs_to_petsc(name + "_");
   if (reserved || !claimed_.insert(name).second)
     throw InputError(option + " " + name + ": this name is taken by another part of the run; choose another");
