@@ -92,7 +92,7 @@ class Output(ProgramTest):
             self.assertEqual(len(body["force"]), 2)
         self.assertEqual(list(summary["cloths"]), CLOTHS)
         for cloth in summary["cloths"].values():
-            means = ("stress", "membrane_stress", "bending_stress", "stretch", "curvature")
+            means = ("stress", "membrane_stress", "bending_stress", "stretch", "curvature", "relative_speed", "water_shear")
             self.assertEqual(set(cloth), {f"{name}_{what}" for name in means for what in ("mean", "std")} |
                              {"max_stretch", "max_depth", "tumbles"})
 

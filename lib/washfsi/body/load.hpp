@@ -19,6 +19,11 @@ struct Load {
     force += part;
     torque += cross<Dim>(arm, part);
   }
+  Load& operator+=(const Load& other) {
+    force += other.force;
+    torque += other.torque;
+    return *this;
+  }
 };
 
 template <int Dim>

@@ -252,6 +252,17 @@ void Cloths<Dim>::add_stiffness(const Points<Dim>& positions, GeometricStiffness
 }
 
 template <int Dim>
+Points<Dim> Cloths<Dim>::normals(const Points<Dim>& positions) const {
+  const Points<Dim> x = with_halo(positions);
+  Points<Dim> result(owned());
+  for (const Part& part : parts_) {
+    const Points<Dim> values = washfsi::normals<Dim>(group_of(part).sheet, visible(x, part));
+    for (std::size_t i = part.own_begin; i < part.own_end; ++i) result[part.own_first + i - part.own_begin] = values[i];
+  }
+  return result;
+}
+
+template <int Dim>
 std::vector<MarkerState> Cloths<Dim>::marker_states(const Points<Dim>& positions) const {
   const Points<Dim> x = with_halo(positions);
   std::vector<MarkerState> result(owned());

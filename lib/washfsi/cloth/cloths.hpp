@@ -75,6 +75,8 @@ class Cloths {
   /// be assembled afterwards. Collective.
   void add_stiffness(const Points<Dim>& positions, GeometricStiffness geometric, double factor, Mat matrix) const;
 
+  /// Unit normal of the cloth at each of this rank's markers. Collective.
+  Points<Dim> normals(const Points<Dim>& positions) const;
   /// Stress and deformation at each of this rank's markers. Collective.
   std::vector<MarkerState> marker_states(const Points<Dim>& positions) const;
   /// Energy of elasticity and of the holding springs of each group [J; per unit depth in the plane]. Collective.

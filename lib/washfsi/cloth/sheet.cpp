@@ -381,6 +381,37 @@ double largest_stretch(const Sheet& sheet, std::span<const Point<Dim>> positions
 
 namespace {
 
+// Tangents at a marker, between its neighbours as far as it has any.
+template <int Dim>
+Point<Dim> tangent_between(std::span<const Point<Dim>> x, std::size_t before, std::size_t after) {
+  const Point<Dim> along = x[after] - x[before];
+  const double length = along.norm();
+  return length > 0 ? Point<Dim>(along / length) : Point<Dim>::Zero();
+}
+
+}  // namespace
+
+template <int Dim>
+Points<Dim> normals(const Sheet& sheet, std::span<const Point<Dim>> positions) {
+  const Lattice<Dim> lattice(sheet, positions);
+  Points<Dim> result;
+  for (std::size_t k = 0; k < positions.size(); ++k) {
+    const Point<Dim> s =
+        tangent_between<Dim>(positions, k >= lattice.m ? k - lattice.m : k, lattice.has_edge_s(k) ? k + lattice.m : k);
+    if constexpr (Dim == 2) {
+      result.emplace_back(-s[1], s[0]);
+    } else {
+      const Point<Dim> r =
+          tangent_between<Dim>(positions, k % lattice.m > 0 ? k - 1 : k, lattice.has_edge_r(k) ? k + 1 : k);
+      const Point<Dim> normal = s.cross(r);
+      result.push_back(normal.norm() > 0 ? Point<Dim>(normal.normalized()) : Point<Dim>::Zero());
+    }
+  }
+  return result;
+}
+
+namespace {
+
 /// Sum over the edges or quads beside a marker that exist, and their number.
 struct Beside {
   double sum = 0;
@@ -472,6 +503,8 @@ template double elastic_energy<2>(const Sheet&, std::span<const Point<2>>, std::
 template double elastic_energy<3>(const Sheet&, std::span<const Point<3>>, std::size_t, std::size_t);
 template double largest_stretch<2>(const Sheet&, std::span<const Point<2>>);
 template double largest_stretch<3>(const Sheet&, std::span<const Point<3>>);
+template Points<2> normals<2>(const Sheet&, std::span<const Point<2>>);
+template Points<3> normals<3>(const Sheet&, std::span<const Point<3>>);
 template std::vector<MarkerState> marker_states<2>(const Sheet&, std::span<const Point<2>>);
 template std::vector<MarkerState> marker_states<3>(const Sheet&, std::span<const Point<3>>);
 

@@ -85,6 +85,10 @@ double elastic_energy(const Sheet& sheet, std::span<const Point<Dim>> positions,
 template <int Dim>
 double largest_stretch(const Sheet& sheet, std::span<const Point<Dim>> positions);
 
+/// Unit normal at each marker: e3, in the plane to the left of the fibre.
+template <int Dim>
+Points<Dim> normals(const Sheet& sheet, std::span<const Point<Dim>> positions);
+
 /// Components of stress: along warp, along weft, shear. In the plane there is only the first.
 enum StressComponent : std::size_t { ss, rr, sr, stress_components };
 

@@ -31,12 +31,7 @@ void Transfer<Dim>::locate(const Points<Dim>& positions) {
   check_inside(positions);
   exchange_.update(positions);
   Points<Dim> here = exchange_.to_cells(positions);
-  for (auto& position : here)
-    for (int d = 0; d < Dim; ++d) {
-      if (!grid_.periodic(d)) continue;
-      const double length = grid_.upper()[d] - grid_.lower()[d];
-      position[d] -= length * std::floor((position[d] - grid_.lower()[d]) / length);
-    }
+  for (auto& position : here) position = grid_.folded(position);
   find_stencils(here);
 }
 

@@ -160,6 +160,16 @@ Point<Dim> Grid<Dim>::face_center(const Index<Dim>& face, int axis) const {
 }
 
 template <int Dim>
+Point<Dim> Grid<Dim>::folded(Point<Dim> point) const {
+  for (int d = 0; d < Dim; ++d) {
+    if (!periodic(d)) continue;
+    const double length = upper()[d] - lower()[d];
+    point[d] -= length * std::floor((point[d] - lower()[d]) / length);
+  }
+  return point;
+}
+
+template <int Dim>
 Index<Dim> Grid<Dim>::cell_of(const Point<Dim>& point) const {
   Index<Dim> cell;
   for (std::size_t d = 0; d < Dim; ++d) {

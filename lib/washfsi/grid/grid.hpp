@@ -84,6 +84,8 @@ class Grid {
 
   Point<Dim> cell_center(const Index<Dim>& cell) const;
   Point<Dim> face_center(const Index<Dim>& face, int axis) const;
+  /// A point, or its image in the box along periodic directions.
+  Point<Dim> folded(Point<Dim> point) const;
   /// The cell that holds a point; periodic images are folded into the box.
   Index<Dim> cell_of(const Point<Dim>& point) const;
   /// The cell of the box for an index beyond it: its periodic image, or the nearest cell.

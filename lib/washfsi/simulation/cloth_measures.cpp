@@ -10,8 +10,9 @@ namespace washfsi {
 
 template <int Dim>
 const std::vector<Column>& marker_quantities() {
-  static const std::vector<Column> in_plane{
-      {"stress", "Pa"}, {"membrane_stress", "Pa"}, {"bending_stress", "Pa"}, {"stretch", "-"}, {"curvature", "1/m"}};
+  static const std::vector<Column> in_plane{{"stress", "Pa"},     {"membrane_stress", "Pa"}, {"bending_stress", "Pa"},
+                                            {"stretch", "-"},     {"curvature", "1/m"},      {"relative_speed", "m/s"},
+                                            {"water_shear", "Pa"}};
   static const std::vector<Column> in_space{{"stress", "Pa"},
                                             {"stress_ss", "Pa"},
                                             {"stress_rr", "Pa"},
@@ -24,15 +25,19 @@ const std::vector<Column>& marker_quantities() {
                                             {"bending_stress_sr", "Pa"},
                                             {"stretch", "-"},
                                             {"curvature", "1/m"},
-                                            {"shear_angle", "rad"}};
+                                            {"shear_angle", "rad"},
+                                            {"relative_speed", "m/s"},
+                                            {"water_shear", "Pa"}};
   return Dim == 2 ? in_plane : in_space;
 }
 
 template <int Dim>
-std::vector<double> quantities_of(const MarkerState& state) {
+std::vector<double> quantities_of(const MarkerState& state, const WashingAction& action) {
   const auto &membrane = state.membrane_stress, &bending = state.bending_stress;
   const auto surface = [&](StressComponent component) { return membrane[component] + bending[component]; };
-  if constexpr (Dim == 2) return {surface(ss), membrane[ss], bending[ss], state.stretch, state.curvature};
+  if constexpr (Dim == 2)
+    return {surface(ss),     membrane[ss],          bending[ss], state.stretch,
+            state.curvature, action.relative_speed, action.shear};
   return {0.5 * (surface(ss) + surface(rr)),
           surface(ss),
           surface(rr),
@@ -45,7 +50,9 @@ std::vector<double> quantities_of(const MarkerState& state) {
           bending[sr],
           state.stretch,
           state.curvature,
-          state.shear_angle};
+          state.shear_angle,
+          action.relative_speed,
+          action.shear};
 }
 
 template <int Dim>
@@ -53,7 +60,8 @@ ClothMeasures<Dim>::ClothMeasures(const System<Dim>& system)
     : system_(system),
       groups_(system.cloths.groups().size()),
       centers_(system.cloths.pieces().size(), Point<Dim>::Zero()),
-      time_integrals_(marker_quantities<Dim>().size() * system.cloths.owned(), 0.0) {
+      time_integrals_(marker_quantities<Dim>().size() * system.cloths.owned(), 0.0),
+      probe_(system.grid) {
   for (const std::size_t piece : system.cloths.piece_of_marker())
     group_of_.push_back(system.cloths.pieces()[piece].group);
   counts_ = sums_by(group_of_, groups_.size(), std::vector<double>(group_of_.size(), 1.0));
@@ -94,8 +102,10 @@ void ClothMeasures<Dim>::observe(double dt) {
   averaged_time_ += dt;
   const double time = averaged_time_ > 0 ? averaged_time_ : 1;
   std::vector<double> values;
-  for (const MarkerState& state : system_.cloths.marker_states(system_.positions))
-    for (const double value : quantities_of<Dim>(state)) values.push_back(value);
+  const std::vector<MarkerState> states = system_.cloths.marker_states(system_.positions);
+  const std::vector<WashingAction> actions = washing_action();
+  for (std::size_t m = 0; m < states.size(); ++m)
+    for (const double value : quantities_of<Dim>(states[m], actions[m])) values.push_back(value);
   std::vector<double> averages, squares;
   for (std::size_t n = 0; n < values.size(); ++n) {
     time_integrals_[n] += dt * values[n];
@@ -116,6 +126,31 @@ void ClothMeasures<Dim>::observe(double dt) {
   }
   measure_places();
   if constexpr (Dim == 3) measure_laundry();
+}
+
+template <int Dim>
+std::vector<WashingAction> ClothMeasures<Dim>::washing_action() {
+  std::vector<WashingAction> actions(system_.positions.size());
+  if (!system_.has_fluid) return actions;
+  constexpr double cells_away = 2;
+  const Points<Dim> normals = system_.cloths.normals(system_.positions);
+  Points<Dim> places;
+  for (std::size_t m = 0; m < normals.size(); ++m)
+    for (const double side : {-1.0, 1.0})
+      places.push_back(system_.positions[m] +
+                       side * cells_away * normals[m].cwiseProduct(system_.grid.spacing()).norm() * normals[m]);
+  const petsc::LocalVector local(system_.grid.wide_face_dm(), system_.fluid.velocity());
+  system_.boundary.fill(local, system_.fluid.time());
+  const Points<Dim> water = probe_.sample(local, places);
+  for (std::size_t m = 0; m < normals.size(); ++m) {
+    const double distance = (places[2 * m + 1] - system_.positions[m]).norm();
+    for (const std::size_t side : {0, 1}) {
+      const Point<Dim> relative = water[2 * m + side] - system_.velocities[m];
+      actions[m].relative_speed += 0.5 * (relative - relative.dot(normals[m]) * normals[m]).norm();
+    }
+    actions[m].shear = distance > 0 ? system_.fluid.viscosity() * actions[m].relative_speed / distance : 0;
+  }
+  return actions;
 }
 
 template <int Dim>
@@ -239,8 +274,8 @@ void ClothMeasures<Dim>::set_totals(std::span<const double> totals) {
 
 template const std::vector<Column>& marker_quantities<2>();
 template const std::vector<Column>& marker_quantities<3>();
-template std::vector<double> quantities_of<2>(const MarkerState&);
-template std::vector<double> quantities_of<3>(const MarkerState&);
+template std::vector<double> quantities_of<2>(const MarkerState&, const WashingAction&);
+template std::vector<double> quantities_of<3>(const MarkerState&, const WashingAction&);
 template class ClothMeasures<2>;
 template class ClothMeasures<3>;
 

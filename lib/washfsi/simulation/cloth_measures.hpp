@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "washfsi/coupling/probe.hpp"
 #include "washfsi/machine/crossings.hpp"
 #include "washfsi/machine/tumbling.hpp"
 #include "washfsi/output/history.hpp"
@@ -12,13 +13,20 @@ namespace washfsi {
 
 /// What is known of each marker, by name and unit: `stress` at the surface (5.2-2), the sum of `membrane_stress` and
 /// `bending_stress`; `stretch` of the edges beside, `curvature`. In space each stress has the components ss, rr and sr,
-/// `stress` without one is the mean of ss and rr, and there is the `shear_angle`.
+/// `stress` without one is the mean of ss and rr, and there is the `shear_angle`. Last the washing action of the water,
+/// on the mean of both sides: its `relative_speed` along the cloth at the edge of the delta, two cells away, and the
+/// `water_shear` viscosity times that over the distance.
 template <int Dim>
 const std::vector<Column>& marker_quantities();
 
+/// What water does to the cloth at a marker.
+struct WashingAction {
+  double relative_speed = 0, shear = 0;  ///< [m/s], [Pa]
+};
+
 /// The quantities of one marker, in this order.
 template <int Dim>
-std::vector<double> quantities_of(const MarkerState& state);
+std::vector<double> quantities_of(const MarkerState& state, const WashingAction& action);
 
 /// Numbers of one group of cloths. The vectors have a value for each of `marker_quantities`.
 struct GroupMeasures {
@@ -61,6 +69,7 @@ class ClothMeasures {
  private:
   std::vector<double> sums_by(const std::vector<std::size_t>& part_of, std::size_t parts,
                               const std::vector<double>& marker_values) const;
+  std::vector<WashingAction> washing_action();
   std::vector<std::vector<double>> means_of(const std::vector<double>& values) const;
   void measure_places();
   void measure_laundry();
@@ -73,6 +82,7 @@ class ClothMeasures {
   std::vector<Point<Dim>> centers_;     ///< of each cloth [m]
   std::vector<double> time_integrals_;  ///< of the quantities of each marker
   double averaged_time_ = 0;            ///< [s]
+  Probe<Dim> probe_;
   std::optional<TumbleCounter> tumbles_;
   std::optional<ClothCrossings> crossings_;
 };

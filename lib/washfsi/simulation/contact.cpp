@@ -30,29 +30,56 @@ ContactOptions ContactOptions::from_options(Options& options) {
   return contact;
 }
 
+namespace {
+
+// Force on a marker at this distance from a surface.
+double push(const ContactOptions& contact, double area, double distance) {
+  const double nearness = 1 - distance / contact.distance;
+  return nearness > 0 ? contact.pressure * area * nearness * nearness : 0;
+}
+
+}  // namespace
+
 template <int Dim>
 Points<Dim> contact_forces(const ContactOptions& contact, const std::vector<Body<Dim>>& bodies,
-                           const Cloths<Dim>& cloths, const Points<Dim>& positions, double time,
-                           std::vector<Load<Dim>>& reactions) {
+                           const Boundary<Dim>& boundary, const Grid<Dim>& grid, const Cloths<Dim>& cloths,
+                           const Points<Dim>& positions, double time, ContactLoads<Dim>& reactions) {
   Points<Dim> forces(positions.size(), Point<Dim>::Zero());
   if (contact.pressure == 0) return forces;
   const std::vector<double>& areas = cloths.marker_areas();
-  for (std::size_t m = 0; m < positions.size(); ++m)
+  const Point<Dim> middle = 0.5 * (grid.lower() + grid.upper());
+  const auto push_out = [&](std::size_t m, double size, const Point<Dim>& normal, const Point<Dim>& center,
+                            Load<Dim>& reaction) {
+    const Point<Dim> force = size * normal;
+    forces[m] += force;
+    reaction.add(positions[m] - center, -force);
+  };
+  for (std::size_t m = 0; m < positions.size(); ++m) {
     for (std::size_t b = 0; b < bodies.size(); ++b) {
-      const double nearness = 1 - bodies[b].distance(positions[m], time) / contact.distance;
-      if (nearness <= 0) continue;
-      const Point<Dim> normal = outward_normal(bodies[b], positions[m], time, 1e-3 * contact.distance);
-      const Point<Dim> force = contact.pressure * areas[m] * nearness * nearness * normal;
-      forces[m] += force;
-      reactions[b].force -= force;
-      reactions[b].torque -= cross<Dim>(positions[m] - bodies[b].motion.center_at(time), force);
+      const double size = push(contact, areas[m], bodies[b].distance(positions[m], time));
+      if (size > 0)
+        push_out(m, size, outward_normal(bodies[b], positions[m], time, 1e-3 * contact.distance),
+                 bodies[b].motion.center_at(time), reactions.bodies[b]);
     }
+    for (int axis = 0; axis < Dim; ++axis)
+      for (const End end : {End::lower, End::upper}) {
+        const BoundaryKind kind = boundary.side(axis, end).kind;
+        if (kind != BoundaryKind::wall && kind != BoundaryKind::slip) continue;
+        const bool upper = end == End::upper;
+        const double distance =
+            upper ? grid.upper()[axis] - positions[m][axis] : positions[m][axis] - grid.lower()[axis];
+        const double size = push(contact, areas[m], distance);
+        if (size > 0)
+          push_out(m, size, (upper ? -1 : 1) * Point<Dim>::Unit(axis), middle,
+                   reactions.sides[static_cast<std::size_t>(axis)][upper ? 1 : 0]);
+      }
+  }
   return forces;
 }
 
-template Points<2> contact_forces<2>(const ContactOptions&, const std::vector<Body<2>>&, const Cloths<2>&,
-                                     const Points<2>&, double, std::vector<Load<2>>&);
-template Points<3> contact_forces<3>(const ContactOptions&, const std::vector<Body<3>>&, const Cloths<3>&,
-                                     const Points<3>&, double, std::vector<Load<3>>&);
+template Points<2> contact_forces<2>(const ContactOptions&, const std::vector<Body<2>>&, const Boundary<2>&,
+                                     const Grid<2>&, const Cloths<2>&, const Points<2>&, double, ContactLoads<2>&);
+template Points<3> contact_forces<3>(const ContactOptions&, const std::vector<Body<3>>&, const Boundary<3>&,
+                                     const Grid<3>&, const Cloths<3>&, const Points<3>&, double, ContactLoads<3>&);
 
 }  // namespace washfsi

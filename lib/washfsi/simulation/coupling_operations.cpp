@@ -24,9 +24,9 @@ double norm(MPI_Comm comm, const Points<Dim>& values) {
 template <int Dim>
 Points<Dim> external_forces(System<Dim>& system, const Points<Dim>& positions, double time) {
   const std::vector<double>& masses = system.cloths.marker_masses();
-  system.contact_loads.assign(system.bodies.size(), {});
-  Points<Dim> forces =
-      contact_forces<Dim>(system.contact, system.bodies, system.cloths, positions, time, system.contact_loads);
+  system.contact_loads = {Loads<Dim>(system.bodies.size()), {}};
+  Points<Dim> forces = contact_forces<Dim>(system.contact, system.bodies, system.boundary, system.grid, system.cloths,
+                                           positions, time, system.contact_loads);
   for (std::size_t m = 0; m < forces.size(); ++m)
     forces[m] += masses[m] * system.gravity + system.cloths.dead_loads()[m];
   return forces;

@@ -67,7 +67,7 @@ void Measures<Dim>::measure_cloth_dissipation(double dt) {
     got +=
         system_.velocities[m].dot(system_.cloths.marker_masses()[m] * system_.gravity + system_.cloths.dead_loads()[m]);
   got = ordered_sum(system_.grid.comm(), got);
-  const Loads<Dim> contact = ordered_sum<Dim>(system_.grid.comm(), system_.contact_loads);
+  const Loads<Dim> contact = ordered_sum<Dim>(system_.grid.comm(), system_.contact_loads.bodies);
   for (std::size_t b = 0; b < contact.size(); ++b)
     got += power(system_.bodies[b].motion, contact[b], fluid.time() - 0.5 * dt);
   const double energy = elastic_energy();
@@ -89,24 +89,24 @@ void Measures<Dim>::measure_loads(double dt) {
   const double middle = fluid.time() - 0.5 * dt;
   wall_loads_ = wall_loads<Dim>(system_.grid, system_.boundary, system_.bodies, walls_, fluid.velocity(),
                                 fluid.pressure(), fluid.viscosity(), fluid.time());
+  Loads<Dim> of_contact;
+  for (const SideName side : walls_)
+    of_contact.push_back(
+        system_.contact_loads.sides[static_cast<std::size_t>(side.axis)][side.end == End::upper ? 1 : 0]);
+  of_contact = ordered_sum<Dim>(system_.grid.comm(), of_contact);
+  for (std::size_t s = 0; s < walls_.size(); ++s) wall_loads_[s] += of_contact[s];
   if (loads_.empty()) return;
   loads_ = system_.mask.loads(fluid.constraint_force(), system_.density, fluid.pressure(), middle);
   const Loads<Dim> beneath =
       system_.mask.hidden_wall_shear(system_.boundary, fluid.velocity(), fluid.viscosity(), fluid.time());
-  for (std::size_t b = 0; b < loads_.size(); ++b) {
-    loads_[b].force += beneath[b].force;
-    loads_[b].torque += beneath[b].torque;
-  }
+  for (std::size_t b = 0; b < loads_.size(); ++b) loads_[b] += beneath[b];
   if (control_volumes_)
     balance_loads_ =
         control_volumes_->loads({fluid.velocity_before(), fluid.velocity(), fluid.pressure(), system_.density,
                                  system_.force, system_.mask.fluid_fraction(), fluid.viscosity(), fluid.time(), dt});
-  const Loads<Dim> contact = ordered_sum<Dim>(system_.grid.comm(), system_.contact_loads);
+  const Loads<Dim> contact = ordered_sum<Dim>(system_.grid.comm(), system_.contact_loads.bodies);
   for (std::size_t b = 0; b < loads_.size(); ++b)
-    for (Load<Dim>* load : {&loads_[b], &balance_loads_[b]}) {
-      load->force += contact[b].force;
-      load->torque += contact[b].torque;
-    }
+    for (Load<Dim>* load : {&loads_[b], &balance_loads_[b]}) *load += contact[b];
   mask_dissipation_ = system_.mask.dissipation(fluid.velocity_before(), system_.density, dt);
   for (std::size_t b = 0; b < loads_.size(); ++b) powers_[b] = power(system_.bodies[b].motion, loads_[b], middle);
 }

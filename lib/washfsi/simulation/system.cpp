@@ -153,7 +153,7 @@ System<Dim>::System(MPI_Comm comm, const SystemOptions<Dim>& options, std::vecto
   const Points<Dim> all = place_cloths<Dim>(cloths, options.placements, bodies, grid.lower(), grid.upper());
   positions.assign(all.begin() + cloths.begin(), all.begin() + cloths.end());
   velocities.assign(positions.size(), Point<Dim>::Zero());
-  contact_loads.resize(bodies.size());
+  contact_loads.bodies.resize(bodies.size());
   cloths.hold_at(positions);
   locate_cloth(positions);
   if (options.fluid.initial == "couette") start_couette(*this);

@@ -69,7 +69,7 @@ struct System {
   petsc::Vector force;                            ///< of cloth on water in the last step, on faces [N/m3]
   Points<Dim> positions;                          ///< X^n of this rank's markers [m]
   Points<Dim> velocities;                         ///< U^n [m/s]
-  Loads<Dim> contact_loads;                       ///< of this rank's markers on each body in the last step
+  ContactLoads<Dim> contact_loads;                ///< of this rank's markers in the last step
   Point<Dim> wall_reaction = Point<Dim>::Zero();  ///< part of the cloth's force that walls took in the last step [N]
   double cloth_iterations = 0;                    ///< evaluations of the cloths' equations so far
   double cloth_slip = 0;  ///< rms difference of cloth and water over the rms speed of cloth in the last step
