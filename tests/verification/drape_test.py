@@ -23,13 +23,14 @@ EARLY = 0.4  # [s] before folds form
 
 
 def asymmetry(places):
-    """Largest difference of the cloth from its images by four rotations and four mirrors, over its side."""
+    """Largest difference of the cloth from its images by rotations and mirrors, over its side."""
     turned = np.stack([-places[..., 1], places[..., 0], places[..., 2]], axis=-1)
-    mirrored = places * [-1, 1, 1]
-    images = [places[:, ::-1].transpose(1, 0, 2), mirrored[::-1]]
-    return max(np.abs(turned - images[0]).max(), np.abs(mirrored[::-1] - places).max(),
-               np.abs((places * [1, -1, 1])[:, ::-1] - places).max(),
-               np.abs(places[..., [1, 0, 2]].transpose(1, 0, 2) - places).max()) / SIDE
+    images = [(turned, places[::-1].transpose(1, 0, 2)),
+              (places * [-1, -1, 1], places[::-1, ::-1]),
+              (places * [-1, 1, 1], places[::-1]),
+              (places * [1, -1, 1], places[:, ::-1]),
+              (places[..., [1, 0, 2]], places.transpose(1, 0, 2))]
+    return max(np.abs(image - place).max() for image, place in images) / SIDE
 
 
 def drape(cells, folder):
