@@ -90,7 +90,7 @@ TEST(RandomPlacement, SaysSoWhenThereIsNoRoom) {
 }
 
 FlatCloth<3> rectangle(const Point<3>& middle, const Eigen::Matrix3d& axes = Eigen::Matrix3d::Identity()) {
-  return {middle, axes, {0.1, 0.05}};
+  return {axes, middle, {0.1, 0.05}};
 }
 
 TEST(FlatCloths, DistanceOfRectanglesInSpace) {
@@ -109,11 +109,11 @@ TEST(FlatCloths, DistanceOfRectanglesInSpace) {
 }
 
 TEST(FlatCloths, DistanceOfSegmentsInThePlane) {
-  const FlatCloth<2> segment{{0, 0}, Eigen::Matrix2d::Identity(), FlatCloth<2>::Coordinates(0.1)};
+  const FlatCloth<2> segment{Eigen::Matrix2d::Identity(), {0, 0}, FlatCloth<2>::Coordinates(0.1)};
   Eigen::Matrix2d upright;
   upright << 0, -1, 1, 0;
-  EXPECT_NEAR(distance(segment, {{0.05, 0.05}, upright, FlatCloth<2>::Coordinates(0.1)}), 0, 1e-12);
-  EXPECT_NEAR(distance(segment, {{0.15, 0.05}, upright, FlatCloth<2>::Coordinates(0.1)}), 0.05, 1e-12);
+  EXPECT_NEAR(distance(segment, {upright, {0.05, 0.05}, FlatCloth<2>::Coordinates(0.1)}), 0, 1e-12);
+  EXPECT_NEAR(distance(segment, {upright, {0.15, 0.05}, FlatCloth<2>::Coordinates(0.1)}), 0.05, 1e-12);
 }
 
 ClothGroup<3> towels(PetscInt count) {

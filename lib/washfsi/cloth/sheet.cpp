@@ -13,7 +13,7 @@ template <int Dim>
 class Lattice {
  public:
   Lattice(const Sheet& of_sheet, std::span<const Point<Dim>> positions)
-      : sheet(of_sheet), x(positions), m(sheet.width), n(positions.size() / m) {}
+      : sheet(of_sheet), x(positions), m(std::max<std::size_t>(sheet.width, 1)), n(positions.size() / m) {}
 
   const Sheet& sheet;
   std::span<const Point<Dim>> x;

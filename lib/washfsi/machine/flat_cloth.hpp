@@ -19,9 +19,9 @@ struct FlatCloth {
   static constexpr int directions = Dim - 1;
   using Coordinates = Eigen::Matrix<double, directions, 1>;
 
-  Point<Dim> middle = Point<Dim>::Zero();
   Eigen::Matrix<double, Dim, Dim> axes = Eigen::Matrix<double, Dim, Dim>::Identity();  ///< along s, (along r,) normal
-  Coordinates half = Coordinates::Zero();                                              ///< half lengths [m]
+  Point<Dim> middle = Point<Dim>::Zero();
+  Coordinates half = Coordinates::Zero();  ///< half lengths [m]
 
   Point<Dim> along() const { return axes.col(0); }
   Point<Dim> normal() const { return axes.col(Dim - 1); }
