@@ -8,7 +8,7 @@ import unittest
 
 import h5py
 
-from support import CAVITY, EXPLICIT_WASH, WASH, ProgramTest, read_columns, run
+from support import CAVITY, EXPLICIT_WASH, SHEET, WASH, ProgramTest, read_columns, run
 
 SECONDS = 30  # after which a run is taken to hang
 WRONG_INPUT, DIVERGED, CANNOT_WRITE = 2, 3, 4
@@ -65,6 +65,16 @@ WRONG_OPTIONS = [
     ("unknown solver", ["-pressure_ksp_type", "foo"], ["-pressure_ksp_type", "foo"]),
 ]
 
+WRONG_OPTIONS_OF_SHEETS = [
+    ("Poisson's ratios without symmetry", ["-towel_poisson", "0.3,0.5"], ["-towel_poisson 0.3,0.5", "symmetric"]),
+    ("markers that are no whole number", ["-towel_markers", "6,5.5"], ["-towel_markers", "5.5"]),
+    ("too many directions", ["-towel_size", "0.1,0.1,0.1"], ["-towel_size 0.1,0.1,0.1"]),
+    ("ring in space", ["-towel_shape", "ellipse"], ["-towel_shape ellipse"]),
+    ("strong form of woven cloth", ["-towel_model", "love", "-cloth_coupling", "explicit"], ["-towel_model love"]),
+    ("weft along warp", ["-towel_across", "0.5,0.1,1"], ["-towel_across", "-towel_direction"]),
+    ("prefix of the machine", ["-cloths", "machine"], ["-cloths machine"]),
+]
+
 FOREIGN = ["PETSC ERROR", "[0]", "HDF5-DIAG", "Segmentation", "terminate called", "MPI_ABORT"]
 MPIRUN_BOX = re.compile(r"^-{70,}\n.*?^-{70,}\n", re.DOTALL | re.MULTILINE)
 MPI_IO_LINE = re.compile(r"^mca_.*\n", re.MULTILINE)  # Open MPI's own remark when a file cannot be written
@@ -89,6 +99,11 @@ class WrongInputs(ProgramTest):
                 out = self.folder / what.replace(" ", "_")
                 self.assert_refused(WRONG_INPUT, words, *CASE, "-output_dir", out, *options)
                 self.assertFalse(out.exists(), "it wrote results")
+
+    def test_wrong_options_of_sheets(self):
+        for what, options, words in WRONG_OPTIONS_OF_SHEETS:
+            with self.subTest(what):
+                self.assert_refused(WRONG_INPUT, words, "-options_file", SHEET, *options)
 
     def test_too_many_ranks_for_the_grid(self):
         self.assert_refused(WRONG_INPUT, ["-grid_cells", "4 ranks"],

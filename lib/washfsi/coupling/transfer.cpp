@@ -28,6 +28,7 @@ void Transfer<Dim>::check_inside(const Points<Dim>& positions) const {
 
 template <int Dim>
 void Transfer<Dim>::locate(const Points<Dim>& positions) {
+  const petsc::LogPart part("spread");
   check_inside(positions);
   exchange_.update(positions);
   Points<Dim> here = exchange_.to_cells(positions);
