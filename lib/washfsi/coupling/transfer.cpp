@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "washfsi/grid/interpolate.hpp"
 #include "washfsi/support/collective.hpp"
 #include "washfsi/support/errors.hpp"
 
@@ -31,17 +32,17 @@ void Transfer<Dim>::locate(const Points<Dim>& positions) {
   const petsc::LogPart part("spread");
   check_inside(positions);
   exchange_.update(positions);
-  Points<Dim> here = exchange_.to_cells(positions);
-  for (auto& position : here) position = grid_.folded(position);
-  find_stencils(here);
+  here_ = exchange_.to_cells(positions);
+  for (auto& position : here_) position = grid_.folded(position);
+  find_stencils();
 }
 
 template <int Dim>
-void Transfer<Dim>::find_stencils(const Points<Dim>& here) {
+void Transfer<Dim>::find_stencils() {
   const auto fill = [&](std::vector<FaceStencil<Dim>>& stencils, double width) {
     stencils.clear();
-    stencils.reserve(here.size());
-    for (const auto& position : here) stencils.emplace_back(grid_, delta_.kernel, width, position);
+    stencils.reserve(here_.size());
+    for (const auto& position : here_) stencils.emplace_back(grid_, delta_.kernel, width, position);
   };
   fill(spread_stencils_, delta_.spread_width);
   if (delta_.interpolate_width != delta_.spread_width) fill(interpolate_stencils_, delta_.interpolate_width);
@@ -103,6 +104,19 @@ Points<Dim> Transfer<Dim>::interpolate(Vec local_velocity) const {
       });
       velocities[m][c] = sum;
     });
+  return exchange_.to_owners(velocities);
+}
+
+template <int Dim>
+Points<Dim> Transfer<Dim>::sample(Vec local_velocity, const Points<Dim>& offsets) const {
+  const ConstFaceView<Dim> u(grid_.wide_face_dm(), local_velocity);
+  Points<Dim> velocities = exchange_.to_cells(offsets);
+  for (std::size_t m = 0; m < velocities.size(); ++m) {
+    Point<Dim> place = here_[m] + velocities[m];
+    for (int d = 0; d < Dim; ++d)
+      if (!grid_.periodic(d)) place[d] = std::clamp(place[d], grid_.lower()[d], grid_.upper()[d]);
+    for (int c = 0; c < Dim; ++c) velocities[m][c] = interpolate_face<Dim>(grid_, u, place, c);
+  }
   return exchange_.to_owners(velocities);
 }
 

@@ -33,11 +33,16 @@ class Transfer {
   /// density += S m with nodal masses m [kg], for each component's faces; mass beyond walls is folded back. Collective.
   void spread_mass(const std::vector<double>& masses, Vec density) const;
 
+  /// Velocity at an offset of at most `sample_reach` cells from where each marker was located, linearly between faces
+  /// and not with the delta; places beyond the box are moved to its surface. Collective.
+  Points<Dim> sample(Vec local_velocity, const Points<Dim>& offsets) const;
+  static constexpr double sample_reach = 1.5;  ///< so that ghosts suffice
+
   /// U = J u for a local velocity whose ghosts are filled. Collective.
   Points<Dim> interpolate(Vec local_velocity) const;
 
  private:
-  void find_stencils(const Points<Dim>& here);
+  void find_stencils();
   void add_to_local(const Points<Dim>& values, Vec local) const;
   void check_inside(const Points<Dim>& positions) const;
 
@@ -45,6 +50,7 @@ class Transfer {
   const Boundary<Dim>& boundary_;
   DeltaOptions delta_;
   MarkerExchange<Dim> exchange_;
+  Points<Dim> here_;  ///< places of the markers in this rank's cells, folded into the box
   /// Of the markers in this rank's cells. The second is empty if both deltas are the same.
   std::vector<FaceStencil<Dim>> spread_stencils_, interpolate_stencils_;
 };

@@ -60,8 +60,7 @@ ClothMeasures<Dim>::ClothMeasures(const System<Dim>& system)
     : system_(system),
       groups_(system.cloths.groups().size()),
       centers_(system.cloths.pieces().size(), Point<Dim>::Zero()),
-      time_integrals_(marker_quantities<Dim>().size() * system.cloths.owned(), 0.0),
-      probe_(system.grid) {
+      time_integrals_(marker_quantities<Dim>().size() * system.cloths.owned(), 0.0) {
   for (const std::size_t piece : system.cloths.piece_of_marker())
     group_of_.push_back(system.cloths.pieces()[piece].group);
   counts_ = sums_by(group_of_, groups_.size(), std::vector<double>(group_of_.size(), 1.0));
@@ -129,27 +128,27 @@ void ClothMeasures<Dim>::observe(double dt) {
 }
 
 template <int Dim>
-std::vector<WashingAction> ClothMeasures<Dim>::washing_action() {
+std::vector<WashingAction> ClothMeasures<Dim>::washing_action() const {
   std::vector<WashingAction> actions(system_.positions.size());
   if (!system_.has_fluid) return actions;
-  constexpr double cells_away = 2;
   const Points<Dim> normals = system_.cloths.normals(system_.positions);
-  Points<Dim> places;
-  for (std::size_t m = 0; m < normals.size(); ++m)
-    for (const double side : {-1.0, 1.0})
-      places.push_back(system_.positions[m] +
-                       side * cells_away * normals[m].cwiseProduct(system_.grid.spacing()).norm() * normals[m]);
   const petsc::LocalVector local(system_.grid.wide_face_dm(), system_.fluid.velocity());
   system_.boundary.fill(local, system_.fluid.time());
-  const Points<Dim> water = probe_.sample(local, places);
-  for (std::size_t m = 0; m < normals.size(); ++m) {
-    const double distance = (places[2 * m + 1] - system_.positions[m]).norm();
-    for (const std::size_t side : {0, 1}) {
-      const Point<Dim> relative = water[2 * m + side] - system_.velocities[m];
+  const auto distance = [&](const Point<Dim>& normal) {
+    return Transfer<Dim>::sample_reach * normal.cwiseProduct(system_.grid.spacing()).norm();
+  };
+  for (const double side : {-1.0, 1.0}) {
+    Points<Dim> offsets;
+    for (const auto& normal : normals) offsets.push_back(side * distance(normal) * normal);
+    const Points<Dim> water = system_.transfer.sample(local, offsets);
+    for (std::size_t m = 0; m < normals.size(); ++m) {
+      const Point<Dim> relative = water[m] - system_.velocities[m];
       actions[m].relative_speed += 0.5 * (relative - relative.dot(normals[m]) * normals[m]).norm();
     }
-    actions[m].shear = distance > 0 ? system_.fluid.viscosity() * actions[m].relative_speed / distance : 0;
   }
+  for (std::size_t m = 0; m < normals.size(); ++m)
+    if (distance(normals[m]) > 0)
+      actions[m].shear = system_.fluid.viscosity() * actions[m].relative_speed / distance(normals[m]);
   return actions;
 }
 

@@ -3,7 +3,6 @@
 
 #include <optional>
 
-#include "washfsi/coupling/probe.hpp"
 #include "washfsi/machine/crossings.hpp"
 #include "washfsi/machine/tumbling.hpp"
 #include "washfsi/output/history.hpp"
@@ -14,8 +13,8 @@ namespace washfsi {
 /// What is known of each marker, by name and unit: `stress` at the surface (5.2-2), the sum of `membrane_stress` and
 /// `bending_stress`; `stretch` of the edges beside, `curvature`. In space each stress has the components ss, rr and sr,
 /// `stress` without one is the mean of ss and rr, and there is the `shear_angle`. Last the washing action of the water,
-/// on the mean of both sides: its `relative_speed` along the cloth at the edge of the delta, two cells away, and the
-/// `water_shear` viscosity times that over the distance.
+/// on the mean of both sides: its `relative_speed` along the cloth one and a half cells away, near the edge of the
+/// delta, and the `water_shear` viscosity times that over the distance.
 template <int Dim>
 const std::vector<Column>& marker_quantities();
 
@@ -69,7 +68,7 @@ class ClothMeasures {
  private:
   std::vector<double> sums_by(const std::vector<std::size_t>& part_of, std::size_t parts,
                               const std::vector<double>& marker_values) const;
-  std::vector<WashingAction> washing_action();
+  std::vector<WashingAction> washing_action() const;
   std::vector<std::vector<double>> means_of(const std::vector<double>& values) const;
   void measure_places();
   void measure_laundry();
@@ -82,7 +81,6 @@ class ClothMeasures {
   std::vector<Point<Dim>> centers_;     ///< of each cloth [m]
   std::vector<double> time_integrals_;  ///< of the quantities of each marker
   double averaged_time_ = 0;            ///< [s]
-  Probe<Dim> probe_;
   std::optional<TumbleCounter> tumbles_;
   std::optional<ClothCrossings> crossings_;
 };
