@@ -26,21 +26,22 @@ std::vector<ClothGroup<2>> two_groups(const std::string& model, bool closed = fa
   return {large, small};
 }
 
-Points<2> part_of(const Cloths<2>& cloths, const Points<2>& values) {
-  return Points<2>(values.begin() + cloths.begin(), values.begin() + cloths.end());
+template <int Dim>
+Points<Dim> part_of(const Cloths<Dim>& cloths, const Points<Dim>& values) {
+  return Points<Dim>(values.begin() + cloths.begin(), values.begin() + cloths.end());
 }
 
 // The distributed forces, stresses and energies against those of each whole piece.
-void expect_same_as_undistributed(const std::string& model, bool closed = false) {
-  Cloths<2> all(PETSC_COMM_SELF, two_groups(model, closed)), mine(PETSC_COMM_WORLD, two_groups(model, closed));
-  ASSERT_EQ(all.marker_count(), 34);
-  const Points<2> x = crumpled_fibre<2>(34, 0.1, 11), u = random_points<2>(34, 12);
-  const auto part = [&](const Points<2>& values) { return part_of(mine, values); };
-  const Points<2> anchors = crumpled_fibre<2>(34, 0.1, 13);
+template <int Dim>
+void expect_same_as_undistributed(const std::vector<ClothGroup<Dim>>& groups, const Points<Dim>& x) {
+  Cloths<Dim> all(PETSC_COMM_SELF, groups), mine(PETSC_COMM_WORLD, groups);
+  ASSERT_EQ(all.marker_count(), static_cast<PetscInt>(x.size()));
+  const Points<Dim> u = random_points<Dim>(x.size(), 12), anchors = random_points<Dim>(x.size(), 13);
+  const auto part = [&](const Points<Dim>& values) { return part_of(mine, values); };
   all.hold_at(anchors);
   mine.hold_at(part(anchors));
-  const Points<2> whole = all.elastic_forces(x), forces = mine.elastic_forces(part(x));
-  const Points<2> whole_damping = all.damping_forces(x, u), damping = mine.damping_forces(part(x), part(u));
+  const Points<Dim> whole = all.elastic_forces(x), forces = mine.elastic_forces(part(x));
+  const Points<Dim> whole_damping = all.damping_forces(x, u), damping = mine.damping_forces(part(x), part(u));
   const std::vector<MarkerState> whole_states = all.marker_states(x), states = mine.marker_states(part(x));
   for (std::size_t m = 0; m < mine.owned(); ++m) {
     const std::size_t global = m + static_cast<std::size_t>(mine.begin());
@@ -49,20 +50,21 @@ void expect_same_as_undistributed(const std::string& model, bool closed = false)
     EXPECT_EQ(states[m].membrane_stress, whole_states[global].membrane_stress);
     EXPECT_EQ(states[m].bending_stress, whole_states[global].bending_stress);
     EXPECT_EQ(states[m].stretch, whole_states[global].stretch);
+    EXPECT_EQ(states[m].shear_angle, whole_states[global].shear_angle);
   }
   const std::vector<double> energies = mine.elastic_energies(part(x)), whole_energies = all.elastic_energies(x);
   for (std::size_t g = 0; g < 2; ++g) EXPECT_NEAR(energies[g], whole_energies[g], 1e-12 * whole_energies[g]);
 }
 
 TEST(Cloths, EnergyFormDoesNotDependOnTheDistribution) {
-  expect_same_as_undistributed("energy");
+  expect_same_as_undistributed<2>(two_groups("energy"), crumpled_fibre<2>(34, 0.1, 11));
 }
 TEST(Cloths, LoveFormDoesNotDependOnTheDistribution) {
-  expect_same_as_undistributed("love");
+  expect_same_as_undistributed<2>(two_groups("love"), crumpled_fibre<2>(34, 0.1, 11));
 }
 
 TEST(Cloths, ClosedClothDoesNotDependOnTheDistribution) {
-  expect_same_as_undistributed("energy", true);
+  expect_same_as_undistributed<2>(two_groups("energy", true), crumpled_fibre<2>(34, 0.1, 11));
 }
 
 // Each column of the matrix against differences of the forces, on all ranks at once.
@@ -134,38 +136,15 @@ Points<3> crumpled(const Cloths<3>& cloths) {
 }
 
 TEST(Cloths, SheetsDoNotDependOnTheDistribution) {
-  for (const char* model : {"energy", "love"}) {
-    Cloths<3> all(PETSC_COMM_SELF, sheets(model)), mine(PETSC_COMM_WORLD, sheets(model));
-    ASSERT_EQ(all.marker_count(), 87);
-    const Points<3> x = crumpled(all), u = random_points<3>(87, 22);
-    const auto part = [&](const Points<3>& values) {
-      return Points<3>(values.begin() + mine.begin(), values.begin() + mine.end());
-    };
-    all.hold_at(u);
-    mine.hold_at(part(u));
-    const Points<3> whole = all.elastic_forces(x), forces = mine.elastic_forces(part(x));
-    const Points<3> whole_damping = all.damping_forces(x, u), damping = mine.damping_forces(part(x), part(u));
-    const std::vector<MarkerState> whole_states = all.marker_states(x), states = mine.marker_states(part(x));
-    for (std::size_t m = 0; m < mine.owned(); ++m) {
-      const std::size_t global = m + static_cast<std::size_t>(mine.begin());
-      EXPECT_EQ(forces[m], whole[global]);
-      EXPECT_EQ(damping[m], whole_damping[global]);
-      EXPECT_EQ(states[m].membrane_stress, whole_states[global].membrane_stress);
-      EXPECT_EQ(states[m].bending_stress, whole_states[global].bending_stress);
-      EXPECT_EQ(states[m].shear_angle, whole_states[global].shear_angle);
-    }
-    const std::vector<double> energies = mine.elastic_energies(part(x)), whole_energies = all.elastic_energies(x);
-    for (std::size_t g = 0; g < 2; ++g) EXPECT_NEAR(energies[g], whole_energies[g], 1e-12 * whole_energies[g]);
-  }
+  for (const char* model : {"energy", "love"})
+    expect_same_as_undistributed<3>(sheets(model), crumpled(Cloths<3>(PETSC_COMM_SELF, sheets(model))));
 }
 
 // The product of the matrix with random velocities against differences of the forces.
 TEST(Cloths, StiffnessOfSheetsIsTheJacobianOfTheForces) {
   Cloths<3> cloths(PETSC_COMM_WORLD, sheets("energy"));
   const Points<3> x = crumpled(cloths), u = random_points<3>(87, 23);
-  const auto part = [&](const Points<3>& values) {
-    return Points<3>(values.begin() + cloths.begin(), values.begin() + cloths.end());
-  };
+  const auto part = [&](const Points<3>& values) { return part_of(cloths, values); };
   cloths.hold_at(part(x));
   const petsc::Matrix matrix = cloths.stiffness_matrix();
   cloths.add_stiffness(part(x), GeometricStiffness::all, 1, matrix);

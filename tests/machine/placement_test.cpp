@@ -128,12 +128,17 @@ ClothGroup<3> towels(PetscInt count) {
 
 const Point<3> floor_corner(-0.36, -0.36, 0), lid_corner(0.36, 0.36, 0.24);
 
+PlacementOptions<3> in_the_tub(const std::string& rule, double height) {
+  PlacementOptions<3> options;
+  options.rule = rule;
+  options.center = {0, 0, height};
+  return options;
+}
+
 TEST(Placement, StartsSheetsUnstretched) {
   const Cloths<3> cloths(PETSC_COMM_WORLD, {towels(4)});
   for (const char* rule : {"line", "stack", "radial", "random"}) {
-    PlacementOptions<3> options;
-    options.rule = rule;
-    options.center = {0, 0, 0.1};
+    PlacementOptions<3> options = in_the_tub(rule, 0.1);
     options.shift = 0.003;
     options.tilt = 0.05;
     options.distance = 0.01;
@@ -153,9 +158,7 @@ TEST(Placement, StartsSheetsUnstretched) {
 
 TEST(RadialPlacement, StandsFinsRoundThePost) {
   const Cloths<3> cloths(PETSC_COMM_WORLD, {towels(8)});
-  PlacementOptions<3> options;
-  options.rule = "radial";
-  options.center = {0, 0, 0.1};
+  PlacementOptions<3> options = in_the_tub("radial", 0.1);
   options.inner_radius = 0.1;
   const Points<3> places = place_cloths<3>(cloths, {options}, {}, floor_corner, lid_corner);
   for (std::size_t cloth = 0; cloth < 8; ++cloth) {
@@ -169,9 +172,7 @@ TEST(RadialPlacement, StandsFinsRoundThePost) {
 
 TEST(RandomPlacement, KeepsSheetsApart) {
   const Cloths<3> cloths(PETSC_COMM_WORLD, {towels(12)});
-  PlacementOptions<3> options;
-  options.rule = "random";
-  options.center = {0, 0, 0.12};
+  PlacementOptions<3> options = in_the_tub("random", 0.12);
   options.clearance = 0.008;
   options.seed = 5;
   const Points<3> places = place_cloths<3>(cloths, {options}, {}, floor_corner, lid_corner);

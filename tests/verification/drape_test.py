@@ -52,7 +52,7 @@ def main():
     passed = True
     print_head("cells / markers", "at rest after [s]", "penetration [h]", f"asymmetry at {EARLY} s", "at rest",
                "lowest place [m]", "largest stretch", "wall [s]")
-    for cells in options.cells or [15, 33, 65]:
+    for cells in options.cells:
         with tempfile.TemporaryDirectory(prefix="washfsi_") as temporary:
             folder = options.keep / f"drape_{cells}" if options.keep else temporary
             time, places, summary = drape(cells, folder)

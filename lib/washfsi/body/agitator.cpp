@@ -23,11 +23,8 @@ class Ribbon : public Shape<3> {
   double distance(const Point<3>& place) const override {
     const Point<2> plan = place.head<2>();
     double nearest2 = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k + 1 < line_.size(); ++k) {
-      const Point<2> along = line_[k + 1] - line_[k];
-      const double t = std::clamp((plan - line_[k]).dot(along) / along.squaredNorm(), 0.0, 1.0);
-      nearest2 = std::min(nearest2, (plan - line_[k] - t * along).squaredNorm());
-    }
+    for (std::size_t k = 0; k + 1 < line_.size(); ++k)
+      nearest2 = std::min(nearest2, way_from_segment<2>(line_[k], line_[k + 1] - line_[k], plan).squaredNorm());
     const double beyond_ends = std::max({place[2] - height_, -place[2], 0.0});
     return std::sqrt(nearest2 + beyond_ends * beyond_ends) - radius_;
   }

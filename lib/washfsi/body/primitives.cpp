@@ -13,10 +13,7 @@ double Cuboid<Dim>::distance(const Point<Dim>& place) const {
 
 template <int Dim>
 double Capsule<Dim>::distance(const Point<Dim>& place) const {
-  const Point<Dim> arm = place - from_;
-  const double length2 = axis_.squaredNorm();
-  const double along = length2 > 0 ? std::clamp(arm.dot(axis_) / length2, 0.0, 1.0) : 0;
-  return (arm - along * axis_).norm() - radius_;
+  return way_from_segment<Dim>(from_, axis_, place).norm() - radius_;
 }
 
 template class Cuboid<2>;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <type_traits>
 
 #include "washfsi/cloth/love.hpp"
 #include "washfsi/support/collective.hpp"
@@ -101,6 +102,15 @@ void Cloths<Dim>::find_markers() {
 }
 
 template <int Dim>
+std::vector<std::array<PetscInt, 4>> Cloths<Dim>::quads(const Piece& piece) const {
+  const PetscInt width = groups_[piece.group].markers[1];
+  std::vector<std::array<PetscInt, 4>> quads;
+  for (PetscInt k = piece.first; k + width < piece.first + piece.count; ++k)
+    if ((k - piece.first) % width + 1 < width) quads.push_back({k, k + 1, k + width + 1, k + width});
+  return quads;
+}
+
+template <int Dim>
 void Cloths<Dim>::hold_at(const Points<Dim>& positions) {
   for (Hold& hold : holds_) hold.anchor = positions[hold.marker];
 }
@@ -148,17 +158,27 @@ std::span<const Point<Dim>> Cloths<Dim>::visible(const Points<Dim>& with_halo, c
   return std::span<const Point<Dim>>(with_halo).subspan(part.first_in_halo, part.markers.size());
 }
 
-// add_forces(part, forces) for each part; those on this rank's markers are kept.
+// find(part) gives a value for each marker of a part; those of this rank's markers are kept.
+template <int Dim>
+template <class Find>
+auto Cloths<Dim>::values_of_parts(const Find& find) const {
+  std::invoke_result_t<Find, const Part&> result(owned());
+  for (const Part& part : parts_) {
+    const auto values = find(part);
+    for (std::size_t i = part.own_begin; i < part.own_end; ++i) result[part.own_first + i - part.own_begin] = values[i];
+  }
+  return result;
+}
+
+// add_forces(part, forces) for each part.
 template <int Dim>
 template <class Force>
 Points<Dim> Cloths<Dim>::forces_of_parts(const Force& add_forces) const {
-  Points<Dim> result(owned(), Point<Dim>::Zero());
-  for (const Part& part : parts_) {
+  return values_of_parts([&](const Part& part) {
     Points<Dim> forces(part.markers.size(), Point<Dim>::Zero());
     add_forces(part, std::span<Point<Dim>>(forces));
-    for (std::size_t i = part.own_begin; i < part.own_end; ++i) result[part.own_first + i - part.own_begin] = forces[i];
-  }
-  return result;
+    return forces;
+  });
 }
 
 template <int Dim>
@@ -254,23 +274,15 @@ void Cloths<Dim>::add_stiffness(const Points<Dim>& positions, GeometricStiffness
 template <int Dim>
 Points<Dim> Cloths<Dim>::normals(const Points<Dim>& positions) const {
   const Points<Dim> x = with_halo(positions);
-  Points<Dim> result(owned());
-  for (const Part& part : parts_) {
-    const Points<Dim> values = washfsi::normals<Dim>(group_of(part).sheet, visible(x, part));
-    for (std::size_t i = part.own_begin; i < part.own_end; ++i) result[part.own_first + i - part.own_begin] = values[i];
-  }
-  return result;
+  return values_of_parts(
+      [&](const Part& part) { return washfsi::normals<Dim>(group_of(part).sheet, visible(x, part)); });
 }
 
 template <int Dim>
 std::vector<MarkerState> Cloths<Dim>::marker_states(const Points<Dim>& positions) const {
   const Points<Dim> x = with_halo(positions);
-  std::vector<MarkerState> result(owned());
-  for (const Part& part : parts_) {
-    const std::vector<MarkerState> values = washfsi::marker_states<Dim>(group_of(part).sheet, visible(x, part));
-    for (std::size_t i = part.own_begin; i < part.own_end; ++i) result[part.own_first + i - part.own_begin] = values[i];
-  }
-  return result;
+  return values_of_parts(
+      [&](const Part& part) { return washfsi::marker_states<Dim>(group_of(part).sheet, visible(x, part)); });
 }
 
 template <int Dim>

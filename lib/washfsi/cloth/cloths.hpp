@@ -44,6 +44,8 @@ class Cloths {
   /// Piece and group of each of this rank's markers.
   const std::vector<std::size_t>& piece_of_marker() const { return piece_of_marker_; }
   const ClothGroup<Dim>& group_of(std::size_t marker) const { return groups_[pieces_[piece_of_marker_[marker]].group]; }
+  /// The quads of a piece, each as its four markers in the order round it; a fibre has none.
+  std::vector<std::array<PetscInt, 4>> quads(const Piece& piece) const;
   /// Values of all markers of all ranks, in marker order. Collective.
   Points<Dim> of_all_ranks(const Points<Dim>& values) const;
   /// Undeformed area that each of this rank's markers stands for [m2; m in the plane].
@@ -106,6 +108,8 @@ class Cloths {
   void build_halo(const petsc::Layout& layout);
   Points<Dim> with_halo(const Points<Dim>& values) const;
   std::span<const Point<Dim>> visible(const Points<Dim>& with_halo, const Part& part) const;
+  template <class Find>
+  auto values_of_parts(const Find& find) const;
   template <class Force>
   Points<Dim> forces_of_parts(const Force& add_forces) const;
 

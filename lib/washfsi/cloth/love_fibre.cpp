@@ -8,10 +8,6 @@ namespace washfsi {
 
 namespace {
 
-Point<2> turned_left(const Point<2>& v) {
-  return {-v[1], v[0]};
-}
-
 /// Staggered values: index j + 1 is the point between markers j and j + 1; 0 and n are the ends (n markers).
 using Staggered = std::vector<double>;
 
@@ -27,7 +23,7 @@ void add_love_forces(const Sheet& sheet, std::span<const Point<2>> positions, st
   Staggered tension(n + 1, 0.0), moment(n + 1, 0.0), shear(n + 1, 0.0);
   for (std::size_t j = 1; j < n; ++j) {
     slope[j] = (x[j] - x[j - 1]) / ds;
-    normal[j] = turned_left(slope[j].normalized());
+    normal[j] = turned_left<2>(slope[j].normalized());
     tension[j] = sheet.ke_s * 0.5 * (slope[j].squaredNorm() - 1);
   }
   slope[0] = slope[1];  // no moment, no change of slope at the ends

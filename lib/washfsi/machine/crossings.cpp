@@ -18,9 +18,7 @@ struct TriangleAt {
 // Distance of a place from a triangle: from its plane, or from its nearest side.
 double distance_to(const TriangleAt& triangle, const Point<3>& place) {
   const auto to_side = [&](const Point<3>& from, const Point<3>& to) {
-    const Point<3> along = to - from;
-    const double t = std::clamp((place - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
-    return (place - from - t * along).norm();
+    return way_from_segment<3>(from, to - from, place).norm();
   };
   const Point<3> normal = triangle.area_normal();
   const auto is_left_of = [&](const Point<3>& from, const Point<3>& to) {
@@ -38,12 +36,10 @@ ClothCrossings::ClothCrossings(const Cloths<3>& cloths) : cloths_(cloths) {
   for (std::size_t p = 0; p < cloths.pieces().size(); ++p) {
     const Piece& piece = cloths.pieces()[p];
     const Sheet& sheet = cloths.groups()[piece.group].sheet;
-    const auto first = static_cast<std::size_t>(piece.first), count = static_cast<std::size_t>(piece.count);
-    const std::size_t m = sheet.width;
-    for (std::size_t k = first; k + m < first + count; ++k) {
-      if ((k - first) % m + 1 == m) continue;
-      triangles_.push_back({k, k + m, k + m + 1});
-      triangles_.push_back({k, k + m + 1, k + 1});
+    for (const auto& quad : cloths.quads(piece)) {
+      const auto corner = [&](std::size_t k) { return static_cast<std::size_t>(quad[k]); };
+      triangles_.push_back({corner(0), corner(3), corner(2)});
+      triangles_.push_back({corner(0), corner(2), corner(1)});
       piece_of_triangle_.insert(piece_of_triangle_.end(), 2, p);
     }
     shortest = std::min({shortest, sheet.ds, sheet.dr});

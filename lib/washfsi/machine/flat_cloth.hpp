@@ -5,14 +5,6 @@
 
 namespace washfsi {
 
-/// A vector turned by a right angle about z.
-template <int Dim>
-Point<Dim> turned_left(const Point<Dim>& v) {
-  Point<Dim> result = Point<Dim>::Zero();
-  result.template head<2>() << -v[1], v[0];
-  return result;
-}
-
 /// Where a cloth would lie flat, whole, from edge to edge: a segment in the plane, a rectangle in space.
 template <int Dim>
 struct FlatCloth {

@@ -143,16 +143,15 @@ template <int Dim>
 typename ClothSeries<Dim>::Topology ClothSeries<Dim>::topology() const {
   Topology topology;
   for (const Piece& piece : cloths_.pieces()) {
-    const PetscInt width = cloths_.groups()[piece.group].markers[1];
-    if (width == 1) {
+    if (cloths_.groups()[piece.group].markers[1] == 1) {
       topology.entries.insert(topology.entries.end(), {2, piece.count});
       for (PetscInt k = 0; k < piece.count; ++k) topology.entries.push_back(piece.first + k);
       ++topology.elements;
       continue;
     }
-    for (PetscInt k = piece.first; k + width < piece.first + piece.count; ++k) {
-      if ((k - piece.first) % width + 1 == width) continue;
-      topology.entries.insert(topology.entries.end(), {5, k, k + 1, k + width + 1, k + width});
+    for (const auto& quad : cloths_.quads(piece)) {
+      topology.entries.push_back(5);
+      topology.entries.insert(topology.entries.end(), quad.begin(), quad.end());
       ++topology.elements;
     }
   }

@@ -157,15 +157,15 @@ void ClothMeasures<Dim>::measure_laundry() {
   if constexpr (Dim == 3) {
     tumbles_->observe(centers_);
     const std::vector<double> turns = tumbles_->turns();
-    for (std::size_t g = 0; g < groups_.size(); ++g) groups_[g].tumbles = mean_over_cloths(g, turns);
+    for (std::size_t g = 0; g < groups_.size(); ++g) groups_[g].tumbles = mean_over_cloths(g, turns, 0.0);
     crossings_->observe(system_.positions);
   }
 }
 
-// All cloths of a group are equal.
+// All cloths of a group are equal. `sum` is the zero to begin with.
 template <int Dim>
-double ClothMeasures<Dim>::mean_over_cloths(std::size_t group, const std::vector<double>& values) const {
-  double sum = 0;
+template <class Value>
+Value ClothMeasures<Dim>::mean_over_cloths(std::size_t group, const std::vector<Value>& values, Value sum) const {
   for (std::size_t p = 0; p < values.size(); ++p)
     if (system_.cloths.pieces()[p].group == group) sum += values[p];
   return sum / static_cast<double>(system_.cloths.groups()[group].count);
@@ -224,11 +224,8 @@ std::vector<double> ClothMeasures<Dim>::row() const {
     row.insert(row.end(), group.now.begin(), group.now.end());
     row.insert(row.end(), {group.max_stretch, group.depth});
     if (tumbles_) row.push_back(group.tumbles);
-    for (int d = 0; d < Dim; ++d) {
-      std::vector<double> coordinate;
-      for (const auto& center : centers_) coordinate.push_back(center[d]);
-      row.push_back(mean_over_cloths(g, coordinate));
-    }
+    const Point<Dim> center = mean_over_cloths<Point<Dim>>(g, centers_, Point<Dim>::Zero());
+    row.insert(row.end(), center.data(), center.data() + Dim);
   }
   return row;
 }

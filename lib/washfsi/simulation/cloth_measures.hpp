@@ -72,7 +72,8 @@ class ClothMeasures {
   std::vector<std::vector<double>> means_of(const std::vector<double>& values) const;
   void measure_places();
   void measure_laundry();
-  double mean_over_cloths(std::size_t group, const std::vector<double>& values) const;
+  template <class Value>
+  Value mean_over_cloths(std::size_t group, const std::vector<Value>& values, Value sum) const;
 
   const System<Dim>& system_;
   std::vector<GroupMeasures> groups_;

@@ -41,9 +41,10 @@ void Measures<Dim>::observe(double dt) {
   const petsc::LogPart part("measures");
   measure_flow(dt);
   largest_divergence_ = std::max(largest_divergence_, flow_.max_divergence);
-  measure_loads(dt);
+  const Loads<Dim> contact = ordered_sum<Dim>(system_.grid.comm(), system_.contact_loads.bodies);
+  measure_loads(dt, contact);
   cloth_.observe(dt);
-  if (!cloth_.groups().empty()) measure_cloth_dissipation(dt);
+  if (!cloth_.groups().empty()) measure_cloth_dissipation(dt, contact);
 }
 
 template <int Dim>
@@ -56,7 +57,7 @@ double Measures<Dim>::elastic_energy() const {
 // What the cloths got (from bodies that push them, weight, loads, and out of their elastic energy) and did not give to
 // the water: their damping, and that of the coupling.
 template <int Dim>
-void Measures<Dim>::measure_cloth_dissipation(double dt) {
+void Measures<Dim>::measure_cloth_dissipation(double dt, const Loads<Dim>& contact) {
   const FractionalStep<Dim>& fluid = system_.fluid;
   double before = 0, after = 0;
   WASH_PETSC(VecDot(system_.force, fluid.velocity_before(), &before));
@@ -67,7 +68,6 @@ void Measures<Dim>::measure_cloth_dissipation(double dt) {
     got +=
         system_.velocities[m].dot(system_.cloths.marker_masses()[m] * system_.gravity + system_.cloths.dead_loads()[m]);
   got = ordered_sum(system_.grid.comm(), got);
-  const Loads<Dim> contact = ordered_sum<Dim>(system_.grid.comm(), system_.contact_loads.bodies);
   for (std::size_t b = 0; b < contact.size(); ++b)
     got += power(system_.bodies[b].motion, contact[b], fluid.time() - 0.5 * dt);
   const double energy = elastic_energy();
@@ -84,7 +84,7 @@ void Measures<Dim>::measure_flow(double dt) {
 }
 
 template <int Dim>
-void Measures<Dim>::measure_loads(double dt) {
+void Measures<Dim>::measure_loads(double dt, const Loads<Dim>& contact) {
   const FractionalStep<Dim>& fluid = system_.fluid;
   const double middle = fluid.time() - 0.5 * dt;
   wall_loads_ = wall_loads<Dim>(system_.grid, system_.boundary, system_.bodies, walls_, fluid.velocity(),
@@ -104,7 +104,6 @@ void Measures<Dim>::measure_loads(double dt) {
     balance_loads_ =
         control_volumes_->loads({fluid.velocity_before(), fluid.velocity(), fluid.pressure(), system_.density,
                                  system_.force, system_.mask.fluid_fraction(), fluid.viscosity(), fluid.time(), dt});
-  const Loads<Dim> contact = ordered_sum<Dim>(system_.grid.comm(), system_.contact_loads.bodies);
   for (std::size_t b = 0; b < loads_.size(); ++b)
     for (Load<Dim>* load : {&loads_[b], &balance_loads_[b]}) *load += contact[b];
   mask_dissipation_ = system_.mask.dissipation(fluid.velocity_before(), system_.density, dt);

@@ -45,8 +45,9 @@ class Measures {
 
  private:
   void measure_flow(double dt);
-  void measure_loads(double dt);
-  void measure_cloth_dissipation(double dt);
+  /// `contact`: the loads of contact on each body.
+  void measure_loads(double dt, const Loads<Dim>& contact);
+  void measure_cloth_dissipation(double dt, const Loads<Dim>& contact);
   double elastic_energy() const;
 
   const System<Dim>& system_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include <Eigen/Core>
@@ -15,6 +16,23 @@ using Point = Eigen::Matrix<double, Dim, 1>;
 /// One value per marker.
 template <int Dim>
 using Points = std::vector<Point<Dim>>;
+
+/// A vector turned by a right angle about z.
+template <int Dim>
+Point<Dim> turned_left(const Point<Dim>& v) {
+  Point<Dim> result = Point<Dim>::Zero();
+  result.template head<2>() << -v[1], v[0];
+  return result;
+}
+
+/// The way to a place from the nearest point of a segment, which may be a point.
+template <int Dim>
+Point<Dim> way_from_segment(const Point<Dim>& from, const Point<Dim>& along, const Point<Dim>& place) {
+  const Point<Dim> arm = place - from;
+  const double length2 = along.squaredNorm();
+  const double part = length2 > 0 ? std::clamp(arm.dot(along) / length2, 0.0, 1.0) : 0;
+  return arm - part * along;
+}
 
 /// Components of a rotation vector: 1 in the plane (about z), 3 in space.
 template <int Dim>

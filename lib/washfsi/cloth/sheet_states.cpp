@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/cloth/sheet_lattice.hpp"
+
+namespace washfsi {
+
+namespace {
+
+// Tangents at a marker, between its neighbours as far as it has any.
+template <int Dim>
+Point<Dim> tangent_between(std::span<const Point<Dim>> x, std::size_t before, std::size_t after) {
+  const Point<Dim> along = x[after] - x[before];
+  const double length = along.norm();
+  return length > 0 ? Point<Dim>(along / length) : Point<Dim>::Zero();
+}
+
+}  // namespace
+
+template <int Dim>
+Points<Dim> normals(const Sheet& sheet, std::span<const Point<Dim>> positions) {
+  const SheetLattice<Dim> lattice(sheet, positions);
+  Points<Dim> result;
+  for (std::size_t k = 0; k < positions.size(); ++k) {
+    const Point<Dim> s =
+        tangent_between<Dim>(positions, k >= lattice.m ? k - lattice.m : k, lattice.has_edge_s(k) ? k + lattice.m : k);
+    if constexpr (Dim == 2) {
+      result.push_back(turned_left<2>(s));
+    } else {
+      const Point<Dim> r =
+          tangent_between<Dim>(positions, k % lattice.m > 0 ? k - 1 : k, lattice.has_edge_r(k) ? k + 1 : k);
+      const Point<Dim> normal = s.cross(r);
+      result.push_back(normal.norm() > 0 ? Point<Dim>(normal.normalized()) : Point<Dim>::Zero());
+    }
+  }
+  return result;
+}
+
+namespace {
+
+/// Sum over the edges or quads beside a marker that exist, and their number.
+struct Beside {
+  double sum = 0;
+  int count = 0;
+  void add(double value) {
+    sum += value;
+    ++count;
+  }
+  double mean() const { return count > 0 ? sum / count : 0; }
+};
+
+template <int Dim>
+MarkerState marker_state(const SheetLattice<Dim>& lattice, const Membrane& pulls, std::size_t k) {
+  const Sheet& sheet = lattice.sheet;
+  const std::size_t m = lattice.m;
+  const double q = sheet.thickness, per_section = 6 / (q * q);
+  Beside pull_s, pull_r, pull_shear, stretch, angle;
+  Point<Dim> twist = Point<Dim>::Zero();
+  const auto see_s = [&](std::size_t e) {
+    pull_s.add(pulls.s[e]);
+    stretch.add(std::abs(lattice.edge_s(e).norm() / sheet.ds - 1));
+  };
+  const auto see_r = [&](std::size_t e) {
+    pull_r.add(pulls.r[e]);
+    stretch.add(std::abs(lattice.edge_r(e).norm() / sheet.dr - 1));
+  };
+  const auto see_quad = [&](std::size_t e) {
+    const Point<Dim> a = lattice.tangent_s(e), b = lattice.tangent_r(e);
+    pull_shear.add(pulls.shear[e]);
+    angle.add(std::abs(std::asin(std::clamp(a.dot(b) / (a.norm() * b.norm()), -1.0, 1.0))));
+    twist += lattice.mixed_difference(e);
+  };
+  const bool has_before_s = k >= m, has_before_r = k % m > 0;
+  if (has_before_s) see_s(k - m);
+  if (lattice.has_edge_s(k)) see_s(k);
+  if (has_before_r) see_r(k - 1);
+  if (lattice.has_edge_r(k)) see_r(k);
+  if (has_before_s && has_before_r) see_quad(k - m - 1);
+  if (has_before_s && lattice.has_edge_r(k)) see_quad(k - m);
+  if (has_before_r && lattice.has_edge_s(k)) see_quad(k - 1);
+  if (lattice.has_quad(k)) see_quad(k);
+  if (angle.count > 0) twist /= angle.count;
+
+  MarkerState state;
+  // the resultants vanish at the free edges, half a spacing beyond the outermost markers
+  state.membrane_stress = {0.5 * std::abs(pull_s.sum) / q, 0.5 * std::abs(pull_r.sum) / q,
+                           0.25 * std::abs(pull_shear.sum) / q};
+  const Moments<Dim> moments(lattice, k);
+  state.bending_stress = {per_section * moments.s.norm(), per_section * moments.r.norm(),
+                          per_section * sheet.kt * twist.norm()};
+  state.stretch = 0.5 * stretch.sum / (m > 1 ? 2 : 1);
+  double squares = 2 * twist.squaredNorm();
+  if (lattice.bends_along_s(k)) squares += lattice.second_difference_s(k).squaredNorm();
+  if (lattice.bends_along_r(k)) squares += lattice.second_difference_r(k).squaredNorm();
+  state.curvature = std::sqrt(squares);
+  state.shear_angle = angle.mean();
+  return state;
+}
+
+}  // namespace
+
+double surface_stress(const MarkerState& state) {
+  return std::max(state.membrane_stress[ss] + state.bending_stress[ss],
+                  state.membrane_stress[rr] + state.bending_stress[rr]);
+}
+
+template <int Dim>
+std::vector<MarkerState> marker_states(const Sheet& sheet, std::span<const Point<Dim>> positions) {
+  const SheetLattice<Dim> lattice(sheet, positions);
+  const Membrane pulls = resultants_of(lattice, strains_of(lattice));
+  std::vector<MarkerState> result;
+  for (std::size_t k = 0; k < positions.size(); ++k) result.push_back(marker_state(lattice, pulls, k));
+  return result;
+}
+
+template Points<2> normals<2>(const Sheet&, std::span<const Point<2>>);
+template Points<3> normals<3>(const Sheet&, std::span<const Point<3>>);
+template std::vector<MarkerState> marker_states<2>(const Sheet&, std::span<const Point<2>>);
+template std::vector<MarkerState> marker_states<3>(const Sheet&, std::span<const Point<3>>);
+
+}  // namespace washfsi
