@@ -11,7 +11,7 @@ namespace {
 
 /// Sum of weight times distance^power over the points of a stencil, every or every second one.
 double moment(DeltaKernel kernel, double width, double place, int power, int step = 1) {
-  const AxisStencil stencil = axis_stencil(kernel, place, width);
+  const AxisStencil stencil = AxisDelta(kernel, width).stencil(place);
   double sum = 0;
   for (int i = 0; i < stencil.count; ++i) {
     const PetscInt point = stencil.first + i;

@@ -80,28 +80,42 @@ struct AxisStencil {
   std::array<double, most> weight{};
 };
 
-/// `coordinate`: of the marker, in cells from the first grid point of the axis.
-inline AxisStencil axis_stencil(DeltaKernel kernel, double coordinate, double width) {
-  AxisStencil stencil;
-  stencil.first = static_cast<PetscInt>(std::floor(coordinate - width)) + 1;
-  const auto last = static_cast<PetscInt>(std::ceil(coordinate + width)) - 1;
-  stencil.count = std::min(static_cast<int>(last - stencil.first) + 1, AxisStencil::most);
-  const double first = static_cast<double>(stencil.first) - coordinate;
-  if (kernel == DeltaKernel::cosine) {
-    // cos and sin of the first angle, turned by the same angle from point to point
-    const double turn = std::numbers::pi / width, c = std::cos(turn), s = std::sin(turn);
-    double real = std::cos(turn * first), imaginary = std::sin(turn * first);
-    for (int i = 0; i < stencil.count; ++i) {
-      stencil.weight[static_cast<std::size_t>(i)] = (1 + real) / (2 * width);
-      const double turned = real * c - imaginary * s;
-      imaginary = real * s + imaginary * c;
-      real = turned;
-    }
+/// The delta along one axis, with what does not depend on the marker worked out once.
+class AxisDelta {
+ public:
+  AxisDelta(DeltaKernel kernel, double width)
+      : kernel_(kernel), width_(width), turn_(std::numbers::pi / width), cos_(std::cos(turn_)), sin_(std::sin(turn_)) {}
+
+  /// `coordinate`: of the marker, in cells from the first grid point of the axis.
+  AxisStencil stencil(double coordinate) const {
+    AxisStencil stencil;
+    stencil.first = static_cast<PetscInt>(std::floor(coordinate - width_)) + 1;
+    const auto last = static_cast<PetscInt>(std::ceil(coordinate + width_)) - 1;
+    stencil.count = std::min(static_cast<int>(last - stencil.first) + 1, AxisStencil::most);
+    const double first = static_cast<double>(stencil.first) - coordinate;
+    if (kernel_ == DeltaKernel::cosine)
+      set_cosines(turn_ * first, stencil);
+    else
+      for (int i = 0; i < stencil.count; ++i)
+        stencil.weight[static_cast<std::size_t>(i)] = regularised_delta(kernel_, first + i, width_);
     return stencil;
   }
-  for (int i = 0; i < stencil.count; ++i)
-    stencil.weight[static_cast<std::size_t>(i)] = regularised_delta(kernel, first + i, width);
-  return stencil;
-}
+
+ private:
+  // cos and sin of the first angle, turned by the same angle from point to point
+  void set_cosines(double angle, AxisStencil& stencil) const {
+    const double scale = 0.5 / width_;
+    double real = std::cos(angle), imaginary = std::sin(angle);
+    for (int i = 0; i < stencil.count; ++i) {
+      stencil.weight[static_cast<std::size_t>(i)] = scale + scale * real;
+      const double turned = real * cos_ - imaginary * sin_;
+      imaginary = real * sin_ + imaginary * cos_;
+      real = turned;
+    }
+  }
+
+  DeltaKernel kernel_;
+  double width_, turn_, cos_, sin_;
+};
 
 }  // namespace washfsi

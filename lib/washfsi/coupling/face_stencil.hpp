@@ -11,11 +11,10 @@ namespace washfsi {
 template <int Dim>
 class FaceStencil {
  public:
-  FaceStencil(const Grid<Dim>& grid, DeltaKernel kernel, double width, const Point<Dim>& position) {
+  FaceStencil(const Grid<Dim>& grid, const AxisDelta& delta, const Point<Dim>& position) {
     for (int d = 0; d < Dim; ++d) {
       const double place = (position[d] - grid.lower()[d]) / grid.spacing()[d];
-      axes_[static_cast<std::size_t>(d)] = {axis_stencil(kernel, place, width),
-                                            axis_stencil(kernel, place - 0.5, width)};
+      axes_[static_cast<std::size_t>(d)] = {delta.stencil(place), delta.stencil(place - 0.5)};
     }
   }
 
@@ -24,27 +23,27 @@ class FaceStencil {
     return axes_[static_cast<std::size_t>(axis)][axis == component ? 0 : 1];
   }
 
-  /// Calls visit(face, weight) for the first face of each row along x of a component's faces; the weight of the row
-  /// times that along x is a face's.
-  template <class Visit>
-  void visit_rows(int component, Visit&& visit) const {
-    Box<Dim> rows;
-    for (int d = 0; d < Dim; ++d) {
-      const auto axis = static_cast<std::size_t>(d);
-      rows.lower[axis] = along(d, component).first;
-      rows.upper[axis] = rows.lower[axis] + (d == 0 ? 1 : along(d, component).count);
-    }
-    for_each<Dim>(rows, [&](const Index<Dim>& face) {
-      double weight = 1;
-      for (int d = 1; d < Dim; ++d) {
-        const AxisStencil& stencil = along(d, component);
-        weight *= stencil.weight[static_cast<std::size_t>(face[static_cast<std::size_t>(d)] - stencil.first)];
-      }
-      visit(face, weight);
-    });
+  /// Calls visit(row, weight) for each row along x of a component's faces, `row` pointing to its first face in the
+  /// field of a view; the weight of the row times that along x is a face's.
+  template <class Field, class Visit>
+  void visit_rows(int component, const Field& field, const Visit& visit) const {
+    Index<Dim> first;
+    for (int d = 0; d < Dim; ++d) first[static_cast<std::size_t>(d)] = along(d, component).first;
+    visit_from<Dim - 1>(component, field, &field(first, component), 1.0, visit);
   }
 
  private:
+  template <int Axis, class Field, class Pointer, class Visit>
+  void visit_from(int component, const Field& field, Pointer face, double weight, const Visit& visit) const {
+    if constexpr (Axis == 0) {
+      visit(face, weight);
+    } else {
+      const AxisStencil& stencil = along(Axis, component);
+      for (int i = 0; i < stencil.count; ++i, face += field.stride(Axis))
+        visit_from<Axis - 1>(component, field, face, weight * stencil.weight[static_cast<std::size_t>(i)], visit);
+    }
+  }
+
   std::array<std::array<AxisStencil, 2>, Dim> axes_;
 };
 

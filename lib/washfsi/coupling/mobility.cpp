@@ -94,11 +94,11 @@ template <int Dim>
 void MobilityMatrix<Dim>::assemble(const Points<Dim>& positions, PetscInt first, const std::vector<double>& row_sums) {
   const double reach = delta_.spread_width + delta_.interpolate_width;
   const Bins<Dim> bins(grid_, positions, reach);
+  const AxisDelta spread(delta_.kernel, delta_.spread_width), interpolate(delta_.kernel, delta_.interpolate_width);
   std::vector<Stencils> stencils;
   stencils.reserve(positions.size());
   for (const auto& position : positions)
-    stencils.push_back({FaceStencil<Dim>(grid_, delta_.kernel, delta_.spread_width, position),
-                        FaceStencil<Dim>(grid_, delta_.kernel, delta_.interpolate_width, position)});
+    stencils.push_back({FaceStencil<Dim>(grid_, spread, position), FaceStencil<Dim>(grid_, interpolate, position)});
 
   // overlaps of this rank's markers, and what their row sums must be multiplied with
   struct Entry {

@@ -40,9 +40,10 @@ void Transfer<Dim>::locate(const Points<Dim>& positions) {
 template <int Dim>
 void Transfer<Dim>::find_stencils() {
   const auto fill = [&](std::vector<FaceStencil<Dim>>& stencils, double width) {
+    const AxisDelta delta(delta_.kernel, width);
     stencils.clear();
     stencils.reserve(here_.size());
-    for (const auto& position : here_) stencils.emplace_back(grid_, delta_.kernel, width, position);
+    for (const auto& position : here_) stencils.emplace_back(grid_, delta, position);
   };
   fill(spread_stencils_, delta_.spread_width);
   if (delta_.interpolate_width != delta_.spread_width) fill(interpolate_stencils_, delta_.interpolate_width);
@@ -56,10 +57,9 @@ void Transfer<Dim>::add_to_local(const Points<Dim>& values, Vec local) const {
   for (std::size_t m = 0; m < spread_stencils_.size(); ++m)
     for_each_component<Dim>([&](auto c) {
       const AxisStencil& x = spread_stencils_[m].along(0, c);
-      spread_stencils_[m].visit_rows(c, [&](const Index<Dim>& first, double weight) {
-        const double value = per_volume * weight * values[m][c];
-        double* const row = &field(first, c);
-        for (int i = 0; i < x.count; ++i) row[i * Dim] += value * x.weight[static_cast<std::size_t>(i)];
+      const double value = per_volume * values[m][c];
+      spread_stencils_[m].visit_rows(c, field, [&](double* row, double weight) {
+        for (int i = 0; i < x.count; ++i) row[i * Dim] += weight * value * x.weight[static_cast<std::size_t>(i)];
       });
     });
 }
@@ -96,8 +96,7 @@ Points<Dim> Transfer<Dim>::interpolate(Vec local_velocity) const {
     for_each_component<Dim>([&](auto c) {
       const AxisStencil& x = stencils[m].along(0, c);
       double sum = 0;
-      stencils[m].visit_rows(c, [&](const Index<Dim>& first, double weight) {
-        const double* const row = &u(first, c);
+      stencils[m].visit_rows(c, u, [&](const double* row, double weight) {
         double along = 0;
         for (int i = 0; i < x.count; ++i) along += row[i * Dim] * x.weight[static_cast<std::size_t>(i)];
         sum += weight * along;

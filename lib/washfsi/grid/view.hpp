@@ -46,6 +46,9 @@ class View {
     return base_[offset];
   }
 
+  /// From one point to the next along an axis, in numbers.
+  PetscInt stride(std::size_t axis) const noexcept { return stride_[axis]; }
+
  private:
   Vec vector_;
   Scalar* base_ = nullptr;
