@@ -2,7 +2,8 @@
 """Cubic lid-driven cavity at Re = 1000 with rigid end walls against Albensoeder and Kuhlmann (2005).
 
 Prints the tables of docs/verification.md. Arguments: cells per side (default 48 64). From the last two grids the values
-are extrapolated to zero spacing, at second order.
+are extrapolated to zero spacing, at second order. On 64 cells wide_central advection is run too: its error is the one
+that is bounded, that of central only by the extrapolation.
 """
 
 import sys
@@ -12,7 +13,8 @@ import numpy as np
 import cavity
 
 END = 100  # [s]
-MOST_ALLOWED = {64: 0.025}  # of the lid speed
+WIDE = 64  # cells of the run with wide_central advection
+MOST_ALLOWED_WIDE = 0.02  # of the lid speed
 MOST_ALLOWED_EXTRAPOLATED = 0.01
 
 
@@ -46,15 +48,15 @@ def main():
     sizes = [int(word) for word in sys.argv[1:]] or [48, 64]
     passed, lines, reference = True, {}, albensoeder_kuhlmann()
     cavity.print_head("cells", "u rms", "u max", "v rms", "v max", "drift of the energy in 10 s", "steps", "wall [s]")
-    for cells in sizes:
-        flow = cavity.run_cavity(cells, 1000, END, dimensions=3)
-        lines[f"{cells}^3"] = read_at(flow, reference)
+    runs = [(f"{cells}^3", cells, "central") for cells in sizes] + [(f"{WIDE}^3, wide_central", WIDE, "wide_central")]
+    for label, cells, advection in runs:
+        flow = cavity.run_cavity(cells, 1000, END, dimensions=3, advection=advection)
+        lines[label] = read_at(flow, reference)
         errors = cavity.norms(flow, reference)
-        cavity.print_row(f"{cells}^3", *map(cavity.percent, errors), f"{flow.drift:.1e}", flow.steps,
-                         f"{flow.seconds:.0f}")
-        passed &= flow.is_steady() and max(errors) <= MOST_ALLOWED.get(cells, np.inf)
+        cavity.print_row(label, *map(cavity.percent, errors), f"{flow.drift:.1e}", flow.steps, f"{flow.seconds:.0f}")
+        passed &= flow.is_steady() and max(errors) <= (MOST_ALLOWED_WIDE if advection == "wide_central" else np.inf)
     if len(sizes) > 1:
-        lines["extrapolated"] = extrapolate(*list(lines.values())[-2:], sizes[-1] / sizes[-2])
+        lines["extrapolated"] = extrapolate(*list(lines.values())[-3:-1], sizes[-1] / sizes[-2])
         errors = cavity.norms(lines["extrapolated"], reference)
         cavity.print_row("extrapolated", *map(cavity.percent, errors), "", "", "")
         passed &= max(errors) <= MOST_ALLOWED_EXTRAPOLATED

@@ -18,8 +18,8 @@ FractionalStep<Dim>::FractionalStep(const Grid<Dim>& grid, Boundary<Dim>& bounda
       viscosity_(options.viscosity),
       pressure_tolerance_(options.pressure_tolerance),
       projects_(options.projection),
-      upwind_(options.advection == "upwind"),
-      flow_dm_(upwind_ || boundary.has_outflow() ? grid.wide_face_dm() : grid.face_dm()),
+      advection_scheme_(options.advection),
+      flow_dm_(departs_from_central() || boundary.has_outflow() ? grid.wide_face_dm() : grid.face_dm()),
       momentum_(grid, boundary, options.viscosity, options.momentum_tolerance),
       poisson_(grid, options.density),
       velocity_(grid.face_vector()),
@@ -112,15 +112,18 @@ void FractionalStep<Dim>::advect(Vec local_velocity, Vec density) {
   const FaceView<Dim> result(grid_.face_dm(), advection_);
   const Spacing<Dim> h(grid_.spacing());
   grid_.for_each_inner_face(
-      [&](const Index<Dim>& face, auto c) { result(face, c) = advection<Dim>(u, face, c, h, CentralValue<Dim>{}); });
-  if (!upwind_) return;
-  double dissipated = 0;
-  grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
-    const double upwind = advection<Dim>(u, face, c, h, UpwindValue<Dim>{});
-    dissipated += rho(face, c) * u(face, c) * (upwind - result(face, c));
-    result(face, c) = upwind;
-  });
-  numerical_dissipation_ = ordered_sum(grid_.comm(), dissipated * grid_.cell_volume());
+      [&](const Index<Dim>& face, auto c) { result(face, c) = advection<Dim>(u, face, c, h, CentralFlux<Dim>{}); });
+  const auto replace_by = [&](const auto& flux) {
+    double dissipated = 0;
+    grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
+      const double advected = advection<Dim>(u, face, c, h, flux);
+      dissipated += rho(face, c) * u(face, c) * (advected - result(face, c));
+      result(face, c) = advected;
+    });
+    numerical_dissipation_ = ordered_sum(grid_.comm(), dissipated * grid_.cell_volume());
+  };
+  if (advection_scheme_ == "upwind") replace_by(UpwindFlux<Dim>{});
+  if (advection_scheme_ == "wide_central") replace_by(WideCentralFlux<Dim>{});
 }
 
 template <int Dim>

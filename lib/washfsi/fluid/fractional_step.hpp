@@ -12,6 +12,8 @@
 // The first step takes (u.grad u)^0 alone (forward Euler).
 #pragma once
 
+#include <string>
+
 #include "washfsi/fluid/momentum.hpp"
 #include "washfsi/fluid/options.hpp"
 #include "washfsi/fluid/pressure.hpp"
@@ -68,9 +70,9 @@ class FractionalStep {
     dt_before_ = dt;
     has_history_ = dt > 0;
   }
-  /// Whether advection is upwind, and then the power that it took out of the flow in the last step beyond central
-  /// advection [W; W/m in the plane].
-  bool upwind() const { return upwind_; }
+  /// Whether advection is other than central, and then the power that it took out of the flow in the last step beyond
+  /// central advection, which takes none [W; W/m in the plane].
+  bool departs_from_central() const { return advection_scheme_ != "central"; }
   double numerical_dissipation() const { return numerical_dissipation_; }
 
   /// Force density [N/m3] by which solids held the water in the last `predict`; zero in fluid.
@@ -93,7 +95,8 @@ class FractionalStep {
   const Grid<Dim>& grid_;
   Boundary<Dim>& boundary_;  ///< its open sides take part in the step
   double density_, viscosity_, pressure_tolerance_;
-  bool projects_, upwind_;
+  bool projects_;
+  std::string advection_scheme_;
   DM flow_dm_;  ///< with the ghosts that advection and open sides need
   MomentumSolver<Dim> momentum_;
   PressureSolver<Dim> poisson_;

@@ -15,8 +15,9 @@ FluidOptions<Dim> FluidOptions<Dim>::from_options(Options& options) {
     block.template point<Dim>("fluid_initial_velocity", fluid.initial_velocity, "m/s",
                               "velocity of -fluid_initial uniform");
     block.boolean("fluid_projection", fluid.projection, "make the velocity divergence free");
-    block.choice("advection", fluid.advection, {"central", "upwind"},
-                 "scheme of the advection term; upwind is bounded (van Leer), for grids too coarse for central");
+    block.choice("advection", fluid.advection, {"central", "wide_central", "upwind"},
+                 "scheme of the advection term; wide_central has less error on a given grid; upwind is bounded (van "
+                 "Leer), for grids too coarse for central");
     block.real("momentum_tolerance", fluid.momentum_tolerance, "-", tolerance,
                "rms residual of the momentum solve over the largest speed");
     block.real("pressure_tolerance", fluid.pressure_tolerance, "-", tolerance,

@@ -45,23 +45,56 @@ template <int Dim, class Velocity>
   return sum;
 }
 
-/// u_c midway between a c-face and the next one along d: the mean, second order.
+/// u_c midway between a c-face and the one before it along d: the mean, second order.
+template <int Dim, class Velocity>
+[[gnu::always_inline]] inline double mean_before(const Velocity& u, const Index<Dim>& face, int c, int d) {
+  return 0.5 * (u(shifted<Dim>(face, d, -1), c) + u(face, c));
+}
+
+/// The same from two faces on either side, fourth order.
+template <int Dim, class Velocity>
+[[gnu::always_inline]] inline double wide_mean_before(const Velocity& u, const Index<Dim>& face, int c, int d) {
+  return 1.125 * mean_before<Dim>(u, face, c, d) -
+         0.0625 * (u(shifted<Dim>(face, d, -2), c) + u(shifted<Dim>(face, d, 1), c));
+}
+
+// What the flux form multiplies: the carrier u_d before a d-face along c, and the carried u_c between a c-face and the
+// next one along d.
+
+/// Means of the two nearest faces.
 template <int Dim>
-struct CentralValue {
+struct CentralFlux {
   template <class Velocity>
-  [[gnu::always_inline]] inline double operator()(const Velocity& u, const Index<Dim>& face, int c, int d,
-                                                  double) const {
-    return 0.5 * (u(face, c) + u(shifted<Dim>(face, d, 1), c));
+  [[gnu::always_inline]] inline double carrier(const Velocity& u, const Index<Dim>& face, int c, int d) const {
+    return mean_before<Dim>(u, face, d, c);
+  }
+  template <class Velocity>
+  [[gnu::always_inline]] inline double carried(const Velocity& u, const Index<Dim>& face, int c, int d, double) const {
+    return mean_before<Dim>(u, shifted<Dim>(face, d, 1), c, d);
   }
 };
 
-/// The same, taken from upwind with van Leer's limiter (J. Comput. Phys. 14 (1974) 361): bounded by its neighbours,
+/// Means of the four nearest faces: the flux is of fourth order, which leaves the error of its difference alone, a
+/// third of the former or less.
+template <int Dim>
+struct WideCentralFlux {
+  template <class Velocity>
+  [[gnu::always_inline]] inline double carrier(const Velocity& u, const Index<Dim>& face, int c, int d) const {
+    return wide_mean_before<Dim>(u, face, d, c);
+  }
+  template <class Velocity>
+  [[gnu::always_inline]] inline double carried(const Velocity& u, const Index<Dim>& face, int c, int d, double) const {
+    return wide_mean_before<Dim>(u, shifted<Dim>(face, d, 1), c, d);
+  }
+};
+
+/// The carried value from upwind with van Leer's limiter (J. Comput. Phys. 14 (1974) 361): bounded by its neighbours,
 /// second order where the flow is smooth.
 template <int Dim>
-struct UpwindValue {
+struct UpwindFlux : CentralFlux<Dim> {
   template <class Velocity>
-  [[gnu::always_inline]] inline double operator()(const Velocity& u, const Index<Dim>& face, int c, int d,
-                                                  double carrier) const {
+  [[gnu::always_inline]] inline double carried(const Velocity& u, const Index<Dim>& face, int c, int d,
+                                               double carrier) const {
     // both directions are evaluated and one is chosen, so that the compiler can work on many faces at once
     const Index<Dim> next = shifted<Dim>(face, d, 1);
     const double here = u(face, c), there = u(next, c), jump = there - here;
@@ -73,18 +106,17 @@ struct UpwindValue {
   }
 };
 
-/// (u . grad u)_c on a c-face in flux form, the carrier u_d a mean along c:
+/// (u . grad u)_c on a c-face in flux form:
 /// sum_d ( [u_d u_c](i + e_d / 2) - [u_d u_c](i - e_d / 2) ) / h_d
-template <int Dim, class Velocity, class Value>
+template <int Dim, class Velocity, class Flux>
 [[gnu::always_inline]] inline double advection(const Velocity& u, const Index<Dim>& face, int c, const Spacing<Dim>& h,
-                                               const Value& value) {
+                                               const Flux& flux) {
   double sum = 0;
 #pragma GCC unroll 3
   for (int d = 0; d < Dim; ++d) {
     const Index<Dim> next = shifted<Dim>(face, d, 1), previous = shifted<Dim>(face, d, -1);
-    const double upper = 0.5 * (u(next, d) + u(shifted<Dim>(next, c, -1), d));
-    const double lower = 0.5 * (u(face, d) + u(shifted<Dim>(face, c, -1), d));
-    sum += (upper * value(u, face, c, d, upper) - lower * value(u, previous, c, d, lower)) * h.inverse[d];
+    const double upper = flux.carrier(u, next, c, d), lower = flux.carrier(u, face, c, d);
+    sum += (upper * flux.carried(u, face, c, d, upper) - lower * flux.carried(u, previous, c, d, lower)) * h.inverse[d];
   }
   return sum;
 }

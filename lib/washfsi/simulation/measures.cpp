@@ -147,7 +147,7 @@ std::vector<Column> Measures<Dim>::columns() const {
                               {"max_divergence", "1/s"},
                               {"angular_momentum", plane ? "J s/m" : "J s"},
                               {"dissipation", power}};
-  if (system_.fluid.upwind()) columns.push_back({"numerical_dissipation", power});
+  if (system_.fluid.departs_from_central()) columns.push_back({"numerical_dissipation", power});
   if (!system_.mask.empty()) columns.push_back({"mask_dissipation", power});
   for (const auto& body : system_.bodies) {
     add_columns<Dim>(columns, body.name + "_");
@@ -173,7 +173,7 @@ std::vector<double> Measures<Dim>::row(double dt) const {
   std::vector<double> row{
       system_.fluid.time(), dt, flow_.courant.value, flow_.kinetic_energy, flow_.max_divergence, flow_.angular_momentum,
       flow_.dissipation};
-  if (system_.fluid.upwind()) row.push_back(system_.fluid.numerical_dissipation());
+  if (system_.fluid.departs_from_central()) row.push_back(system_.fluid.numerical_dissipation());
   if (!system_.mask.empty()) row.push_back(mask_dissipation_);
   for (std::size_t b = 0; b < loads_.size(); ++b) {
     add_values(row, loads_[b]);
