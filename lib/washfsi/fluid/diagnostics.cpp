@@ -12,8 +12,28 @@ namespace washfsi {
 
 namespace {
 
-// 2 e:e summed over this rank's cells and, between two directions, over the edges where their faces meet; an edge in
-// the boundary has half the volume of another. Where all faces are solid or beyond the box nothing is counted.
+/// What the sums need of the grid, kept apart so that the compiler sees that it does not change.
+template <int Dim>
+struct Ends {
+  explicit Ends(const Grid<Dim>& grid) : cells(grid.cells()) {
+    for (std::size_t d = 0; d < Dim; ++d) periodic[d] = grid.periodic(static_cast<int>(d));
+  }
+  /// Whether a face or edge with this number along an axis lies in the boundary.
+  bool at_lower(const Index<Dim>& index, std::size_t axis) const { return !periodic[axis] && index[axis] == 0; }
+  bool at_upper(const Index<Dim>& index, std::size_t axis) const {
+    return !periodic[axis] && index[axis] == cells[axis];
+  }
+  /// What lies in the boundary has half the volume of another.
+  double part(const Index<Dim>& index, std::size_t axis) const {
+    return at_lower(index, axis) || at_upper(index, axis) ? 0.5 : 1;
+  }
+
+  Index<Dim> cells;
+  std::array<bool, Dim> periodic;
+};
+
+// 2 e:e summed over this rank's cells and, between two directions, over the edges where their faces meet. Where all
+// faces are solid or beyond the box nothing is counted.
 template <int Dim>
 double squared_strain(const Grid<Dim>& grid, const ConstFaceView<Dim>& u, Vec fluid_fraction) {
   const petsc::LocalVector local_share(grid.face_dm());
@@ -21,38 +41,29 @@ double squared_strain(const Grid<Dim>& grid, const ConstFaceView<Dim>& u, Vec fl
   WASH_PETSC(DMGlobalToLocal(grid.face_dm(), fluid_fraction, INSERT_VALUES, local_share));
   const ConstFaceView<Dim> share(grid.face_dm(), local_share);
   const Spacing<Dim> h(grid.spacing());
-  std::array<bool, Dim> periodic{};
-  for (std::size_t d = 0; d < Dim; ++d) periodic[d] = grid.periodic(static_cast<int>(d));
-  const auto is_wet = [&](const Index<Dim>& face, int c) {
-    const bool in_boundary = !periodic[static_cast<std::size_t>(c)] && face[static_cast<std::size_t>(c)] == 0;
-    return !in_boundary && share(face, c) > 0;
-  };
+  const Ends<Dim> ends(grid);
+  const auto is_wet = [&](const Index<Dim>& face, auto c) { return !ends.at_lower(face, c) && share(face, c) > 0; };
   double sum = 0;
-  for (int c = 0; c < Dim; ++c) {
+  for_each_component<Dim>([&](auto c) {
     for_each<Dim>(grid.owned(), [&](const Index<Dim>& cell) {
       const Index<Dim> next = shifted<Dim>(cell, c, 1);
-      if (is_wet(cell, c) || is_wet(next, c)) sum += 2 * std::pow((u(next, c) - u(cell, c)) * h.inverse[c], 2);
+      const double stretching = (u(next, c) - u(cell, c)) * h.inverse[c];
+      if (is_wet(cell, c) || is_wet(next, c)) sum += 2 * stretching * stretching;
     });
-    for (int d = 0; d < c; ++d) {
-      Box<Dim> edges = grid.owned();
-      for (const int axis : {c, d}) {
-        const auto a = static_cast<std::size_t>(axis);
-        if (!grid.periodic(axis) && edges.upper[a] == grid.cells()[a]) ++edges.upper[a];
+    for_each_component<Dim>([&](auto d) {
+      if constexpr (d < c) {
+        Box<Dim> edges = grid.owned();
+        for (const std::size_t axis : {std::size_t{c}, std::size_t{d}})
+          if (!ends.periodic[axis] && edges.upper[axis] == ends.cells[axis]) ++edges.upper[axis];
+        for_each<Dim>(edges, [&](const Index<Dim>& edge) {
+          const Index<Dim> below = shifted<Dim>(edge, d, -1), beside = shifted<Dim>(edge, c, -1);
+          if (!is_wet(edge, c) && !is_wet(below, c) && !is_wet(edge, d) && !is_wet(beside, d)) return;
+          const double shear = (u(edge, c) - u(below, c)) * h.inverse[d] + (u(edge, d) - u(beside, d)) * h.inverse[c];
+          sum += ends.part(edge, c) * ends.part(edge, d) * shear * shear;
+        });
       }
-      for_each<Dim>(edges, [&](const Index<Dim>& edge) {
-        const Index<Dim> below = shifted<Dim>(edge, d, -1), beside = shifted<Dim>(edge, c, -1);
-        if (!is_wet(edge, c) && !is_wet(below, c) && !is_wet(edge, d) && !is_wet(beside, d)) return;
-        double volume = 1;
-        for (const int axis : {c, d}) {
-          const PetscInt place = edge[static_cast<std::size_t>(axis)];
-          if (!grid.periodic(axis) && (place == 0 || place == grid.cells()[static_cast<std::size_t>(axis)]))
-            volume *= 0.5;
-        }
-        const double shear = (u(edge, c) - u(below, c)) * h.inverse[d] + (u(edge, d) - u(beside, d)) * h.inverse[c];
-        sum += volume * shear * shear;
-      });
-    }
-  }
+    });
+  });
   return sum;
 }
 
@@ -67,23 +78,25 @@ FlowDiagnostics<Dim> FlowDiagnostics<Dim>::of(const Grid<Dim>& grid, const Bound
   const ConstFaceView<Dim> u(grid.face_dm(), local), rho(grid.face_dm(), state.density);
   const ConstFaceView<Dim> share(grid.face_dm(), state.fluid_fraction ? state.fluid_fraction : state.density);
   const Spacing<Dim> h(grid.spacing());
-  const Point<Dim> middle = 0.5 * (grid.lower() + grid.upper());
+  const Ends<Dim> ends(grid);
+  const bool has_solids = state.fluid_fraction;
+  const Point<Dim> arm_of_first = grid.lower() - 0.5 * (grid.lower() + grid.upper()), spacing = grid.spacing();
   double energy = 0, turning = 0;
   for_each<Dim>(grid.owned(), [&](const Index<Dim>& cell) {
     double courant = 0;
-    for (int d = 0; d < Dim; ++d) {
-      const double lower = u(cell, d), upper = u(shifted<Dim>(cell, d, 1), d);
+    for_each_component<Dim>([&](auto d) {
+      const Index<Dim> next = shifted<Dim>(cell, d, 1);
+      const double lower = u(cell, d), upper = u(next, d);
       courant += dt * std::max(std::abs(lower), std::abs(upper)) * h.inverse[d];
-      // a face in the boundary has half the volume of another
-      const auto axis = static_cast<std::size_t>(d);
-      const bool at_lower = !grid.periodic(d) && cell[axis] == 0;
-      const bool at_upper = !grid.periodic(d) && cell[axis] == grid.cells()[axis] - 1;
-      const double part = state.fluid_fraction ? share(cell, d) : 1;
-      const double mass = part * rho(cell, d) * (at_lower ? 0.5 : 1);
+      const double mass = (has_solids ? share(cell, d) : 1) * rho(cell, d) * (ends.at_lower(cell, d) ? 0.5 : 1);
       energy += 0.5 * mass * lower * lower;
-      if (at_upper) energy += 0.25 * rho(cell, d) * upper * upper;
-      if (d < 2) turning += (d == 0 ? -1 : 1) * mass * lower * (grid.face_center(cell, d) - middle)[1 - d];
-    }
+      if (ends.at_upper(next, d)) energy += 0.25 * rho(cell, d) * upper * upper;
+      if constexpr (d < 2) {
+        constexpr std::size_t across = 1 - d;
+        const double arm = arm_of_first[across] + (static_cast<double>(cell[across]) + 0.5) * spacing[across];
+        turning += (d == 0 ? -1 : 1) * mass * lower * arm;
+      }
+    });
     if (!std::isfinite(courant)) courant = std::numeric_limits<double>::infinity();
     if (courant > result.courant.value) {
       result.courant.value = courant;
@@ -93,7 +106,7 @@ FlowDiagnostics<Dim> FlowDiagnostics<Dim>::of(const Grid<Dim>& grid, const Bound
     result.max_divergence = std::max(result.max_divergence, std::abs(divergence<Dim>(u, cell, h)));
   });
   const double strain =
-      state.viscosity > 0 ? squared_strain(grid, u, state.fluid_fraction ? state.fluid_fraction : state.density) : 0;
+      state.viscosity > 0 ? squared_strain(grid, u, has_solids ? state.fluid_fraction : state.density) : 0;
   const std::vector<double> sums =
       ordered_sum(grid.comm(), std::vector<double>{energy, turning, state.viscosity * strain});
   result.kinetic_energy = sums[0] * grid.cell_volume();
