@@ -6,6 +6,7 @@
 
 #include "washfsi/simulation/cloth_alone.hpp"
 #include "washfsi/simulation/explicit_coupling.hpp"
+#include "washfsi/simulation/fluid_alone.hpp"
 #include "washfsi/simulation/implicit_coupling.hpp"
 #include "washfsi/simulation/midpoint_coupling.hpp"
 #include "washfsi/simulation/semi_implicit_coupling.hpp"
@@ -55,6 +56,7 @@ template <int Dim>
 std::unique_ptr<CouplingScheme<Dim>> make_coupling_scheme(const CouplingOptions& options, const System<Dim>& system) {
   check(options, system);
   if (!system.has_fluid) return std::make_unique<ClothAlone<Dim>>();
+  if (system.cloths.marker_count() == 0) return std::make_unique<FluidAlone<Dim>>();
   const std::map<std::string, std::function<std::unique_ptr<CouplingScheme<Dim>>()>> schemes{
       {"explicit", [] { return std::make_unique<ExplicitCoupling<Dim>>(); }},
       {"midpoint", [] { return std::make_unique<MidpointCoupling<Dim>>(); }},

@@ -11,7 +11,7 @@ namespace washfsi {
 
 /// How cloth and water are coupled in a step.
 struct CouplingOptions {
-  std::string scheme = "semi_implicit";     ///< explicit | midpoint | semi_implicit | implicit; unused without fluid
+  std::string scheme = "semi_implicit";     ///< explicit | midpoint | semi_implicit | implicit; not for one alone
   bool scheme_given = false;                ///< by the user
   std::string time_scheme = "trapezoidal";  ///< of the implicit coupling: trapezoidal | backward_euler
   std::string mobility = "matrix";          ///< that stands for the markers' own (semi_implicit): matrix | row_sums
