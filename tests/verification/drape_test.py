@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A square cloth draped over a square prism, thesis 4.3.3: penetration, symmetry and time to rest on three grids.
 
-Prints the table of docs/verification.md. Arguments: numbers of cells along the side of the grids (15 33 65), and
-`--keep FOLDER` for the runs' results, from which scripts/plot draws.
+Prints the table of docs/verification.md; the limits hold for 65^3 cells. Arguments: numbers of cells along the side of
+the grids (15 33 65), and `--keep FOLDER` for the runs' results, from which scripts/plot draws.
 """
 
 import argparse
@@ -18,6 +18,7 @@ from tables import SOURCE, command, print_head, print_row, read_markers
 
 MARKERS = {15: 15, 33: 30, 65: 60}
 BOX, HEIGHT, SIDE = 0.51, 0.255, 0.5  # [m]
+LIMITED = 65  # cells of the run that the limits are for
 MOST_PENETRATION, MOST_ASYMMETRY_EARLY, MOST_ASYMMETRY_AT_REST = 0.1, 1e-6, 0.02  # [h], [side], [side]
 EARLY = 0.4  # [s] before folds form
 
@@ -59,8 +60,9 @@ def main():
         sheet = summary["cloths"]["sheet"]
         penetration = sheet["max_depth"] / (BOX / cells)
         early, late = (asymmetry(places[n]) for n in (np.argmin(np.abs(time - EARLY)), -1))
-        passed = (passed and penetration <= MOST_PENETRATION and early <= MOST_ASYMMETRY_EARLY and
+        within = (penetration <= MOST_PENETRATION and early <= MOST_ASYMMETRY_EARLY and
                   late <= MOST_ASYMMETRY_AT_REST)
+        passed = passed and (within or cells != LIMITED)
         print_row(f"{cells}^3 / {MARKERS[cells]}^2", f"{time[-1]:.2f}", f"{penetration:.3f}", f"{early:.1e}",
                   f"{late:.1e}", f"{places[-1, ..., 2].min():.4f}", f"{100 * sheet['max_stretch']:.2f} %",
                   f"{summary['wall_seconds']:.0f}")
