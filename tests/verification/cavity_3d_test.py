@@ -56,7 +56,7 @@ def main():
         cavity.print_row(label, *map(cavity.percent, errors), f"{flow.drift:.1e}", flow.steps, f"{flow.seconds:.0f}")
         passed &= flow.is_steady() and max(errors) <= (MOST_ALLOWED_WIDE if advection == "wide_central" else np.inf)
     if len(sizes) > 1:
-        lines["extrapolated"] = extrapolate(*list(lines.values())[-3:-1], sizes[-1] / sizes[-2])
+        lines["extrapolated"] = extrapolate(*(lines[f"{cells}^3"] for cells in sizes[-2:]), sizes[-1] / sizes[-2])
         errors = cavity.norms(lines["extrapolated"], reference)
         cavity.print_row("extrapolated", *map(cavity.percent, errors), "", "", "")
         passed &= max(errors) <= MOST_ALLOWED_EXTRAPOLATED

@@ -80,7 +80,7 @@ FlowDiagnostics<Dim> FlowDiagnostics<Dim>::of(const Grid<Dim>& grid, const Bound
   const Spacing<Dim> h(grid.spacing());
   const Ends<Dim> ends(grid);
   const bool has_solids = state.fluid_fraction;
-  const Point<Dim> arm_of_first = grid.lower() - 0.5 * (grid.lower() + grid.upper()), spacing = grid.spacing();
+  const Point<Dim> middle = 0.5 * (grid.lower() + grid.upper());
   double energy = 0, turning = 0;
   for_each<Dim>(grid.owned(), [&](const Index<Dim>& cell) {
     double courant = 0;
@@ -91,11 +91,7 @@ FlowDiagnostics<Dim> FlowDiagnostics<Dim>::of(const Grid<Dim>& grid, const Bound
       const double mass = (has_solids ? share(cell, d) : 1) * rho(cell, d) * (ends.at_lower(cell, d) ? 0.5 : 1);
       energy += 0.5 * mass * lower * lower;
       if (ends.at_upper(next, d)) energy += 0.25 * rho(cell, d) * upper * upper;
-      if constexpr (d < 2) {
-        constexpr std::size_t across = 1 - d;
-        const double arm = arm_of_first[across] + (static_cast<double>(cell[across]) + 0.5) * spacing[across];
-        turning += (d == 0 ? -1 : 1) * mass * lower * arm;
-      }
+      if constexpr (d < 2) turning += (d == 0 ? -1 : 1) * mass * lower * (grid.face_center(cell, d) - middle)[1 - d];
     });
     if (!std::isfinite(courant)) courant = std::numeric_limits<double>::infinity();
     if (courant > result.courant.value) {

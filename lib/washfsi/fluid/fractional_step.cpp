@@ -123,7 +123,7 @@ void FractionalStep<Dim>::advect(Vec local_velocity, Vec density) {
     numerical_dissipation_ = ordered_sum(grid_.comm(), dissipated * grid_.cell_volume());
   };
   if (advection_scheme_ == "upwind") replace_by(UpwindFlux<Dim>{});
-  if (advection_scheme_ == "wide_central") replace_by(WideCentralFlux<Dim>{});
+  if (advection_scheme_ == "wide_central") replace_by(CentralFlux<Dim, WideMean>{});
 }
 
 template <int Dim>

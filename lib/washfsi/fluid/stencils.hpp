@@ -46,45 +46,36 @@ template <int Dim, class Velocity>
 }
 
 /// u_c midway between a c-face and the one before it along d: the mean, second order.
-template <int Dim, class Velocity>
-[[gnu::always_inline]] inline double mean_before(const Velocity& u, const Index<Dim>& face, int c, int d) {
-  return 0.5 * (u(shifted<Dim>(face, d, -1), c) + u(face, c));
-}
-
-/// The same from two faces on either side, fourth order.
-template <int Dim, class Velocity>
-[[gnu::always_inline]] inline double wide_mean_before(const Velocity& u, const Index<Dim>& face, int c, int d) {
-  return 1.125 * mean_before<Dim>(u, face, c, d) -
-         0.0625 * (u(shifted<Dim>(face, d, -2), c) + u(shifted<Dim>(face, d, 1), c));
-}
-
-// What the flux form multiplies: the carrier u_d before a d-face along c, and the carried u_c between a c-face and the
-// next one along d.
-
-/// Means of the two nearest faces.
 template <int Dim>
-struct CentralFlux {
+struct Mean {
   template <class Velocity>
-  [[gnu::always_inline]] inline double carrier(const Velocity& u, const Index<Dim>& face, int c, int d) const {
-    return mean_before<Dim>(u, face, d, c);
-  }
-  template <class Velocity>
-  [[gnu::always_inline]] inline double carried(const Velocity& u, const Index<Dim>& face, int c, int d, double) const {
-    return mean_before<Dim>(u, shifted<Dim>(face, d, 1), c, d);
+  [[gnu::always_inline]] static inline double before(const Velocity& u, const Index<Dim>& face, int c, int d) {
+    return 0.5 * (u(shifted<Dim>(face, d, -1), c) + u(face, c));
   }
 };
 
-/// Means of the four nearest faces: the flux is of fourth order, which leaves the error of its difference alone, a
-/// third of the former or less.
+/// The same from two faces on either side, fourth order.
 template <int Dim>
-struct WideCentralFlux {
+struct WideMean {
+  template <class Velocity>
+  [[gnu::always_inline]] static inline double before(const Velocity& u, const Index<Dim>& face, int c, int d) {
+    return 1.125 * Mean<Dim>::before(u, face, c, d) -
+           0.0625 * (u(shifted<Dim>(face, d, -2), c) + u(shifted<Dim>(face, d, 1), c));
+  }
+};
+
+/// What the flux form multiplies: the carrier u_d before a d-face along c, and the carried u_c between a c-face and the
+/// next one along d, both by one kind of mean. With the wide one the flux is of fourth order, which leaves the error of
+/// its difference alone, a third of the other or less.
+template <int Dim, template <int> class MeanOf = Mean>
+struct CentralFlux {
   template <class Velocity>
   [[gnu::always_inline]] inline double carrier(const Velocity& u, const Index<Dim>& face, int c, int d) const {
-    return wide_mean_before<Dim>(u, face, d, c);
+    return MeanOf<Dim>::before(u, face, d, c);
   }
   template <class Velocity>
   [[gnu::always_inline]] inline double carried(const Velocity& u, const Index<Dim>& face, int c, int d, double) const {
-    return wide_mean_before<Dim>(u, shifted<Dim>(face, d, 1), c, d);
+    return MeanOf<Dim>::before(u, shifted<Dim>(face, d, 1), c, d);
   }
 };
 
