@@ -76,7 +76,8 @@ void run_cavity(MPI_Comm comm, const std::vector<double>& cells, const BenchOpti
   MPI_Barrier(comm);
   const double seconds = (MPI_Wtime() - start) / static_cast<double>(steps);
 
-  const auto flow = FlowDiagnostics<Dim>::of(grid, boundary, {fluid.velocity(), density}, fluid.time(), dt);
+  const auto flow = FlowDiagnostics<Dim>::of(
+      grid, {GhostedVelocity<Dim>(boundary, grid.face_dm(), fluid.velocity(), fluid.time()), density}, dt);
   const double memory = peak_memory(comm), count = static_cast<double>(steps);
   std::vector<std::string> sizes;
   for (const PetscInt n : shape.cells) sizes.push_back(std::to_string(n));

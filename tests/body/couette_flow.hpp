@@ -104,14 +104,12 @@ class CircularCouette {
   }
 
   void extrapolate(double dt) {
-    const petsc::LocalVector local(grid_.wide_face_dm(), fluid_.velocity());
-    boundary_.fill(local, fluid_.time());
+    const GhostedVelocity<2> local(boundary_, grid_.wide_face_dm(), fluid_.velocity(), fluid_.time());
     mask_.extrapolate(local, fluid_.time() + dt);
   }
 
   Errors errors(double dt) {
-    const petsc::LocalVector local(grid_.face_dm(), fluid_.velocity());
-    boundary_.fill(local, fluid_.time());
+    const GhostedVelocity<2> local(boundary_, grid_.face_dm(), fluid_.velocity(), fluid_.time());
     const ConstFaceView<2> u(grid_.face_dm(), local);
     double sum = 0, count = 0, worst = 0;
     for_each<2>(grid_.owned(), [&](const Index<2>& cell) {

@@ -40,7 +40,8 @@ TEST(WallLoads, OfAChannelBalanceItsPressureDrop) {
   }
   const auto sides = exposed_walls<2>(grid, boundary, {});
   ASSERT_EQ(sides.size(), 4U);
-  const auto loads = wall_loads<2>(grid, boundary, {}, sides, velocity, pressure, viscosity, 0);
+  const GhostedVelocity<2> local_velocity(boundary, grid.face_dm(), velocity, 0);
+  const auto loads = wall_loads<2>(grid, boundary, {}, sides, local_velocity, pressure, viscosity, 0);
   const double drop = 2 * viscosity * length, friction = viscosity * length;
   EXPECT_NEAR(loads[0].force[0], 0, 1e-12);               // x lower, where p = 0
   EXPECT_NEAR(loads[1].force[0], -drop * height, 1e-12);  // x upper

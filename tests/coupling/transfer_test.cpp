@@ -185,8 +185,7 @@ TEST(Transfer, AMarkerNearAWallMovesWithTheShear) {
     const FaceView<2> u(grid.wide_face_dm(), velocity);
     for_each<2>(grid.owned(), [&](const Index<2>& face) { u(face, 0) = grid.face_center(face, 0)[1]; });
   }
-  const petsc::LocalVector local(grid.wide_face_dm(), velocity);
-  boundary.fill(local, 0);
+  const GhostedVelocity<2> local(boundary, grid.wide_face_dm(), velocity, 0);
   Transfer<2> transfer(grid, boundary, {});
   const double y = 0.1 / 16;
   const Points<2> place = rank_of(grid.comm()) == 0 ? Points<2>{{0.3, y}, {0.6, 0.4}} : Points<2>{};

@@ -40,8 +40,9 @@ inline void disturb(System<2>& system, double size) {
 }
 
 inline double total_energy(const System<2>& system) {
-  const auto flow =
-      FlowDiagnostics<2>::of(system.grid, system.boundary, {system.fluid.velocity(), system.density}, 0, 1);
+  const GhostedVelocity<2> velocity(system.boundary, system.grid.face_dm(), system.fluid.velocity(),
+                                    system.fluid.time());
+  const auto flow = FlowDiagnostics<2>::of(system.grid, {velocity, system.density}, 1);
   return flow.kinetic_energy + system.cloths.elastic_energies(system.positions)[0];
 }
 

@@ -93,8 +93,7 @@ void ControlVolumes<Dim>::weigh(const PosedBodies<Dim>& posed, std::size_t body,
 template <int Dim>
 Loads<Dim> ControlVolumes<Dim>::loads(const Step& step) {
   WASH_PETSC(VecAXPBYPCZ(mean_velocity_, 0.5, 0.5, 0.0, step.velocity_before, step.velocity));
-  const petsc::LocalVector local_velocity(grid_.face_dm(), mean_velocity_);
-  boundary_.fill(local_velocity, step.time);
+  const GhostedVelocity<Dim> local_velocity(boundary_, grid_.face_dm(), mean_velocity_, step.time);
   const double middle = step.time - 0.5 * step.dt;
   const PosedBodies<Dim> posed(bodies_, middle);
   Loads<Dim> loads(bodies_.size());

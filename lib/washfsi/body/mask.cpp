@@ -215,12 +215,10 @@ double Mask<Dim>::dissipation(Vec velocity_before, Vec density, double dt) const
 }
 
 template <int Dim>
-Loads<Dim> Mask<Dim>::hidden_wall_shear(const Boundary<Dim>& boundary, Vec velocity, double viscosity,
+Loads<Dim> Mask<Dim>::hidden_wall_shear(const Boundary<Dim>& boundary, Vec local_velocity, double viscosity,
                                         double time) const {
   Loads<Dim> loads(bodies_.size());
-  const petsc::LocalVector local(grid_.face_dm(), velocity);
-  boundary.fill(local, time);
-  const ConstFaceView<Dim> u(grid_.face_dm(), local), holder(grid_.face_dm(), body_);
+  const ConstFaceView<Dim> u(grid_.face_dm(), local_velocity), holder(grid_.face_dm(), body_);
   for (int axis = 0; axis < Dim; ++axis)
     for (const End end : {End::lower, End::upper}) {
       const auto& side = boundary.side(axis, end);

@@ -43,8 +43,9 @@ class Mask {
   double dissipation(Vec velocity_before, Vec density, double dt) const;
 
   /// The drag of walls of the box at rest on the water inside each body, which is not the body's: what `loads` must be
-  /// given on top where a body moves along a wall. The velocity is that at `time`. Collective.
-  Loads<Dim> hidden_wall_shear(const Boundary<Dim>& boundary, Vec velocity, double viscosity, double time) const;
+  /// given on top where a body moves along a wall. The velocity is that at `time`, local, of face_dm, its ghosts
+  /// filled. Collective.
+  Loads<Dim> hidden_wall_shear(const Boundary<Dim>& boundary, Vec local_velocity, double viscosity, double time) const;
 
  private:
   void place(const PosedBodies<Dim>& posed, std::size_t body, double time);

@@ -44,9 +44,9 @@ Point<Dim> traction(const ConstFaceView<Dim>& u, const ConstCellView<Dim>& p, co
 
 template <int Dim>
 Loads<Dim> wall_loads(const Grid<Dim>& grid, const Boundary<Dim>& boundary, const std::vector<Body<Dim>>& bodies,
-                      const std::vector<SideName>& sides, Vec velocity, Vec pressure, double viscosity, double time) {
-  const petsc::LocalVector local_velocity(grid.face_dm(), velocity), local_pressure(grid.cell_dm(), pressure);
-  boundary.fill(local_velocity, time);
+                      const std::vector<SideName>& sides, Vec local_velocity, Vec pressure, double viscosity,
+                      double time) {
+  const petsc::LocalVector local_pressure(grid.cell_dm(), pressure);
   const ConstFaceView<Dim> u(grid.face_dm(), local_velocity);
   const ConstCellView<Dim> p(grid.cell_dm(), local_pressure);
   const PosedBodies<Dim> posed(bodies, time);

@@ -233,42 +233,56 @@ Points<Dim> Cloths<Dim>::damping_forces(const Points<Dim>& positions, const Poin
   });
 }
 
+// Calls add(row, column, block) for the parts of the Jacobian of -elastic_forces in this rank's rows, by the numbers of
+// their markers; always in the same order.
 template <int Dim>
-petsc::Matrix Cloths<Dim>::stiffness_matrix() const {
-  constexpr PetscInt coupled = (Dim == 2 ? 5 : 13) * Dim;  // a marker and those at most two edges away
-  const PetscInt rows = (end_ - begin_) * Dim;
-  petsc::Matrix matrix;
-  WASH_PETSC(MatCreateAIJ(comm_, rows, rows, PETSC_DETERMINE, PETSC_DETERMINE, coupled, nullptr, coupled, nullptr,
-                          matrix.put()));
-  WASH_PETSC(MatSetBlockSize(matrix, Dim));
-  WASH_PETSC(MatSetOption(matrix, MAT_SYMMETRIC, PETSC_TRUE));
-  return matrix;
-}
-
-template <int Dim>
-void Cloths<Dim>::add_stiffness(const Points<Dim>& positions, GeometricStiffness geometric, double factor,
-                                Mat matrix) const {
-  using RowMajor = Eigen::Matrix<double, Dim, Dim, Eigen::RowMajor>;
-  const auto add_block = [&](PetscInt row, PetscInt column, const RowMajor& block) {
-    std::array<PetscInt, Dim> rows{}, columns{};
-    for (std::size_t d = 0; d < Dim; ++d) {
-      rows[d] = row * Dim + static_cast<PetscInt>(d);
-      columns[d] = column * Dim + static_cast<PetscInt>(d);
-    }
-    WASH_PETSC(MatSetValues(matrix, Dim, rows.data(), Dim, columns.data(), block.data(), ADD_VALUES));
-  };
+template <class Add>
+void Cloths<Dim>::visit_stiffness(const Points<Dim>& positions, GeometricStiffness geometric, const Add& add) const {
   const Points<Dim> x = with_halo(positions);
   for (const Part& part : parts_)
     add_energy_stiffness<Dim>(group_of(part).sheet, visible(x, part), geometric,
                               [&](std::size_t row, std::size_t column, const StiffnessBlock<Dim>& block) {
                                 if (row < part.own_begin || row >= part.own_end)
                                   return;  // another rank's, or incomplete here
-                                add_block(part.markers[row], part.markers[column], factor * block);
+                                add(part.markers[row], part.markers[column], block);
                               });
   for (const Hold& hold : holds_) {
     const PetscInt marker = begin_ + static_cast<PetscInt>(hold.marker);
-    add_block(marker, marker, factor * hold.stiffness * RowMajor::Identity());
+    add(marker, marker, hold.stiffness * StiffnessBlock<Dim>::Identity());
   }
+}
+
+template <int Dim>
+petsc::Matrix Cloths<Dim>::stiffness_matrix() const {
+  std::vector<PetscInt> rows, columns;
+  visit_stiffness(Points<Dim>(owned(), Point<Dim>::Zero()), GeometricStiffness::all,
+                  [&](PetscInt row, PetscInt column, const StiffnessBlock<Dim>&) {
+                    for (PetscInt a = 0; a < Dim; ++a)
+                      for (PetscInt b = 0; b < Dim; ++b) {
+                        rows.push_back(row * Dim + a);
+                        columns.push_back(column * Dim + b);
+                      }
+                  });
+  const PetscInt own_rows = (end_ - begin_) * Dim;
+  petsc::Matrix matrix;
+  WASH_PETSC(MatCreate(comm_, matrix.put()));
+  WASH_PETSC(MatSetSizes(matrix, own_rows, own_rows, PETSC_DETERMINE, PETSC_DETERMINE));
+  WASH_PETSC(MatSetBlockSize(matrix, Dim));
+  WASH_PETSC(MatSetType(matrix, MATAIJ));
+  WASH_PETSC(MatSetPreallocationCOO(matrix, static_cast<PetscCount>(rows.size()), rows.data(), columns.data()));
+  WASH_PETSC(MatSetOption(matrix, MAT_SYMMETRIC, PETSC_TRUE));
+  return matrix;
+}
+
+template <int Dim>
+void Cloths<Dim>::set_stiffness(const Points<Dim>& positions, GeometricStiffness geometric, double factor,
+                                Mat matrix) const {
+  std::vector<double> values;
+  visit_stiffness(positions, geometric, [&](PetscInt, PetscInt, const StiffnessBlock<Dim>& block) {
+    for (int a = 0; a < Dim; ++a)
+      for (int b = 0; b < Dim; ++b) values.push_back(factor * block(a, b));
+  });
+  WASH_PETSC(MatSetValuesCOO(matrix, values.data(), INSERT_VALUES));
 }
 
 template <int Dim>

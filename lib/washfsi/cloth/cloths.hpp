@@ -71,11 +71,11 @@ class Cloths {
   const Points<Dim>& dead_loads() const { return dead_loads_; }
   bool any_damping() const;
 
-  /// An empty matrix for `add_stiffness`: a row for each coordinate of each marker. Collective.
+  /// A matrix for `set_stiffness`: a row for each coordinate of each marker. Collective.
   petsc::Matrix stiffness_matrix() const;
-  /// Adds factor times the Jacobian of -elastic_forces, of the energy form whatever the group's model. The matrix must
-  /// be assembled afterwards. Collective.
-  void add_stiffness(const Points<Dim>& positions, GeometricStiffness geometric, double factor, Mat matrix) const;
+  /// Sets the matrix to factor times the Jacobian of -elastic_forces, of the energy form whatever the group's model.
+  /// Collective.
+  void set_stiffness(const Points<Dim>& positions, GeometricStiffness geometric, double factor, Mat matrix) const;
 
   /// Unit normal of the cloth at each of this rank's markers. Collective.
   Points<Dim> normals(const Points<Dim>& positions) const;
@@ -112,6 +112,8 @@ class Cloths {
   auto values_of_parts(const Find& find) const;
   template <class Force>
   Points<Dim> forces_of_parts(const Force& add_forces) const;
+  template <class Add>
+  void visit_stiffness(const Points<Dim>& positions, GeometricStiffness geometric, const Add& add) const;
 
   MPI_Comm comm_;
   std::vector<ClothGroup<Dim>> groups_;

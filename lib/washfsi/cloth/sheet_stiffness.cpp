@@ -16,22 +16,31 @@ class ElementStiffness {
   /// factor a b^T
   void add(double factor, const std::array<Point<Dim>, Count>& a, const std::array<Point<Dim>, Count>& b) {
     for (std::size_t p = 0; p < Count; ++p)
-      for (std::size_t q = 0; q < Count; ++q) blocks_[p][q] += factor * a[p] * b[q].transpose();
+      for (std::size_t q = 0; q < Count; ++q) {
+        blocks_[p][q] += factor * a[p] * b[q].transpose();
+        is_used_[p][q] = true;
+      }
   }
   /// factor a b^T of numbers, each times the identity
   void add(double factor, const std::array<double, Count>& a, const std::array<double, Count>& b) {
     for (std::size_t p = 0; p < Count; ++p)
-      for (std::size_t q = 0; q < Count; ++q) blocks_[p][q].diagonal().array() += factor * a[p] * b[q];
+      for (std::size_t q = 0; q < Count; ++q) {
+        if (a[p] == 0 || b[q] == 0) continue;
+        blocks_[p][q].diagonal().array() += factor * a[p] * b[q];
+        is_used_[p][q] = true;
+      }
   }
+  /// The same blocks in the same order, whatever their values.
   void hand_on(const AddBlock<Dim>& add) const {
     for (std::size_t p = 0; p < Count; ++p)
       for (std::size_t q = 0; q < Count; ++q)
-        if (blocks_[p][q] != StiffnessBlock<Dim>::Zero()) add(markers_[p], markers_[q], blocks_[p][q]);
+        if (is_used_[p][q]) add(markers_[p], markers_[q], blocks_[p][q]);
   }
 
  private:
   std::array<std::size_t, Count> markers_;
   std::array<std::array<StiffnessBlock<Dim>, Count>, Count> blocks_;
+  std::array<std::array<bool, Count>, Count> is_used_{};
 };
 
 template <int Dim>

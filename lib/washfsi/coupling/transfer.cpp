@@ -125,7 +125,8 @@ std::vector<double> row_sum_mobility(const Transfer<Dim>& transfer, const Grid<D
                                      const std::vector<double>& weights) {
   Points<Dim> forces;
   for (const double weight : weights) forces.push_back(Point<Dim>::Constant(weight));
-  const petsc::Vector acceleration = petsc::zeros_like(density);
+  const petsc::GlobalVector acceleration(grid.face_dm());
+  WASH_PETSC(VecZeroEntries(acceleration));
   (void)transfer.spread(forces, acceleration);
   WASH_PETSC(VecPointwiseDivide(acceleration, acceleration, density));
   if (fluid_fraction) WASH_PETSC(VecPointwiseMult(acceleration, acceleration, fluid_fraction));

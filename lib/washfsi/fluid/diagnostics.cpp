@@ -70,12 +70,9 @@ double squared_strain(const Grid<Dim>& grid, const ConstFaceView<Dim>& u, Vec fl
 }  // namespace
 
 template <int Dim>
-FlowDiagnostics<Dim> FlowDiagnostics<Dim>::of(const Grid<Dim>& grid, const Boundary<Dim>& boundary,
-                                              const FlowState& state, double time, double dt) {
+FlowDiagnostics<Dim> FlowDiagnostics<Dim>::of(const Grid<Dim>& grid, const FlowState& state, double dt) {
   FlowDiagnostics result;
-  const petsc::LocalVector local(grid.face_dm(), state.velocity);
-  boundary.fill(local, time);
-  const ConstFaceView<Dim> u(grid.face_dm(), local), rho(grid.face_dm(), state.density);
+  const ConstFaceView<Dim> u(grid.face_dm(), state.velocity), rho(grid.face_dm(), state.density);
   const ConstFaceView<Dim> share(grid.face_dm(), state.fluid_fraction ? state.fluid_fraction : state.density);
   const Spacing<Dim> h(grid.spacing());
   const Ends<Dim> ends(grid);

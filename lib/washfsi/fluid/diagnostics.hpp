@@ -8,7 +8,8 @@ namespace washfsi {
 
 /// A flow as global face vectors, and its viscosity [Pa s].
 struct FlowState {
-  Vec velocity, density;
+  Vec velocity;  ///< local, of face_dm, its ghosts filled
+  Vec density;
   Vec fluid_fraction = nullptr;  ///< H of the faces; none: no solids
   double viscosity = 0;
 };
@@ -23,8 +24,7 @@ struct FlowDiagnostics {
   Located courant;              ///< largest dt sum_d |u_d|/h_d and its place; infinite where not finite
 
   /// Collective.
-  static FlowDiagnostics of(const Grid<Dim>& grid, const Boundary<Dim>& boundary, const FlowState& state, double time,
-                            double dt);
+  static FlowDiagnostics of(const Grid<Dim>& grid, const FlowState& state, double dt);
 };
 
 extern template struct FlowDiagnostics<2>;

@@ -86,8 +86,8 @@ void FractionalStep<Dim>::predict(double dt, const StepFields<Dim>& fields) {
 
 template <int Dim>
 void FractionalStep<Dim>::explicit_terms(double dt, const StepFields<Dim>& fields) {
-  const petsc::LocalVector local_u(flow_dm_, velocity_), local_p(grid_.cell_dm(), pressure_);
-  boundary_.fill(local_u, time_);
+  const GhostedVelocity<Dim> local_u(boundary_, flow_dm_, velocity_, time_);
+  const petsc::LocalVector local_p(grid_.cell_dm(), pressure_);
   boundary_.advance_outflow(local_u, time_, dt);
   advect(local_u, fields.density);
   // Adams-Bashforth for steps of different length: 3/2 and -1/2 when they are equal
@@ -139,8 +139,7 @@ void FractionalStep<Dim>::project() {
 template <int Dim>
 void FractionalStep<Dim>::solve_pressure(Vec phi) {
   {
-    const petsc::LocalVector local(grid_.face_dm(), intermediate_);
-    boundary_.fill(local, time_ + dt_);
+    const GhostedVelocity<Dim> local(boundary_, grid_.face_dm(), intermediate_, time_ + dt_);
     const ConstFaceView<Dim> u(grid_.face_dm(), local);
     const CellView<Dim> r(grid_.cell_dm(), minus_divergence_);
     const Spacing<Dim> h(grid_.spacing());

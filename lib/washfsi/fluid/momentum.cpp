@@ -147,8 +147,7 @@ void MomentumSolver<Dim>::apply(Vec x, Vec y) const {
 
 template <int Dim>
 void MomentumSolver<Dim>::residual(Vec rhs, double time, Vec velocity, Vec result) const {
-  const petsc::LocalVector local(grid_.face_dm(), velocity);
-  boundary_.fill(local, time);
+  const GhostedVelocity<Dim> local(boundary_, grid_.face_dm(), velocity, time);
   const ConstFaceView<Dim> u(grid_.face_dm(), local), rho(grid_.face_dm(), density_), b(grid_.face_dm(), rhs);
   const FaceView<Dim> r(grid_.face_dm(), result);
   const Spacing<Dim> h(grid_.spacing());
@@ -196,8 +195,7 @@ PetscInt MomentumSolver<Dim>::solve(Vec rhs, double time, Vec velocity) {
 template <int Dim>
 void MomentumSolver<Dim>::constraint_force(Vec rhs, double time, Vec velocity, Vec force) const {
   WASH_PETSC(VecZeroEntries(force));
-  const petsc::LocalVector local(grid_.face_dm(), velocity);
-  boundary_.fill(local, time);
+  const GhostedVelocity<Dim> local(boundary_, grid_.face_dm(), velocity, time);
   const ConstFaceView<Dim> u(grid_.face_dm(), local), rho(grid_.face_dm(), density_), b(grid_.face_dm(), rhs);
   const ConstFaceView<Dim> fraction(grid_.face_dm(), constraint_.fluid_fraction);
   const FaceView<Dim> f(grid_.face_dm(), force);

@@ -137,11 +137,13 @@ double Boundary<Dim>::largest_speed(double time) const {
     for (const End end : both_ends) {
       const BoundaryKind kind = side(axis, end).kind;
       if (!touches(axis, end) || kind == BoundaryKind::outflow) continue;
-      visit_boundary_faces(axis, end, grid_.owned(), [&](const Index<Dim>& face) {
-        for (int c = 0; c < Dim; ++c)
-          if (c == axis || kind != BoundaryKind::slip)
-            speed = std::max(speed, std::abs(value(axis, end, face, c, time)));
-      });
+      for (int c = 0; c < Dim; ++c) {
+        if (c != axis && kind == BoundaryKind::slip) continue;
+        with_values(axis, end, c, time, [&](const auto& values) {
+          visit_boundary_faces(axis, end, grid_.owned(),
+                               [&](const Index<Dim>& face) { speed = std::max(speed, std::abs(values(face))); });
+        });
+      }
     }
   return largest(grid_.comm(), speed);
 }
@@ -161,6 +163,17 @@ double Boundary<Dim>::value(int axis, End end, const Index<Dim>& face, int compo
   if (here.motion) return here.motion(foot(face, component, axis, end), time)[component];
   if (here.profile == InflowProfile::uniform) return here.velocity[component];
   return here.velocity[component] * profile_at(axis, foot(face, component, axis, end));
+}
+
+// Calls use(values), values(face) being `value`: where it is the same on the whole side, looked up once.
+template <int Dim>
+template <class Use>
+void Boundary<Dim>::with_values(int axis, End end, int component, double time, Use&& use) const {
+  const Side<Dim>& here = side(axis, end);
+  if (here.kind == BoundaryKind::outflow || here.motion || here.profile != InflowProfile::uniform)
+    use([&](const Index<Dim>& face) { return value(axis, end, face, component, time); });
+  else
+    use([same = here.velocity[component]](const Index<Dim>&) { return same; });
 }
 
 // The parabola of a parabolic inflow: along each direction with no-slip walls, 0 there and 1 midway or at the far end.
@@ -227,13 +240,15 @@ void Boundary<Dim>::fill(Vec local_velocity, double time) const {
   for (int axis = 0; axis < Dim; ++axis)  // later axes complete the corners of earlier ones
     for (const End end : both_ends) {
       if (!touches(axis, end)) continue;
-      visit_boundary_faces(axis, end, part,
-                           [&](const Index<Dim>& face) { u(face, axis) = value(axis, end, face, axis, time); });
+      with_values(axis, end, axis, time, [&](const auto& values) {
+        visit_boundary_faces(axis, end, part, [&](const Index<Dim>& face) { u(face, axis) = values(face); });
+      });
       for (int c = 0; c < Dim; ++c) {
         const double sign = mirror_sign(axis, end, c);  // u(ghost) = (1 - sign) u_wall + sign u(mirror)
-        visit_ghosts(axis, end, c, part, [&](const Index<Dim>& ghost, const Index<Dim>& mirror) {
-          const double shift = sign < 1 ? (1 - sign) * value(axis, end, ghost, c, time) : 0;
-          u(ghost, c) = shift + sign * u(mirror, c);
+        with_values(axis, end, c, time, [&](const auto& values) {
+          visit_ghosts(axis, end, c, part, [&](const Index<Dim>& ghost, const Index<Dim>& mirror) {
+            u(ghost, c) = (1 - sign) * values(ghost) + sign * u(mirror, c);
+          });
         });
       }
     }

@@ -63,6 +63,8 @@ class Boundary {
   Point<Dim> fold_with(Vec local, bool keep_sign) const;
   bool touches(int axis, End end) const;
   double value(int axis, End end, const Index<Dim>& face, int component, double time) const;
+  template <class Use>
+  void with_values(int axis, End end, int component, double time, Use&& use) const;
   double profile_at(int axis, const Point<Dim>& place) const;
   struct Flux {
     double net, gross;
@@ -77,6 +79,16 @@ class Boundary {
   Sides sides_;
   std::vector<OutflowLayer<Dim>> outflows_;
   double outflow_time_ = 0, next_outflow_time_ = 0;  ///< of the present and the advanced values [s]
+};
+
+/// A temporary local copy, in a DM of the grid's faces, of a velocity with its boundary faces and ghosts filled for a
+/// time. Collective.
+template <int Dim>
+class GhostedVelocity : public petsc::LocalVector {
+ public:
+  GhostedVelocity(const Boundary<Dim>& boundary, DM dm, Vec velocity, double time) : LocalVector(dm, velocity) {
+    boundary.fill(*this, time);
+  }
 };
 
 extern template class Boundary<2>;

@@ -15,8 +15,8 @@ namespace washfsi {
 template <int Dim>
 void Profile<Dim>::write(const Grid<Dim>& grid, const Boundary<Dim>& boundary, Vec velocity, Vec pressure, double time,
                          const std::string& folder) const {
-  const petsc::LocalVector local_u(grid.face_dm(), velocity), local_p(grid.cell_dm(), pressure);
-  boundary.fill(local_u, time);
+  const GhostedVelocity<Dim> local_u(boundary, grid.face_dm(), velocity, time);
+  const petsc::LocalVector local_p(grid.cell_dm(), pressure);
   const ConstFaceView<Dim> u(grid.face_dm(), local_u);
   const ConstCellView<Dim> p(grid.cell_dm(), local_p);
   const auto n = static_cast<std::size_t>(points);

@@ -43,8 +43,7 @@ struct CentredFlow {
   std::vector<double> velocity, vorticity;
 
   CentredFlow(const Grid<Dim>& grid, const Boundary<Dim>& boundary, Vec face_velocity, double time) {
-    const petsc::LocalVector local(grid.face_dm(), face_velocity);
-    boundary.fill(local, time);
+    const GhostedVelocity<Dim> local(boundary, grid.face_dm(), face_velocity, time);
     const ConstFaceView<Dim> u(grid.face_dm(), local);
     const auto centred = [&](const Index<Dim>& cell, int c) {
       return 0.5 * (u(cell, c) + u(shifted<Dim>(cell, c, 1), c));

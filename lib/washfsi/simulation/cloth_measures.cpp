@@ -132,8 +132,8 @@ std::vector<WashingAction> ClothMeasures<Dim>::washing_action() const {
   std::vector<WashingAction> actions(system_.positions.size());
   if (!system_.has_fluid) return actions;
   const Points<Dim> normals = system_.cloths.normals(system_.positions);
-  const petsc::LocalVector local(system_.grid.wide_face_dm(), system_.fluid.velocity());
-  system_.boundary.fill(local, system_.fluid.time());
+  const GhostedVelocity<Dim> local(system_.boundary, system_.grid.wide_face_dm(), system_.fluid.velocity(),
+                                   system_.fluid.time());
   const auto distance = [&](const Point<Dim>& normal) {
     return Transfer<Dim>::sample_reach * normal.cwiseProduct(system_.grid.spacing()).norm();
   };

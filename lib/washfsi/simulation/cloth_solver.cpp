@@ -45,7 +45,7 @@ ClothSolver<Dim>::ClothSolver(const Cloths<Dim>& cloths, const Points<Dim>& posi
 // At once, so that all options are read, and wrong ones found, before the first step.
 template <int Dim>
 void ClothSolver<Dim>::set_up_linear_solver(const Points<Dim>& positions) {
-  cloths_.add_stiffness(positions, GeometricStiffness::of_tension, 1, matrix_);
+  cloths_.set_stiffness(positions, GeometricStiffness::of_tension, 1, matrix_);
   const std::vector<double> ones(positions.size(), 1.0);
   scale_and_shift<Dim>(ones, ones, matrix_);
   KSP linear = nullptr;
@@ -220,7 +220,6 @@ template <int Dim>
 PetscErrorCode ClothSolver<Dim>::linearise(SNES, Vec x, Mat jacobian, Mat matrix, void* context) {
   auto& self = *static_cast<ClothSolver*>(context);
   return petsc::guarded([&] {
-    WASH_PETSC(MatZeroEntries(matrix));
     self.equation_->assemble(to_points<Dim>(x, self.cloths_.owned()), self.geometric_, matrix);
     if (jacobian == matrix) return;
     WASH_PETSC(MatAssemblyBegin(jacobian, MAT_FINAL_ASSEMBLY));

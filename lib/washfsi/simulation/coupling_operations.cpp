@@ -50,8 +50,8 @@ template <int Dim>
 void hold_bodies(System<Dim>& system, double time) {
   system.mask.update(time);
   if (!system.mask.extrapolates()) return;
-  const petsc::LocalVector local(system.grid.wide_face_dm(), system.fluid.velocity());
-  system.boundary.fill(local, system.fluid.time());
+  const GhostedVelocity<Dim> local(system.boundary, system.grid.wide_face_dm(), system.fluid.velocity(),
+                                   system.fluid.time());
   system.mask.extrapolate(local, time);
 }
 
@@ -63,11 +63,10 @@ void predict_and_project(System<Dim>& system, double dt) {
 
 template <int Dim>
 Points<Dim> marker_velocities(const System<Dim>& system, Vec velocity, double time) {
-  const petsc::Vector masked = petsc::zeros_like(velocity);
+  const petsc::GlobalVector masked(system.grid.face_dm());
   WASH_PETSC(VecCopy(velocity, masked));
   system.mask.hold(masked);
-  const petsc::LocalVector local(system.grid.wide_face_dm(), masked);
-  system.boundary.fill(local, time);
+  const GhostedVelocity<Dim> local(system.boundary, system.grid.wide_face_dm(), masked, time);
   return system.transfer.interpolate(local);
 }
 

@@ -64,7 +64,7 @@ void ImplicitCoupling<Dim>::advance(System<Dim>& system, double dt) {
     const std::vector<double> mobility =
         row_sum_mobility<Dim>(system.transfer, system.grid, system.boundary, system.density, share,
                               std::vector<double>(system.positions.size(), 1.0));
-    system.cloths.add_stiffness(sum<Dim>(system.positions, dt, velocities), geometric,
+    system.cloths.set_stiffness(sum<Dim>(system.positions, dt, velocities), geometric,
                                 weight * dt * dt * options_.mobility_factor, matrix);
     scale_and_shift<Dim>(mobility, std::vector<double>(mobility.size(), 1.0), matrix);
   };

@@ -43,8 +43,6 @@ void scale_and_shift(const std::vector<double>& row_factors, const std::vector<d
     to_vector<Dim>(points, vector);
     return vector;
   };
-  WASH_PETSC(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
-  WASH_PETSC(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
   WASH_PETSC(MatDiagonalScale(matrix, vector_of(row_factors), nullptr));
   WASH_PETSC(MatDiagonalSet(matrix, vector_of(diagonal), ADD_VALUES));
 }

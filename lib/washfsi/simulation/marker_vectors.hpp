@@ -21,7 +21,7 @@ Points<Dim> to_points(Vec vector, std::size_t count);
 template <int Dim>
 Points<Dim> product(Mat matrix, const Points<Dim>& values);
 
-/// Ends the assembly of a matrix M of the cloths' lattice and makes it  diag(row_factors) M + diag(diagonal), with one
+/// Makes a matrix M of the cloths' lattice  diag(row_factors) M + diag(diagonal), with one
 /// value per marker. Collective.
 template <int Dim>
 void scale_and_shift(const std::vector<double>& row_factors, const std::vector<double>& diagonal, Mat matrix);

@@ -31,7 +31,8 @@ Measures<Dim>::Measures(const System<Dim>& system)
 
 template <int Dim>
 void Measures<Dim>::observe_start(double dt) {
-  measure_flow(dt);
+  const FractionalStep<Dim>& fluid = system_.fluid;
+  measure_flow(GhostedVelocity<Dim>(system_.boundary, system_.grid.face_dm(), fluid.velocity(), fluid.time()), dt);
   cloth_.observe(0);
   elastic_energy_ = elastic_energy();
 }
@@ -39,10 +40,12 @@ void Measures<Dim>::observe_start(double dt) {
 template <int Dim>
 void Measures<Dim>::observe(double dt) {
   const petsc::LogPart part("measures");
-  measure_flow(dt);
+  const FractionalStep<Dim>& fluid = system_.fluid;
+  const GhostedVelocity<Dim> velocity(system_.boundary, system_.grid.face_dm(), fluid.velocity(), fluid.time());
+  measure_flow(velocity, dt);
   largest_divergence_ = std::max(largest_divergence_, flow_.max_divergence);
   const Loads<Dim> contact = ordered_sum<Dim>(system_.grid.comm(), system_.contact_loads.bodies);
-  measure_loads(dt, contact);
+  measure_loads(velocity, dt, contact);
   cloth_.observe(dt);
   if (!cloth_.groups().empty()) measure_cloth_dissipation(dt, contact);
 }
@@ -76,18 +79,17 @@ void Measures<Dim>::measure_cloth_dissipation(double dt, const Loads<Dim>& conta
 }
 
 template <int Dim>
-void Measures<Dim>::measure_flow(double dt) {
-  const FractionalStep<Dim>& fluid = system_.fluid;
+void Measures<Dim>::measure_flow(Vec local_velocity, double dt) {
   const Vec share = system_.mask.empty() ? nullptr : system_.mask.fluid_fraction();
-  flow_ = FlowDiagnostics<Dim>::of(system_.grid, system_.boundary,
-                                   {fluid.velocity(), system_.density, share, fluid.viscosity()}, fluid.time(), dt);
+  flow_ =
+      FlowDiagnostics<Dim>::of(system_.grid, {local_velocity, system_.density, share, system_.fluid.viscosity()}, dt);
 }
 
 template <int Dim>
-void Measures<Dim>::measure_loads(double dt, const Loads<Dim>& contact) {
+void Measures<Dim>::measure_loads(Vec local_velocity, double dt, const Loads<Dim>& contact) {
   const FractionalStep<Dim>& fluid = system_.fluid;
   const double middle = fluid.time() - 0.5 * dt;
-  wall_loads_ = wall_loads<Dim>(system_.grid, system_.boundary, system_.bodies, walls_, fluid.velocity(),
+  wall_loads_ = wall_loads<Dim>(system_.grid, system_.boundary, system_.bodies, walls_, local_velocity,
                                 fluid.pressure(), fluid.viscosity(), fluid.time());
   Loads<Dim> of_contact;
   for (const SideName side : walls_)
@@ -98,7 +100,7 @@ void Measures<Dim>::measure_loads(double dt, const Loads<Dim>& contact) {
   if (loads_.empty()) return;
   loads_ = system_.mask.loads(fluid.constraint_force(), system_.density, fluid.pressure(), middle);
   const Loads<Dim> beneath =
-      system_.mask.hidden_wall_shear(system_.boundary, fluid.velocity(), fluid.viscosity(), fluid.time());
+      system_.mask.hidden_wall_shear(system_.boundary, local_velocity, fluid.viscosity(), fluid.time());
   for (std::size_t b = 0; b < loads_.size(); ++b) loads_[b] += beneath[b];
   if (control_volumes_)
     balance_loads_ =

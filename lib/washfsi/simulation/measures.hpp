@@ -44,9 +44,10 @@ class Measures {
   std::size_t totals_count() const { return 1 + cloth_.totals_count(); }
 
  private:
-  void measure_flow(double dt);
+  /// `local_velocity`: with its ghosts filled.
+  void measure_flow(Vec local_velocity, double dt);
   /// `contact`: the loads of contact on each body.
-  void measure_loads(double dt, const Loads<Dim>& contact);
+  void measure_loads(Vec local_velocity, double dt, const Loads<Dim>& contact);
   void measure_cloth_dissipation(double dt, const Loads<Dim>& contact);
   double elastic_energy() const;
 

@@ -64,7 +64,7 @@ Points<Dim> SemiImplicitCoupling<Dim>::move_by_matrix(System<Dim>& system, doubl
   Points<Dim> linearised_at;
   const auto assemble = [&](const Points<Dim>& velocities, GeometricStiffness geometric, Mat matrix) {
     linearised_at = sum<Dim>(system.positions, dt, velocities);
-    cloths.add_stiffness(linearised_at, geometric, dt * dt, matrix);
+    cloths.set_stiffness(linearised_at, geometric, dt * dt, matrix);
     scale_and_shift<Dim>(row_sums_, std::vector<double>(row_sums_.size(), 1.0), matrix);
   };
   const auto jacobian = [&](const Points<Dim>& direction) {
@@ -95,7 +95,7 @@ Points<Dim> SemiImplicitCoupling<Dim>::move_by_row_sums(System<Dim>& system, dou
   std::vector<double> inverse;
   for (const double sum : row_sums_) inverse.push_back(1 / sum);
   const auto assemble = [&](const Points<Dim>& velocities, GeometricStiffness geometric, Mat matrix) {
-    cloths.add_stiffness(sum<Dim>(system.positions, dt, velocities), geometric, dt * dt, matrix);
+    cloths.set_stiffness(sum<Dim>(system.positions, dt, velocities), geometric, dt * dt, matrix);
     scale_and_shift<Dim>(std::vector<double>(inverse.size(), 1.0), inverse, matrix);
   };
   const auto potential = [&](const Points<Dim>& velocities) {
@@ -134,7 +134,7 @@ void SemiImplicitCoupling<Dim>::advance(System<Dim>& system, double dt) {
   velocities_ = system.velocities;
   find_mobility(system, places);
   Points<Dim> interpolated = marker_velocities<Dim>(system, system.fluid.next_velocity(), time + dt);
-  const petsc::Vector increment = petsc::zeros_like(system.force);
+  const petsc::GlobalVector increment(system.grid.face_dm());
   for (PetscInt sweep = 0; sweep < options_.sweeps; ++sweep) {
     velocities_ = move_elastically(system, dt, interpolated, forces);
     const Points<Dim> moved = system.cloths.elastic_forces(sum<Dim>(system.positions, dt, velocities_));

@@ -113,6 +113,21 @@ class LocalVector {
   Vec vector_ = nullptr;
 };
 
+/// A temporary global vector of a DM, given back at the end of the scope, so that its memory is used again; it starts
+/// with any values.
+class GlobalVector {
+ public:
+  explicit GlobalVector(DM dm) : dm_(dm) { WASH_PETSC(DMGetGlobalVector(dm_, &vector_)); }
+  ~GlobalVector() { (void)DMRestoreGlobalVector(dm_, &vector_); }
+  GlobalVector(const GlobalVector&) = delete;
+  GlobalVector& operator=(const GlobalVector&) = delete;
+  operator Vec() const noexcept { return vector_; }
+
+ private:
+  DM dm_;
+  Vec vector_ = nullptr;
+};
+
 /// Tells whether an object has been written to since: PETSc counts its changes.
 struct Version {
   PetscObjectId id = 0;
