@@ -109,6 +109,19 @@ class Output(ProgramTest):
         np.testing.assert_allclose(rows[:, 1], 1e-4 * np.arange(1, 501))
         self.assertTrue(np.isfinite(rows).all())
 
+    def test_history_of_some_steps_has_the_same_rows(self):
+        with tempfile.TemporaryDirectory(prefix="washfsi_") as folder:
+            outcome = run(2, *CASE, "-history_interval", 0.005, "-output_dir", "some", folder=folder)
+            self.assertEqual(outcome.returncode, 0, outcome.stderr)
+            some, tracks = (read_columns(pathlib.Path(folder) / "some" / f"{name}.csv") for name in ("history", "tracks"))
+        every, all_tracks = read_columns(self.out / "history.csv"), read_columns(self.out / "tracks.csv")
+        kept = np.arange(49, 500, 50)
+        np.testing.assert_array_equal(some["step"], kept + 1)
+        for name in every.keys() - {f"{cloth}_max_stretch" for cloth in CLOTHS}:  # the largest so far
+            with self.subTest(column=name):
+                np.testing.assert_array_equal(some[name], every[name][kept])
+        np.testing.assert_array_equal(tracks["long_0_x"], all_tracks["long_0_x"][kept])
+
     def test_profile(self):
         names, units, rows = read_table(self.out / "profiles" / "middle.csv")
         self.assertEqual((names, units), (["x", "y", "u", "v", "p"], ["m", "m", "m/s", "m/s", "Pa"]))

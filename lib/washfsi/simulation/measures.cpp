@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace washfsi {
 
@@ -38,15 +39,24 @@ void Measures<Dim>::observe_start(double dt) {
 }
 
 template <int Dim>
-void Measures<Dim>::observe(double dt) {
+void Measures<Dim>::prepare() {
+  if (unmeasured_time_ == 0) return;
+  elastic_energy_ = 0;
+  for (const double energy : system_.cloths.elastic_energies(system_.positions)) elastic_energy_ += energy;
+}
+
+template <int Dim>
+void Measures<Dim>::observe(double dt, bool all) {
   const petsc::LogPart part("measures");
   const FractionalStep<Dim>& fluid = system_.fluid;
   const GhostedVelocity<Dim> velocity(system_.boundary, system_.grid.face_dm(), fluid.velocity(), fluid.time());
   measure_flow(velocity, dt);
   largest_divergence_ = std::max(largest_divergence_, flow_.max_divergence);
+  unmeasured_time_ += dt;
+  if (!all) return;
   const Loads<Dim> contact = ordered_sum<Dim>(system_.grid.comm(), system_.contact_loads.bodies);
   measure_loads(velocity, dt, contact);
-  cloth_.observe(dt);
+  cloth_.observe(std::exchange(unmeasured_time_, 0.0));
   if (!cloth_.groups().empty()) measure_cloth_dissipation(dt, contact);
 }
 
@@ -192,14 +202,15 @@ std::vector<double> Measures<Dim>::row(double dt) const {
 template <int Dim>
 std::vector<double> Measures<Dim>::totals() const {
   std::vector<double> totals = cloth_.totals();
-  totals.push_back(largest_divergence_);
+  totals.insert(totals.end(), {largest_divergence_, unmeasured_time_});
   return totals;
 }
 
 template <int Dim>
 void Measures<Dim>::set_totals(const std::vector<double>& totals) {
   cloth_.set_totals(totals);
-  largest_divergence_ = totals.back();
+  largest_divergence_ = totals[totals.size() - 2];
+  unmeasured_time_ = totals.back();
 }
 
 template class Measures<2>;

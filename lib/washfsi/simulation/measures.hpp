@@ -10,14 +10,17 @@
 
 namespace washfsi {
 
-/// What is measured after each step, and what accumulates over a run.
+/// What is measured after each step, or after some, and what accumulates over a run.
 template <int Dim>
 class Measures {
  public:
   explicit Measures(const System<Dim>& system);
 
-  /// Takes the state after a step. Collective.
-  void observe(double dt);
+  /// Before a step of which `observe` will take all. Collective.
+  void prepare();
+  /// Takes the state after a step: all of it, or only the flow's. Averages weigh it with the time since all was taken
+  /// last. Collective.
+  void observe(double dt, bool all);
   /// Takes the state without adding it to the averages. Collective.
   void observe_start(double dt);
 
@@ -41,7 +44,7 @@ class Measures {
   /// Sums and largest values that a restart needs, beside those at the markers.
   std::vector<double> totals() const;
   void set_totals(const std::vector<double>& totals);
-  std::size_t totals_count() const { return 1 + cloth_.totals_count(); }
+  std::size_t totals_count() const { return 2 + cloth_.totals_count(); }
 
  private:
   /// `local_velocity`: with its ghosts filled.
@@ -59,6 +62,7 @@ class Measures {
   std::vector<double> powers_;
   ClothMeasures<Dim> cloth_;
   double largest_divergence_ = 0;  ///< [1/s]
+  double unmeasured_time_ = 0;     ///< since all was taken last [s]
   double mask_dissipation_ = 0;    ///< [W; W/m in the plane]
   double cloth_dissipation_ = 0;   ///< [W; W/m in the plane]
   double elastic_energy_ = 0;      ///< of all cloths after the last step [J; J/m in the plane]

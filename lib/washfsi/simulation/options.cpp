@@ -19,6 +19,8 @@ RunOptions RunOptions::from_options(Options& options) {
                "end early when every marker has been slower for ten steps; 0: do not");
     block.real("time_max_cfl", run.max_courant, "-", positive, "a run whose CFL number exceeds this has diverged");
     block.text("output_dir", run.output_dir, "folder for the results");
+    block.real("history_interval", run.history_interval, "s", non_negative,
+               "between rows of the history, for which all is measured; 0: every step");
     block.real("output_interval", run.output_interval, "s", non_negative,
                "between frames of the series; 0: a twentieth of the run");
     block.real("checkpoint_interval", run.checkpoint_interval, "s", non_negative,

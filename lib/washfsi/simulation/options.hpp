@@ -16,6 +16,7 @@ struct RunOptions {
   double rest_speed = 0;   ///< end when all markers have been slower for some steps [m/s]; 0: do not
   double max_courant = 1;  ///< a run beyond it has diverged
   std::string output_dir = "out";
+  double history_interval = 0;     ///< [s]; 0: every step
   double output_interval = 0;      ///< [s]; 0: a twentieth of the run
   double checkpoint_interval = 0;  ///< [s]; 0: a tenth of the run
   std::string restart;             ///< checkpoint file; empty: from the start

@@ -130,34 +130,44 @@ void Simulation<Dim>::step() {
   if (state_.step > 0) adapt_time_step();
   attempted_step_ = state_.step + 1;
   attempt_start_ = system_->fluid.time();
+  const bool all = measures_all(attempt_start_ + state_.dt);
+  if (all) measures_->prepare();
   scheme_->advance(*system_, state_.dt);
   state_.step = attempted_step_;
-  measures_->observe(state_.dt);
+  measures_->observe(state_.dt, all);
   check_health();
   watch_rest();
-  results_->write_row(state_.step, state_.dt);
-  if (due(run_.output_interval)) results_->write_frame(state_.step);
-  if (due(run_.checkpoint_interval)) write_checkpoint<Dim>(run_.output_dir, *system_, *measures_, state_);
+  const double time = system_->fluid.time();
+  if (all) results_->write_row(state_.step, state_.dt);
+  if (due(run_.output_interval, time)) results_->write_frame(state_.step);
+  if (due(run_.checkpoint_interval, time)) write_checkpoint<Dim>(run_.output_dir, *system_, *measures_, state_);
   if (state_.step % 50 == 0) watch_step_bound();
   progress_.show({.step = state_.step,
-                  .time = system_->fluid.time(),
+                  .time = time,
                   .end = run_.time_end,
                   .courant = measures_->flow().courant.value,
                   .momentum_iterations = system_->fluid.counts().momentum / system_->fluid.counts().steps,
                   .pressure_iterations = system_->fluid.counts().pressure / system_->fluid.counts().steps});
 }
 
+// Whether a multiple of the interval lies in the step that ends at a time.
 template <int Dim>
-bool Simulation<Dim>::due(double interval) const {
-  const double now = system_->fluid.time() / interval, before = (system_->fluid.time() - state_.dt) / interval;
+bool Simulation<Dim>::due(double interval, double time) const {
+  const double now = time / interval, before = (time - state_.dt) / interval;
   return std::floor(now + 1e-6) > std::floor(before + 1e-6);
 }
 
+// Of the step that will end at a time.
 template <int Dim>
-bool Simulation<Dim>::finished() const {
-  const bool enough_steps = run_.max_steps > 0 && state_.step - first_step_ >= run_.max_steps;
+bool Simulation<Dim>::measures_all(double time) const {
+  return run_.history_interval == 0 || due(run_.history_interval, time) || ends(state_.step + 1, time);
+}
+
+template <int Dim>
+bool Simulation<Dim>::ends(long step, double time) const {
+  const bool enough_steps = run_.max_steps > 0 && step - first_step_ >= run_.max_steps;
   constexpr int steps_of_rest = 10;
-  return enough_steps || steps_at_rest_ >= steps_of_rest || system_->fluid.time() >= run_.time_end - 1e-6 * state_.dt;
+  return enough_steps || steps_at_rest_ >= steps_of_rest || time >= run_.time_end - 1e-6 * state_.dt;
 }
 
 template <int Dim>

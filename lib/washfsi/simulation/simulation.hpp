@@ -32,8 +32,10 @@ class Simulation {
   void watch_step_bound();
   void check_health() const;
   std::string place_of_largest_velocity() const;
-  bool due(double interval) const;
-  bool finished() const;
+  bool due(double interval, double time) const;
+  bool measures_all(double time) const;
+  bool ends(long step, double time) const;
+  bool finished() const { return ends(state_.step, system_->fluid.time()); }
   void watch_rest();
   void end(const std::string& status);
   void print_summary(const RunSummary& summary);

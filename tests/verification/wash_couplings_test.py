@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The couplings at the three-dimensional wash: step, damping, cost and the stresses of the first agitation cycle.
+
+Prints the table of docs/verification.md. A run that has finished in the folder (first argument, out/wash_couplings if
+none) is not made again. The reference is the explicit coupling with the damping that the semi-implicit step of inputs/wash.opts
+has by itself, about one step. Tracks: rms distance of the cloths' centres from the reference's, over the marker spacing.
+Fails where the default's stresses are more than 15 % from the reference's.
+"""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+
+from tables import SOURCE, command, print_head, print_row, read_columns
+
+CYCLE = np.pi / 2  # [s]
+INTERVAL = 1e-3  # between measurements: the default's step [s]
+SPACING = 0.025  # of the markers [m]
+MOST_OFF = 0.15
+COMPONENTS = ("ss", "rr", "sr")
+# coupling, damping [s], step [s]: the reference, the default, the others; the thesis's dt* is 8e-5 s, undamped
+REFERENCE, DEFAULT = ("explicit", 1e-3, 1e-5), ("semi_implicit", 0, 1e-3)
+RUNS = [REFERENCE, DEFAULT, ("semi_implicit", 0, 5e-4), ("semi_implicit", 0, 2.5e-4), ("explicit", 1e-4, 6e-5),
+        ("explicit", 0, 8e-5), ("explicit", 0, 4e-5), ("midpoint", 0, 8e-5)]
+
+
+class Run:
+    """One agitation cycle of inputs/wash.opts."""
+
+    def __init__(self, study, coupling, damping, step):
+        folder = study / f"{coupling}_{damping:g}_{step:g}"
+        summary = folder / "summary.json"
+        if not summary.is_file() or json.loads(summary.read_text())["status"] != "finished":
+            subprocess.run(command(2, "-options_file", SOURCE / "inputs" / "wash.opts", "-cloth_coupling", coupling,
+                                   *(["-towel_damping", damping] if damping else []), "-time_step", step,
+                                   "-history_interval", INTERVAL, "-output_dir", folder),
+                           check=False, stdout=subprocess.DEVNULL)
+        result = json.loads(summary.read_text())
+        self.stable = result["status"] == "finished"
+        self.ms = 1e3 * result["seconds_per_step"]
+        self.cost = result["seconds_per_step"] / step
+        cloth = result["cloths"]["towel"]
+        self.stretch, self.crossings = cloth["max_stretch"], result["cloth_crossings"]
+        self.membrane, self.bending = (
+            np.array([1e-6 * cloth[f"{part}_stress_{component}_mean"] for component in COMPONENTS])
+            for part in ("membrane", "bending"))
+        tracks = read_columns(folder / "tracks.csv")
+        self.time = tracks["time"]
+        self.places = np.array([tracks[name] for name in tracks if name.startswith("towel_")])
+
+    def tracks_off(self, reference, time):
+        """Rms distance of the cloths' centres from the reference's at a time, over the marker spacing."""
+        places, others = (run.places[:, np.argmin(np.abs(run.time - time))] for run in (self, reference))
+        return np.sqrt(3 * np.mean((places - others) ** 2)) / SPACING
+
+
+def off(values, reference):
+    """Largest relative difference of the components."""
+    return np.abs(values / reference - 1).max()
+
+
+def main():
+    study = Path(sys.argv[1]) if len(sys.argv) > 1 else SOURCE / "out" / "wash_couplings"
+    print_head("coupling", "damping [s]", "step [s]", "ms a step", "s per simulated s", "membrane ss, rr, sr [MPa]",
+               "bending ss, rr, sr [MPa]", "membrane off", "bending off", "tracks off at a quarter, half, whole cycle",
+               "largest stretch", "crossings")
+    runs = {}
+    for case in RUNS:
+        run = runs[case] = Run(study, *case)
+        words = [case[0], f"{case[1]:g}", f"{case[2]:g}", f"{run.ms:.1f}", f"{run.cost:.0f}"]
+        if not run.stable:
+            print_row(*words, "diverged", *[""] * 6)
+            continue
+        reference = runs[REFERENCE]
+        print_row(*words, *(", ".join(f"{value:.4f}" for value in part) for part in (run.membrane, run.bending)),
+                  f"{100 * off(run.membrane, reference.membrane):.0f} %",
+                  f"{100 * off(run.bending, reference.bending):.0f} %",
+                  ", ".join(f"{run.tracks_off(reference, part * CYCLE):.2f}" for part in (0.25, 0.5, 1)),
+                  f"{100 * run.stretch:.2f} %", run.crossings)
+    reference, default = runs[REFERENCE], runs[DEFAULT]
+    return 0 if max(off(default.membrane, reference.membrane), off(default.bending, reference.bending)) <= MOST_OFF else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The thesis's runs of section 5.5 beside its tables: stresses, tumbling and orbits over the Reynolds number and the load.
+
+Reads what `scripts/study inputs/thesis/*.opts` has left in out/study, or in the folder given, and prints the tables of
+docs/verification.md; runs not made, or too short, are listed as such. Stresses are averages over all markers and the
+first cycles. Fails where a run that is there breaks one of the thesis's trends.
+"""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+
+from tables import SOURCE, print_head, print_row, read_columns
+
+CYCLE = np.pi / 2  # [s]
+RADIUS = 0.31  # of the drum [m]
+INNER, OUTER = 0.45, 0.65  # of the drum's radius: where cloths are to sink, and to rise
+STRESSES = ("ss", "rr", "sr")
+# Tables 5.5-9 .. 11 and 5.5-12 .. 14: averages of ss, rr and sr [MPa]
+BY_REYNOLDS = {"re1.2e2": (0.077, 0.062, 0.0270), "re1.2e3": (0.096, 0.103, 0.0197), "re1.2e4": (0.699, 0.748, 0.0441),
+               "re1.2e5": (1.119, 1.608, 0.0525), "re1.2e6": (1.308, 1.294, 0.0697)}
+BY_LOAD = {"re1.2e3": (0.119, 0.127, 0.023), "cloths32": (0.143, 0.131, 0.027), "cloths64": (0.163, 0.170, 0.028)}
+
+
+class Run:
+    """The first cycles of a run, or nothing if they have not been run."""
+
+    def __init__(self, folder, cycles):
+        self.there = (folder / "history.csv").is_file()
+        if not self.there:
+            return
+        history = read_columns(folder / "history.csv")
+        until = history["time"] <= cycles * CYCLE + 1e-3
+        self.there = history["time"][-1] >= cycles * CYCLE - 1e-2
+        if not self.there:
+            return
+        self.stresses, self.bending = (
+            [1e-6 * np.average(history[f"towel_{part}stress_{stress}_mean"][until], weights=history["dt"][until])
+             for stress in STRESSES] for part in ("", "bending_"))
+        self.tumbles = history["towel_tumbles"][until][-1]
+        self.crossings = history["cloth_crossings"][until][-1]
+        self.stretch = history["towel_max_stretch"][until].max()
+        self.depth = history["towel_depth"][until].max()
+        self.sinking, self.rising = vertical_speeds(read_columns(folder / "tracks.csv"), cycles)
+
+
+def vertical_speeds(tracks, cycles):
+    """Mean vertical speed of the cloths' centres near the axis and near the drum [m/s]."""
+    until = tracks["time"] <= cycles * CYCLE + 1e-3
+    places = np.array([tracks[name] for name in tracks if name.startswith("towel_")])[:, until]
+    x, y, z = (places[axis::3] for axis in range(3))
+    radius = np.hypot(x, y)[:, :-1] / RADIUS
+    speed = np.diff(z, axis=1) / np.diff(tracks["time"][until])
+    return [speed[part].mean() if part.any() else np.nan for part in (radius < INNER, radius > OUTER)]
+
+
+def table(study, runs, cycles):
+    """Prints the runs beside the thesis's averages; returns them by name."""
+    print(f"\nFirst {cycles} cycles:\n")
+    print_head("run", *(f"{stress} [MPa]" for stress in STRESSES), "bending part of ss, rr, sr", "thesis",
+               "turns per cloth", "near the axis [m/s]", "near the drum [m/s]", "largest stretch", "deepest marker [mm]",
+               "crossings")
+    results = {}
+    for name, thesis in runs.items():
+        run = results[name] = Run(study / name, cycles)
+        if not run.there:
+            print_row(name, "not run", *[""] * 3, ", ".join(map(str, thesis)), *[""] * 6)
+            continue
+        print_row(name, *(f"{stress:.3f}" for stress in run.stresses), ", ".join(f"{part:.3f}" for part in run.bending),
+                  ", ".join(map(str, thesis)), f"{run.tumbles:.2f}", f"{run.sinking:+.3f}", f"{run.rising:+.3f}",
+                  f"{100 * run.stretch:.2f} %", f"{1e3 * run.depth:.2f}", f"{run.crossings:.0f}")
+    return {name: run for name, run in results.items() if run.there}
+
+
+def rises(runs, names):
+    """Whether the ss stress rises from run to run of those that there are."""
+    return all(np.diff([runs[name].stresses[0] for name in names if name in runs]) > 0)
+
+
+def main():
+    study = Path(sys.argv[1]) if len(sys.argv) > 1 else SOURCE / "out" / "study"
+    by_reynolds, by_load = table(study, BY_REYNOLDS, 2), table(study, BY_LOAD, 5)
+    trends = {f"ss stress rises with Re ({', '.join(by_reynolds)})": rises(by_reynolds, BY_REYNOLDS),
+              f"ss stress rises with load ({', '.join(by_load)})": rises(by_load, BY_LOAD)}
+    if "re1.2e3" in by_reynolds and "re1.2e4" in by_reynolds:
+        trends["tumbling slower at Re 1.2e4 than at 1.2e3"] = (
+            by_reynolds["re1.2e4"].tumbles < by_reynolds["re1.2e3"].tumbles)
+    if "re1.2e3" in by_load and "cloths64" in by_load:
+        trends["tumbling slower with 64 cloths"] = by_load["cloths64"].tumbles < by_load["re1.2e3"].tumbles
+    for name in ("re1.2e3", "re1.2e4"):
+        if name in by_reynolds:
+            trends[f"{name}: up along the drum, down at the centre"] = (
+                by_reynolds[name].sinking < 0 < by_reynolds[name].rising)
+    print()
+    for trend, holds in trends.items():
+        print("holds " if holds else "BROKEN", trend)
+    return 0 if all(trends.values()) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
