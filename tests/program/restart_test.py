@@ -95,10 +95,11 @@ class RestartOfCouplings(ProgramTest):
 
 
 class RestartOfSheets(ProgramTest):
-    """In space too."""
+    """In space too, with steps for a CFL number."""
 
-    def test_restart_agrees_with_the_straight_run(self):
-        case = ["-options_file", SHEET, *TIGHT]
+    def assert_restart_agrees(self, *options):
+        """Returns the history."""
+        case = ["-options_file", SHEET, *TIGHT, *options]
         self.run_well(2, *case, "-time_end", 0.4, "-output_dir", "straight")
         self.run_well(2, *case, "-time_end", 0.2, "-output_dir", "half")
         self.run_well(2, *case, "-time_end", 0.4, "-restart", "half/checkpoint.h5", "-output_dir", "half")
@@ -107,6 +108,17 @@ class RestartOfSheets(ProgramTest):
         for name, values in straight.items():
             with self.subTest(column=name):
                 np.testing.assert_array_equal(restarted[name], values)
+        return straight
+
+    def test_restart_agrees_with_the_straight_run(self):
+        self.assert_restart_agrees()
+
+    def test_restart_agrees_where_steps_have_a_longest_length_too(self):
+        longest, courant = 0.015, 0.25
+        history = self.assert_restart_agrees("-time_step", longest, "-time_cfl", courant)
+        self.assertEqual(history["dt"].max(), longest)
+        self.assertLess(history["dt"].min(), 0.95 * longest)
+        np.testing.assert_array_less(history["cfl"], 1.1 * courant)
 
 
 class RestartOfOpenSides(ProgramTest):

@@ -9,8 +9,10 @@ RunOptions RunOptions::from_options(Options& options) {
   RunOptions run;
   options.block("", "Run", [&](OptionBlock& block) {
     block.require("time_end", "the time at which the run ends, in s");
-    block.real("time_step", run.time_step, "s", non_negative,
-               "length of a step; 0: half of the cloth's bound or a CFL number of 0.3, the shorter");
+    block.real(
+        "time_step", run.time_step, "s", non_negative,
+        "length of a step, the longest if -time_cfl is given too; 0: half of the cloth's bound or a CFL number of "
+        "0.3, the shorter");
     block.real("time_cfl", run.time_cfl, "-", non_negative,
                "choose each step for this CFL number; 0: steps of equal length");
     block.real("time_end", run.time_end, "s", positive, "time at which the run ends");
@@ -28,8 +30,6 @@ RunOptions RunOptions::from_options(Options& options) {
     block.text("restart", run.restart, "checkpoint file to go on from");
     block.boolean("check", run.check, "only check: set everything up, write it at t = 0 and tell its cost");
   });
-  if (run.time_cfl > 0 && run.time_step > 0)
-    throw InputError("-time_cfl " + to_text(run.time_cfl) + ": give either this or -time_step, not both");
   if (run.time_cfl >= run.max_courant)
     throw InputError("-time_cfl " + to_text(run.time_cfl) + ": must be below -time_max_cfl " +
                      to_text(run.max_courant));

@@ -9,7 +9,7 @@ namespace washfsi {
 
 /// The run itself: time, output folder, intervals, restart.
 struct RunOptions {
-  double time_step = 0;    ///< [s]; 0: the program's choice
+  double time_step = 0;    ///< [s], the longest if time_cfl is given too; 0: the program's choice
   double time_cfl = 0;     ///< choose each step for this CFL number; 0: steps of equal length
   double time_end = 1;     ///< [s]
   PetscInt max_steps = 0;  ///< 0: no limit

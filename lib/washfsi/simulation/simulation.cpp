@@ -70,7 +70,8 @@ Simulation<Dim>::Simulation(Options& options, std::string case_name)
 
 template <int Dim>
 void Simulation<Dim>::choose_time_step() {
-  if (run_.time_step > 0) state_.dt = run_.time_step;
+  const bool adapted = run_.time_cfl > 0 && state_.dt > 0;  // goes on with the step of the checkpoint
+  if (run_.time_step > 0 && !adapted) state_.dt = run_.time_step;
   if (state_.dt > 0) return;  // the user's, or that of the checkpoint
   const double courant = run_.time_cfl > 0 ? run_.time_cfl : 0.3;
   state_.dt = std::min(0.5 * scheme_->step_bound(*system_), courant * flow_time<Dim>(*system_));
@@ -78,14 +79,15 @@ void Simulation<Dim>::choose_time_step() {
     throw InputError("-time_step is missing: nothing moves at the start from which it could be chosen");
 }
 
-// -time_cfl: the step for the present flow, never longer than the cloth allows, and growing slowly.
+// -time_cfl: the step for the present flow, growing slowly, never longer than the user's or, without that, than the
+// cloth allows.
 template <int Dim>
 void Simulation<Dim>::adapt_time_step() {
   if (run_.time_cfl == 0) return;
   constexpr double most_growth = 1.05;
-  const double for_cloth = 0.5 * scheme_->step_bound(*system_);
+  const double longest = run_.time_step > 0 ? run_.time_step : 0.5 * scheme_->step_bound(*system_);
   const double for_flow = state_.dt * run_.time_cfl / measures_->flow().courant.value;  // infinite at rest
-  state_.dt = std::min({most_growth * state_.dt, for_cloth, for_flow});
+  state_.dt = std::min({most_growth * state_.dt, longest, for_flow});
 }
 
 template <int Dim>
@@ -186,8 +188,9 @@ void Simulation<Dim>::check_health() const {
   if (any_rank(system_->grid.comm(), lost)) throw DivergedError("cloth: a marker's position is not finite");
   const Located& worst = measures_->flow().courant;
   if (worst.value <= run_.max_courant) return;
-  const std::string what = std::isfinite(worst.value) ? format("velocity: CFL number %.3g exceeds -time_max_cfl %.3g",
-                                                               worst.value, run_.max_courant)
+  const char* advice = run_.time_cfl > 0 ? "" : " (-time_cfl 0.5 would shorten the steps in time)";
+  const std::string what = std::isfinite(worst.value) ? format("velocity: CFL number %.3g exceeds -time_max_cfl %.3g%s",
+                                                               worst.value, run_.max_courant, advice)
                                                       : std::string("velocity: not finite");
   throw DivergedError(what);
 }
