@@ -3,9 +3,10 @@
 
 Reads what `scripts/study inputs/thesis/*.opts` has left in out/study, or in the folder given, and prints the tables of
 docs/verification.md; runs not made, or too short, are listed as such. Stresses are averages over all markers and the
-first cycles. Fails where a run that is there breaks one of the thesis's trends.
+first cycles: two over the Reynolds number, five (`--load-cycles`) over the load. Fails where a run that is there breaks one of the thesis's trends.
 """
 
+import argparse
 import sys
 from pathlib import Path
 
@@ -68,7 +69,8 @@ def table(study, runs, cycles):
             print_row(name, "not run", *[""] * 3, ", ".join(map(str, thesis)), *[""] * 6)
             continue
         print_row(name, *(f"{stress:.3f}" for stress in run.stresses), ", ".join(f"{part:.3f}" for part in run.bending),
-                  ", ".join(map(str, thesis)), f"{run.tumbles:.2f}", f"{run.sinking:+.3f}", f"{run.rising:+.3f}",
+                  ", ".join(map(str, thesis)), f"{run.tumbles:.2f}",
+                  *("no cloth" if np.isnan(speed) else f"{speed:+.3f}" for speed in (run.sinking, run.rising)),
                   f"{100 * run.stretch:.2f} %", f"{1e3 * run.depth:.2f}", f"{run.crossings:.0f}")
     return {name: run for name, run in results.items() if run.there}
 
@@ -79,8 +81,11 @@ def rises(runs, names):
 
 
 def main():
-    study = Path(sys.argv[1]) if len(sys.argv) > 1 else SOURCE / "out" / "study"
-    by_reynolds, by_load = table(study, BY_REYNOLDS, 2), table(study, BY_LOAD, 5)
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("study", nargs="?", type=Path, default=SOURCE / "out" / "study")
+    parser.add_argument("--load-cycles", type=int, default=5)
+    options = parser.parse_args()
+    by_reynolds, by_load = table(options.study, BY_REYNOLDS, 2), table(options.study, BY_LOAD, options.load_cycles)
     trends = {f"ss stress rises with Re ({', '.join(by_reynolds)})": rises(by_reynolds, BY_REYNOLDS),
               f"ss stress rises with load ({', '.join(by_load)})": rises(by_load, BY_LOAD)}
     if "re1.2e3" in by_reynolds and "re1.2e4" in by_reynolds:
