@@ -3,7 +3,8 @@
 
 Reads what `scripts/study inputs/thesis/*.opts` has left in out/study, or in the folder given, and prints the tables of
 docs/verification.md; runs not made, or too short, are listed as such. Stresses are averages over all markers and the
-first cycles: two over the Reynolds number, five (`--load-cycles`) over the load. Fails where a run that is there breaks one of the thesis's trends.
+first cycles: two over the Reynolds number, five (`--load-cycles`) over the load. Fails where a run that is there breaks
+one of the thesis's trends.
 """
 
 import argparse
@@ -32,7 +33,7 @@ class Run:
         if not self.there:
             return
         history = read_columns(folder / "history.csv")
-        until = history["time"] <= cycles * CYCLE + 1e-3
+        until = within(history, cycles)
         self.there = history["time"][-1] >= cycles * CYCLE - 1e-2
         if not self.there:
             return
@@ -46,9 +47,14 @@ class Run:
         self.sinking, self.rising = vertical_speeds(read_columns(folder / "tracks.csv"), cycles)
 
 
+def within(columns, cycles):
+    """Which rows belong to the first cycles."""
+    return columns["time"] <= cycles * CYCLE + 1e-3
+
+
 def vertical_speeds(tracks, cycles):
     """Mean vertical speed of the cloths' centres near the axis and near the drum [m/s]."""
-    until = tracks["time"] <= cycles * CYCLE + 1e-3
+    until = within(tracks, cycles)
     places = np.array([tracks[name] for name in tracks if name.startswith("towel_")])[:, until]
     x, y, z = (places[axis::3] for axis in range(3))
     radius = np.hypot(x, y)[:, :-1] / RADIUS
@@ -57,7 +63,7 @@ def vertical_speeds(tracks, cycles):
 
 
 def table(study, runs, cycles):
-    """Prints the runs beside the thesis's averages; returns them by name."""
+    """Prints the runs beside the thesis's averages; returns those that there are by name, in the same order."""
     print(f"\nFirst {cycles} cycles:\n")
     print_head("run", *(f"{stress} [MPa]" for stress in STRESSES), "bending part of ss, rr, sr", "thesis",
                "turns per cloth", "near the axis [m/s]", "near the drum [m/s]", "largest stretch", "deepest marker [mm]",
@@ -75,9 +81,9 @@ def table(study, runs, cycles):
     return {name: run for name, run in results.items() if run.there}
 
 
-def rises(runs, names):
-    """Whether the ss stress rises from run to run of those that there are."""
-    return all(np.diff([runs[name].stresses[0] for name in names if name in runs]) > 0)
+def rises(runs):
+    """Whether the ss stress rises from run to run."""
+    return all(np.diff([run.stresses[0] for run in runs.values()]) > 0)
 
 
 def main():
@@ -86,8 +92,8 @@ def main():
     parser.add_argument("--load-cycles", type=int, default=5)
     options = parser.parse_args()
     by_reynolds, by_load = table(options.study, BY_REYNOLDS, 2), table(options.study, BY_LOAD, options.load_cycles)
-    trends = {f"ss stress rises with Re ({', '.join(by_reynolds)})": rises(by_reynolds, BY_REYNOLDS),
-              f"ss stress rises with load ({', '.join(by_load)})": rises(by_load, BY_LOAD)}
+    trends = {f"ss stress rises with Re ({', '.join(by_reynolds)})": rises(by_reynolds),
+              f"ss stress rises with load ({', '.join(by_load)})": rises(by_load)}
     if "re1.2e3" in by_reynolds and "re1.2e4" in by_reynolds:
         trends["tumbling slower at Re 1.2e4 than at 1.2e3"] = (
             by_reynolds["re1.2e4"].tumbles < by_reynolds["re1.2e3"].tumbles)
