@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The couplings at the three-dimensional wash: step, damping, cost and the stresses of the first agitation cycle.
 
-Prints the table of docs/verification.md. Arguments: `--cycles PART` for a part of the cycle only; `--keep FOLDER` for the
-runs' results (out/wash_couplings if not given), where a run that has finished is not made again. The reference is the
-explicit coupling with the damping that the semi-implicit step of inputs/wash.opts has by itself, about one step. Tracks: rms distance of the cloths' centres from the reference's, over the marker spacing.
-Fails where the default's stresses are more than 15 % from the reference's.
+Prints the table of docs/verification.md. Arguments: `--cycles PART` for a part of the cycle only; `--keep FOLDER` for
+the runs' results (out/wash_couplings if not given), where a run that has finished is not made again. The reference is
+the explicit coupling with the damping that the semi-implicit step of inputs/wash.opts has by itself, about one step. Tracks: rms distance of the cloths' centres from
+the reference's, over the marker spacing. Fails where the default's stresses are more than 15 % from the reference's.
 """
 
 import argparse
@@ -15,13 +15,12 @@ from pathlib import Path
 
 import numpy as np
 
-from tables import SOURCE, command, print_head, print_row, read_columns
+from tables import SOURCE, command, print_head, print_row
+from wash_runs import CYCLE, STRESSES, read_centers
 
-CYCLE = np.pi / 2  # [s]
 INTERVAL = 1e-3  # between measurements: the default's step [s]
 SPACING = 0.025  # of the markers [m]
 MOST_OFF = 0.15
-COMPONENTS = ("ss", "rr", "sr")
 # coupling, damping [s], step [s]: the reference, the default, the others; the thesis's dt* is 8e-5 s, undamped
 REFERENCE, DEFAULT = ("explicit", 1e-3, 1e-5), ("semi_implicit", 0, 1e-3)
 RUNS = [REFERENCE, DEFAULT, ("semi_implicit", 0, 5e-4), ("semi_implicit", 0, 2.5e-4), ("explicit", 1e-4, 6e-5),
@@ -46,16 +45,14 @@ class Run:
         cloth = result["cloths"]["towel"]
         self.stretch, self.crossings = cloth["max_stretch"], result["cloth_crossings"]
         self.membrane, self.bending = (
-            np.array([1e-6 * cloth[f"{part}_stress_{component}_mean"] for component in COMPONENTS])
+            np.array([1e-6 * cloth[f"{part}_stress_{stress}_mean"] for stress in STRESSES])
             for part in ("membrane", "bending"))
-        tracks = read_columns(folder / "tracks.csv")
-        self.time = tracks["time"]
-        self.places = np.array([tracks[name] for name in tracks if name.startswith("towel_")])
+        self.time, self.centers = read_centers(folder)
 
     def tracks_off(self, reference, time):
         """Rms distance of the cloths' centres from the reference's at a time, over the marker spacing."""
-        places, others = (run.places[:, np.argmin(np.abs(run.time - time))] for run in (self, reference))
-        return np.sqrt(3 * np.mean((places - others) ** 2)) / SPACING
+        centers, others = (run.centers[..., np.argmin(np.abs(run.time - time))] for run in (self, reference))
+        return np.sqrt(np.mean(np.sum((centers - others) ** 2, axis=1))) / SPACING
 
 
 def off(values, reference):

@@ -14,11 +14,10 @@ from pathlib import Path
 import numpy as np
 
 from tables import SOURCE, print_head, print_row, read_columns
+from wash_runs import CYCLE, STRESSES, read_centers
 
-CYCLE = np.pi / 2  # [s]
 RADIUS = 0.31  # of the drum [m]
 INNER, OUTER = 0.45, 0.65  # of the drum's radius: where cloths are to sink, and to rise
-STRESSES = ("ss", "rr", "sr")
 # Tables 5.5-9 .. 11 and 5.5-12 .. 14: averages of ss, rr and sr [MPa]
 BY_REYNOLDS = {"re1.2e2": (0.077, 0.062, 0.0270), "re1.2e3": (0.096, 0.103, 0.0197), "re1.2e4": (0.699, 0.748, 0.0441),
                "re1.2e5": (1.119, 1.608, 0.0525), "re1.2e6": (1.308, 1.294, 0.0697)}
@@ -33,7 +32,7 @@ class Run:
         if not self.there:
             return
         history = read_columns(folder / "history.csv")
-        until = within(history, cycles)
+        until = within(history["time"], cycles)
         self.there = history["time"][-1] >= cycles * CYCLE - 1e-2
         if not self.there:
             return
@@ -44,21 +43,20 @@ class Run:
         self.crossings = history["cloth_crossings"][until][-1]
         self.stretch = history["towel_max_stretch"][until].max()
         self.depth = history["towel_depth"][until].max()
-        self.sinking, self.rising = vertical_speeds(read_columns(folder / "tracks.csv"), cycles)
+        self.sinking, self.rising = vertical_speeds(*read_centers(folder), cycles)
 
 
-def within(columns, cycles):
+def within(time, cycles):
     """Which rows belong to the first cycles."""
-    return columns["time"] <= cycles * CYCLE + 1e-3
+    return time <= cycles * CYCLE + 1e-3
 
 
-def vertical_speeds(tracks, cycles):
+def vertical_speeds(time, centers, cycles):
     """Mean vertical speed of the cloths' centres near the axis and near the drum [m/s]."""
-    until = within(tracks, cycles)
-    places = np.array([tracks[name] for name in tracks if name.startswith("towel_")])[:, until]
-    x, y, z = (places[axis::3] for axis in range(3))
+    until = within(time, cycles)
+    x, y, z = np.moveaxis(centers[..., until], 1, 0)
     radius = np.hypot(x, y)[:, :-1] / RADIUS
-    speed = np.diff(z, axis=1) / np.diff(tracks["time"][until])
+    speed = np.diff(z, axis=1) / np.diff(time[until])
     return [speed[part].mean() if part.any() else np.nan for part in (radius < INNER, radius > OUTER)]
 
 

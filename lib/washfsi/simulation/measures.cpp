@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace washfsi {
@@ -41,8 +42,8 @@ void Measures<Dim>::observe_start(double dt) {
 template <int Dim>
 void Measures<Dim>::prepare() {
   if (unmeasured_time_ == 0) return;
-  elastic_energy_ = 0;
-  for (const double energy : system_.cloths.elastic_energies(system_.positions)) elastic_energy_ += energy;
+  const std::vector<double> energies = system_.cloths.elastic_energies(system_.positions);
+  elastic_energy_ = std::accumulate(energies.begin(), energies.end(), 0.0);
 }
 
 template <int Dim>

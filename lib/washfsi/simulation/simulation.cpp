@@ -159,17 +159,18 @@ bool Simulation<Dim>::due(double interval, double time) const {
   return std::floor(now + 1e-6) > std::floor(before + 1e-6);
 }
 
-// Of the step that will end at a time.
+// Of the step that will end at a time; it may turn out to be the last one at rest.
 template <int Dim>
 bool Simulation<Dim>::measures_all(double time) const {
-  return run_.history_interval == 0 || due(run_.history_interval, time) || ends(state_.step + 1, time);
+  return run_.history_interval == 0 || due(run_.history_interval, time) ||
+         ends(state_.step + 1, time, steps_at_rest_ + 1);
 }
 
 template <int Dim>
-bool Simulation<Dim>::ends(long step, double time) const {
+bool Simulation<Dim>::ends(long step, double time, int steps_at_rest) const {
   const bool enough_steps = run_.max_steps > 0 && step - first_step_ >= run_.max_steps;
   constexpr int steps_of_rest = 10;
-  return enough_steps || steps_at_rest_ >= steps_of_rest || time >= run_.time_end - 1e-6 * state_.dt;
+  return enough_steps || steps_at_rest >= steps_of_rest || time >= run_.time_end - 1e-6 * state_.dt;
 }
 
 template <int Dim>

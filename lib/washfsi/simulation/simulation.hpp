@@ -34,8 +34,8 @@ class Simulation {
   std::string place_of_largest_velocity() const;
   bool due(double interval, double time) const;
   bool measures_all(double time) const;
-  bool ends(long step, double time) const;
-  bool finished() const { return ends(state_.step, system_->fluid.time()); }
+  bool ends(long step, double time, int steps_at_rest) const;
+  bool finished() const { return ends(state_.step, system_->fluid.time(), steps_at_rest_); }
   void watch_rest();
   void end(const std::string& status);
   void print_summary(const RunSummary& summary);

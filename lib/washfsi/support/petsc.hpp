@@ -97,15 +97,15 @@ Vector zeros_like(Vec vector);
 /// Collective.
 StarForest star_forest(MPI_Comm comm, std::size_t roots, const std::vector<PetscSFNode>& sources);
 
-/// A temporary local (ghosted) vector of a DM, given back at the end of the scope.
-class LocalVector {
+/// A temporary vector of a DM, given back at the end of the scope, so that its memory is used again; it starts with any
+/// values.
+template <auto Get, auto Restore>
+class TemporaryVector {
  public:
-  explicit LocalVector(DM dm) : dm_(dm) { WASH_PETSC(DMGetLocalVector(dm_, &vector_)); }
-  /// Starts as the ghosted copy of a global vector. Collective.
-  LocalVector(DM dm, Vec global) : LocalVector(dm) { WASH_PETSC(DMGlobalToLocal(dm_, global, INSERT_VALUES, vector_)); }
-  ~LocalVector() { (void)DMRestoreLocalVector(dm_, &vector_); }
-  LocalVector(const LocalVector&) = delete;
-  LocalVector& operator=(const LocalVector&) = delete;
+  explicit TemporaryVector(DM dm) : dm_(dm) { WASH_PETSC(Get(dm_, &vector_)); }
+  ~TemporaryVector() { (void)Restore(dm_, &vector_); }
+  TemporaryVector(const TemporaryVector&) = delete;
+  TemporaryVector& operator=(const TemporaryVector&) = delete;
   operator Vec() const noexcept { return vector_; }
 
  private:
@@ -113,19 +113,14 @@ class LocalVector {
   Vec vector_ = nullptr;
 };
 
-/// A temporary global vector of a DM, given back at the end of the scope, so that its memory is used again; it starts
-/// with any values.
-class GlobalVector {
- public:
-  explicit GlobalVector(DM dm) : dm_(dm) { WASH_PETSC(DMGetGlobalVector(dm_, &vector_)); }
-  ~GlobalVector() { (void)DMRestoreGlobalVector(dm_, &vector_); }
-  GlobalVector(const GlobalVector&) = delete;
-  GlobalVector& operator=(const GlobalVector&) = delete;
-  operator Vec() const noexcept { return vector_; }
+using GlobalVector = TemporaryVector<DMGetGlobalVector, DMRestoreGlobalVector>;
 
- private:
-  DM dm_;
-  Vec vector_ = nullptr;
+/// A temporary local (ghosted) vector.
+class LocalVector : public TemporaryVector<DMGetLocalVector, DMRestoreLocalVector> {
+ public:
+  using TemporaryVector::TemporaryVector;
+  /// Starts as the ghosted copy of a global vector. Collective.
+  LocalVector(DM dm, Vec global) : LocalVector(dm) { WASH_PETSC(DMGlobalToLocal(dm, global, INSERT_VALUES, *this)); }
 };
 
 /// Tells whether an object has been written to since: PETSc counts its changes.
