@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "washfsi/body/combinations.hpp"
+#include "washfsi/body/mask.hpp"
 #include "washfsi/body/primitives.hpp"
 
 namespace washfsi::test {
@@ -59,6 +60,23 @@ TEST(WallLoads, LeaveOutWhatABodyCovers) {
   const Grid<2> grid(PETSC_COMM_WORLD, channel());
   const Boundary<2> boundary(grid, {});
   EXPECT_TRUE(exposed_walls<2>(grid, boundary, bodies).empty());
+}
+
+TEST(WallLoads, OfTheWaterBesideABodyAreNotTheBodys) {
+  std::vector<Body<2>> bodies(1);
+  bodies[0].name = "foot";
+  bodies[0].shape = std::make_unique<Sphere<2>>(0.33);
+  bodies[0].motion.center = {length / 2, 0};  // half of it beneath the floor
+  const Grid<2> grid(PETSC_COMM_WORLD, channel());
+  const Boundary<2> boundary(grid, {});
+  Mask<2> mask(grid, bodies, {.method = BodyMethod::cut_stencil});
+  mask.update(0);
+  const petsc::Vector velocity = grid.face_vector();
+  WASH_PETSC(VecSet(velocity, 1));
+  mask.hold(velocity);
+  const GhostedVelocity<2> local_velocity(boundary, grid.face_dm(), velocity, 0);
+  const auto loads = mask.hidden_wall_shear(boundary, local_velocity, viscosity, 0);
+  EXPECT_NEAR(loads[0].force[0], 0, 1e-12);
 }
 
 }  // namespace

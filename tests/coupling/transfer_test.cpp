@@ -56,9 +56,10 @@ TEST(Delta, KernelsAreEvenAndContinuous) {
 /// A box of walls, slip sides and periodic sides with markers in it, each rank holding a part of them.
 template <int Dim>
 struct Tank {
-  static GridShape<Dim> shape() {
+  static GridShape<Dim> shape(PetscInt periodic_cells) {
     GridShape<Dim> shape;
     for (std::size_t d = 0; d < Dim; ++d) shape.cells[d] = 15 + static_cast<PetscInt>(d);
+    shape.cells[0] = periodic_cells;
     shape.periodic[0] = true;
     shape.ghost_width = 3;
     return shape;
@@ -68,8 +69,8 @@ struct Tank {
     sides[1][1].kind = BoundaryKind::slip;
     return sides;
   }
-  explicit Tank(const Points<Dim>& all)
-      : grid(PETSC_COMM_WORLD, shape()), boundary(grid, sides()), transfer(grid, boundary, {}) {
+  explicit Tank(const Points<Dim>& all, PetscInt periodic_cells = 15)
+      : grid(PETSC_COMM_WORLD, shape(periodic_cells)), boundary(grid, sides()), transfer(grid, boundary, {}) {
     const std::size_t rank = static_cast<std::size_t>(rank_of(grid.comm())),
                       ranks = static_cast<std::size_t>(ranks_of(grid.comm()));
     for (std::size_t m = all.size() * rank / ranks; m < all.size() * (rank + 1) / ranks; ++m) {
@@ -215,14 +216,14 @@ TEST(Transfer, AMarkerOutsideTheBoxStopsTheRun) {
 
 // Away from walls, with uniform density, the matrix is spread, divide by the density, interpolate.
 template <int Dim>
-void expect_matrix_is_spread_and_interpolate() {
+void expect_matrix_is_spread_and_interpolate(PetscInt periodic_cells) {
   Points<Dim> all = random_points<Dim>(60, 21, 0.2);  // close together, across the periodic sides
   for (auto& place : all) {
     place += Point<Dim>::Constant(0.5);
     place[0] -= 0.5;
     if (place[0] < 0) place[0] += 1;
   }
-  Tank<Dim> tank(all);
+  Tank<Dim> tank(all, periodic_cells);
   const petsc::Vector density = tank.grid.face_vector();
   WASH_PETSC(VecSet(density, 1000));
   const std::vector<double> ones(tank.positions.size(), 1.0);
@@ -254,8 +255,10 @@ void expect_matrix_is_spread_and_interpolate() {
 }
 
 TEST(Mobility, MatrixIsSpreadAndInterpolate) {
-  expect_matrix_is_spread_and_interpolate<2>();
-  expect_matrix_is_spread_and_interpolate<3>();
+  for (const PetscInt periodic_cells : {15, 6}) {  // on 6, two deltas meet on both sides
+    expect_matrix_is_spread_and_interpolate<2>(periodic_cells);
+    expect_matrix_is_spread_and_interpolate<3>(periodic_cells);
+  }
 }
 
 TEST(Mobility, OfALoneMarkerIsAboutThatOfTheWaterAround) {

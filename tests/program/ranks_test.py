@@ -29,8 +29,9 @@ class Ranks(ProgramTest):
         for ranks in (2, 3, 4):
             self.assert_same(self.history(ranks), expected, ranks=ranks)
 
-    def test_sheet_in_a_shear_flow_is_the_same_on_one_two_and_three_ranks(self):
-        case = ["-options_file", SHEET, *TIGHT, "-cloth_tolerance", 1e-12, "-time_end", 0.4]
+    def sheets(self, cells):
+        """Returns history and final markers of a sheet in a shear flow, by the number of ranks."""
+        case = ["-options_file", SHEET, *TIGHT, "-cloth_tolerance", 1e-12, "-time_end", 0.4, "-grid_cells", cells]
         tables = {}
         for ranks in (1, 2, 3):
             self.run_well(ranks, *case, "-output_dir", f"sheet_{ranks}")
@@ -39,10 +40,20 @@ class Ranks(ProgramTest):
                 rows = [line.split(",")[4:] for line in file.readlines()[2:]]
             tables[ranks]["markers"] = np.array(rows, dtype=float)
         self.assertGreater(len(tables[1]["step"]), 10)
+        return tables
+
+    def test_sheet_in_a_shear_flow_is_the_same_on_one_two_and_three_ranks(self):
+        tables = self.sheets("32,16,32")
         for table in tables.values():  # while nothing moves yet, what is solved to the flow's speed is solved coarsely
             table["cloth_slip"] = table["cloth_slip"][2:]
         for ranks in (2, 3):
             self.assert_same(tables[ranks], tables[1], ranks=ranks)
+
+    def test_water_is_measured_beside_a_sheet_that_leans_in_flat_cells(self):
+        tables = self.sheets("16,16,32")  # four times as wide as high
+        for ranks in (2, 3):
+            for name in ("towel_relative_speed_mean", "towel_water_shear_mean"):
+                self.assertLess(relative_difference(tables[ranks][name], tables[1][name]), 1e-6, (ranks, name))
 
     def test_history_of_couplings_that_solve_agrees_on_one_and_three_ranks(self):
         for coupling in ("semi_implicit", "implicit"):

@@ -83,8 +83,10 @@ class RestartOfCouplings(ProgramTest):
     """Whatever couples cloth and water, the checkpoint holds all that it needs."""
 
     def test_restarts_agree_with_the_straight_run(self):
-        for coupling in ("midpoint", "semi_implicit", "implicit"):
-            case = [*CASE, "-cloth_coupling", coupling, "-time_step", 2e-4 if coupling == "midpoint" else 1e-3]
+        steps_of_bound = ["-time_step", 0, "-time_cfl", 0.5]
+        for coupling, steps in [("midpoint", ["-time_step", 2e-4]), ("semi_implicit", ["-time_step", 1e-3]),
+                                ("implicit", ["-time_step", 1e-3]), ("explicit", steps_of_bound)]:
+            case = [*CASE, "-cloth_coupling", coupling, *steps]
             straight, half = self.folder / f"{coupling}_straight", self.folder / f"{coupling}_half"
             self.run_well(2, *case, "-time_end", 0.04, "-output_dir", straight)
             self.run_well(2, *case, "-time_end", 0.02, "-output_dir", half)
@@ -114,10 +116,10 @@ class RestartOfSheets(ProgramTest):
         self.assert_restart_agrees()
 
     def test_restart_agrees_where_steps_have_a_longest_length_too(self):
-        longest, courant = 0.015, 0.25
+        longest, courant = 0.008, 0.145
         history = self.assert_restart_agrees("-time_step", longest, "-time_cfl", courant)
         self.assertEqual(history["dt"].max(), longest)
-        self.assertLess(history["dt"].min(), 0.95 * longest)
+        self.assertLess(history["dt"][-1], 0.97 * longest)
         np.testing.assert_array_less(history["cfl"], 1.1 * courant)
 
 

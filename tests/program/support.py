@@ -18,6 +18,7 @@ WASH = SOURCE / "inputs" / "wash2d.opts"
 CAVITY = SOURCE / "inputs" / "cavity.opts"
 SHEET = SOURCE / "inputs" / "sheet.opts"
 CHANNEL = SOURCE / "inputs" / "channel.opts"
+COUETTE = SOURCE / "inputs" / "couette.opts"
 # in steps of equal length, whose number a test then knows
 EXPLICIT_WASH = ["-options_file", WASH, "-cloth_coupling", "explicit", "-time_cfl", "0", "-time_step", "1e-4"]
 TIGHT = ["-momentum_tolerance", "1e-13", "-pressure_tolerance", "1e-12"]

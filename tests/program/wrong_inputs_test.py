@@ -40,6 +40,8 @@ WRONG_OPTIONS = [
     ("ring too large", ["-long_shape", "ellipse", "-long_semi_axes", "1,1"], ["-long_placement", "outside the grid"]),
     ("ring with ends", ["-long_shape", "ellipse", "-long_end_force_first", "1,0"], ["-long_end_force", "no ends"]),
     ("unknown solver of the cloth", ["-cloth_snes_type", "foo"], ["-cloth_", "foo"]),
+    ("wall that moves with the drum", ["-drum_angular_speed", "1", "-bc_x_upper_velocity", "0,1"],
+     ["-bc_x", "velocity", "drum"]),
     ("couette without its cylinders", ["-fluid_initial", "couette"], ["-fluid_initial couette"]),
     ("no such table of a motion", ["-drum_motion_file", "nowhere.csv"], ["-drum_motion_file nowhere.csv"]),
     ("one name for two parts", ["-bodies", "drum,agitator,long"], ["-bodies long"]),
@@ -72,6 +74,8 @@ WRONG_OPTIONS_OF_SHEETS = [
     ("ring in space", ["-towel_shape", "ellipse"], ["-towel_shape ellipse"]),
     ("strong form of woven cloth", ["-towel_model", "love", "-cloth_coupling", "explicit"], ["-towel_model love"]),
     ("weft along warp", ["-towel_across", "0.5,0.1,1"], ["-towel_across", "-towel_direction"]),
+    ("mode that a strip has not", ["-towel_markers", "8,1", "-towel_size", "0.08,0.08", "-towel_shape", "mode"],
+     ["-towel_mode 1"]),
     ("prefix of the machine", ["-cloths", "machine"], ["-cloths machine"]),
 ]
 
@@ -114,6 +118,12 @@ class WrongInputs(ProgramTest):
         self.run_well(2, *case)
         self.assert_refused(WRONG_INPUT, ["-restart out/checkpoint.h5"],
                             *case, "-grid_cells", "32,32", "-restart", "out/checkpoint.h5")
+
+    def test_checkpoint_of_another_weft(self):
+        case = ["-options_file", SHEET, "-time_end", 0.01, "-output_dir", "out"]
+        self.run_well(2, *case)
+        self.assert_refused(WRONG_INPUT, ["-restart out/checkpoint.h5", "markers"], *case, "-time_end", 0.02,
+                            "-towel_size", "0.08,0.05", "-restart", "out/checkpoint.h5")
 
     def test_checkpoint_that_is_none(self):
         (self.folder / "checkpoint.h5").write_text("no HDF5 file")

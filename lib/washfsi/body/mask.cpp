@@ -219,6 +219,7 @@ Loads<Dim> Mask<Dim>::hidden_wall_shear(const Boundary<Dim>& boundary, Vec local
                                         double time) const {
   Loads<Dim> loads(bodies_.size());
   const ConstFaceView<Dim> u(grid_.face_dm(), local_velocity), holder(grid_.face_dm(), body_);
+  const ConstFaceView<Dim> fraction(grid_.face_dm(), fraction_);
   for (int axis = 0; axis < Dim; ++axis)
     for (const End end : {End::lower, End::upper}) {
       const auto& side = boundary.side(axis, end);
@@ -231,7 +232,8 @@ Loads<Dim> Mask<Dim>::hidden_wall_shear(const Boundary<Dim>& boundary, Vec local
           const auto b = static_cast<std::size_t>(holder(face, c));
           Point<Dim> place = grid_.face_center(face, c), force = Point<Dim>::Zero();
           place[axis] += 0.5 * outwards * spacing;
-          force[c] = area * viscosity * (u(face, c) - u(shifted<Dim>(face, axis, outwards), c)) / spacing;
+          const double rate = (u(face, c) - u(shifted<Dim>(face, axis, outwards), c)) / spacing;
+          force[c] = (1 - fraction(face, c)) * area * viscosity * rate;  // on water beside the body it is the water's
           loads[b].add(place - bodies_[b].motion.center_at(time), force);
         }
       });

@@ -144,7 +144,7 @@ ClothGroup<Dim> ClothGroup<Dim>::from_options(Options& options, const std::strin
     block.real("excess_mass", group.excess_mass, "kg/m2", non_negative, "mass over that of the water displaced");
     block.real("thickness", sheet.thickness, "m", positive, "thickness, for stresses");
     block.real("damping", sheet.damping, "s", non_negative,
-               "Kelvin-Voigt time of the edges, in the explicit couplings");
+               "Kelvin-Voigt time of the edges; the semi-implicit coupling does not use it");
     block.choice("model", group.model, {"energy", "love"},
                  "elastic model: discrete energy, or the thesis's strong form");
     block.choice("shape", group.shape, shapes_in(Dim),

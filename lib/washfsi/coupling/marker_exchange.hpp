@@ -16,9 +16,6 @@ class MarkerExchange {
   /// Takes this rank's marker positions. Collective.
   void update(const Points<Dim>& positions);
 
-  /// Markers that are in this rank's cells.
-  std::size_t here() const { return here_; }
-
   /// From the markers' owners to the cells' owners. Collective.
   Points<Dim> to_cells(const Points<Dim>& values) const;
   std::vector<double> to_cells(const std::vector<double>& values) const;

@@ -61,18 +61,21 @@ class Bins {
 
 }  // namespace
 
-// Sum of the products of two markers' weights along one axis.
+// Sum of the products of two markers' weights along one axis, with all periodic images.
 template <int Dim>
 double MobilityMatrix<Dim>::axis_overlap(int axis, const AxisStencil& a, const AxisStencil& b) const {
+  const auto with_shift = [&](PetscInt shift) {
+    double sum = 0;
+    for (PetscInt i = std::max<PetscInt>(0, shift); i < std::min<PetscInt>(a.count, b.count + shift); ++i)
+      sum += a.weight[static_cast<std::size_t>(i)] * b.weight[static_cast<std::size_t>(i - shift)];
+    return sum;
+  };
   PetscInt shift = b.first - a.first;
-  if (grid_.periodic(axis)) {
-    const PetscInt cells = grid_.cells()[static_cast<std::size_t>(axis)];
-    shift -= cells * static_cast<PetscInt>(std::llround(static_cast<double>(shift) / static_cast<double>(cells)));
-  }
-  double sum = 0;
-  for (PetscInt i = std::max<PetscInt>(0, shift); i < std::min<PetscInt>(a.count, b.count + shift); ++i)
-    sum += a.weight[static_cast<std::size_t>(i)] * b.weight[static_cast<std::size_t>(i - shift)];
-  return sum;
+  if (!grid_.periodic(axis)) return with_shift(shift);
+  const PetscInt cells = grid_.cells()[static_cast<std::size_t>(axis)];
+  shift -= cells * static_cast<PetscInt>(std::llround(static_cast<double>(shift) / static_cast<double>(cells)));
+  const double nearest = with_shift(shift);
+  return cells >= a.count + b.count ? nearest : nearest + with_shift(shift - cells) + with_shift(shift + cells);
 }
 
 // J S of one marker on another, for each component, per cell volume.

@@ -25,7 +25,7 @@ void Profile<Dim>::write(const Grid<Dim>& grid, const Boundary<Dim>& boundary, V
     return from + (n > 1 ? static_cast<double>(i) / static_cast<double>(n - 1) : 0.0) * (to - from);
   };
   for (std::size_t i = 0; i < n; ++i) {
-    const Point<Dim> place = place_of(i);
+    const Point<Dim> place = grid.folded(place_of(i)).cwiseMax(grid.lower()).cwiseMin(grid.upper());
     if (grid.owner(grid.cell_of(place)) != rank_of(grid.comm())) continue;
     for (int c = 0; c < Dim; ++c) {
       samples[i * (Dim + 1) + static_cast<std::size_t>(c)] = interpolate_face<Dim>(grid, u, place, c);

@@ -61,15 +61,16 @@ void read_outflow(Hdf5File& file, System<Dim>& system) {
     layer.set_values(file.read(dataset_of(layer), box_slab<Dim>(layer.all_cells(), layer.all_cells(), Dim)));
 }
 
-// What a checkpoint must share with the run that goes on from it: the box, and every cloth's markers and spacing.
+// What a checkpoint must share with the run that goes on from it: the box, and every cloth's markers and spacings.
 template <int Dim>
 std::vector<double> identity(const System<Dim>& system) {
   std::vector<double> numbers;
   for (int d = 0; d < Dim; ++d) numbers.push_back(system.grid.lower()[d]);
   for (int d = 0; d < Dim; ++d) numbers.push_back(system.grid.upper()[d]);
   for (const Piece& piece : system.cloths.pieces()) {
-    numbers.push_back(static_cast<double>(piece.count));
-    numbers.push_back(system.cloths.groups()[piece.group].sheet.ds);
+    const Sheet& sheet = system.cloths.groups()[piece.group].sheet;
+    numbers.insert(numbers.end(),
+                   {static_cast<double>(piece.count), static_cast<double>(sheet.width), sheet.ds, sheet.dr});
   }
   return numbers;
 }
@@ -92,6 +93,8 @@ void write_checkpoint(const std::string& folder, const System<Dim>& system, Meas
   file.set_attribute("/", "step", static_cast<double>(state.step));
   file.set_attribute("/", "time", system.fluid.time());
   file.set_attribute("/", "time_step", state.dt);
+  file.set_attribute("/", "cloth_bound", state.cloth_bound);
+  file.set_attribute("/", "steps_at_rest", state.steps_at_rest);
   file.set_attribute("/", "last_step", system.fluid.last_step());
   const SolverCounts& counts = system.fluid.counts();
   file.set_attribute("/", "momentum_iterations", counts.momentum);
@@ -151,7 +154,8 @@ RunState read_checkpoint(const std::string& path, System<Dim>& system, Measures<
     system.fluid.set_counts({.momentum = file.attribute("/", "momentum_iterations"),
                              .pressure = file.attribute("/", "pressure_iterations"),
                              .steps = file.attribute("/", "solved_steps")});
-    return {static_cast<long>(file.attribute("/", "step")), file.attribute("/", "time_step")};
+    return {static_cast<long>(file.attribute("/", "step")), file.attribute("/", "time_step"),
+            file.attribute("/", "cloth_bound"), static_cast<int>(file.attribute("/", "steps_at_rest"))};
   } catch (const InputError& error) {
     throw InputError(std::string("-restart ") + error.what() +
                      "; it must be a checkpoint of this grid and these cloths");

@@ -10,7 +10,10 @@ namespace washfsi {
 /// Where a run stands.
 struct RunState {
   long step = 0;
-  double dt = 0;  ///< [s]
+  double dt = 0;           ///< [s]
+  double cloth_bound = 0;  ///< of the step, at the last step's places [s]; 0: not known
+  int steps_at_rest = not_moved;
+  static constexpr int not_moved = -1;  ///< no marker has yet been as fast as -rest_speed
 };
 
 /// Writes the complete state to FOLDER/checkpoint.h5, under another name first, so that the last good one is never

@@ -134,8 +134,10 @@ std::vector<WashingAction> ClothMeasures<Dim>::washing_action() const {
   const Points<Dim> normals = system_.cloths.normals(system_.positions);
   const GhostedVelocity<Dim> local(system_.boundary, system_.grid.wide_face_dm(), system_.fluid.velocity(),
                                    system_.fluid.time());
+  // within `sample_reach` along each axis, cells being flat or not; 0 where there is no normal
   const auto distance = [&](const Point<Dim>& normal) {
-    return Transfer<Dim>::sample_reach * normal.cwiseProduct(system_.grid.spacing()).norm();
+    const double cells = normal.cwiseQuotient(system_.grid.spacing()).norm();
+    return cells > 0 ? Transfer<Dim>::sample_reach / cells : 0.0;
   };
   for (const double side : {-1.0, 1.0}) {
     Points<Dim> offsets;
@@ -182,7 +184,8 @@ void ClothMeasures<Dim>::measure_places() {
   }
   std::vector<double> depths(groups_.size(), 0.0);
   for (std::size_t m = 0; m < system_.positions.size(); ++m) {
-    const double distance = nearest_distance<Dim>(system_.bodies, system_.positions[m], system_.fluid.time());
+    const Point<Dim> place = system_.grid.folded(system_.positions[m]);
+    const double distance = nearest_distance<Dim>(system_.bodies, place, system_.fluid.time());
     depths[group_of_[m]] = std::max(depths[group_of_[m]], -distance);
   }
   for (std::size_t g = 0; g < groups_.size(); ++g) {

@@ -260,7 +260,7 @@ PetscInt ClothSolver<Dim>::solve(const Equation& equation, double tolerance, Poi
   WASH_PETSC(SNESGetConvergedReason(solver_, &reason));
   if (reason < 0)
     throw DivergedError(std::string("cloth: its equations could not be solved (") + SNESConvergedReasons[reason] +
-                        "); a shorter step or -cloth_mobility row_sums may help");
+                        "); a shorter step" + (approximate_ ? " or -cloth_mobility row_sums" : "") + " may help");
   velocities = to_points<Dim>(unknown_, cloths_.owned());
   return evaluations_;
 }

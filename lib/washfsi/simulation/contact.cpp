@@ -1,25 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/simulation/contact.hpp"
 
-#include <cmath>
-
 namespace washfsi {
-
-namespace {
-
-// Unit gradient of the signed distance, by central differences over a small part of the contact distance.
-template <int Dim>
-Point<Dim> outward_normal(const Body<Dim>& body, const Point<Dim>& place, double time, double step) {
-  Point<Dim> gradient;
-  for (int d = 0; d < Dim; ++d) {
-    const Point<Dim> shift = step * Point<Dim>::Unit(d);
-    gradient[d] = body.distance(place + shift, time) - body.distance(place - shift, time);
-  }
-  const double length = gradient.norm();
-  return length > 0 ? Point<Dim>(gradient / length) : Point<Dim>::Zero();
-}
-
-}  // namespace
 
 ContactOptions ContactOptions::from_options(Options& options) {
   ContactOptions contact;
@@ -48,18 +30,20 @@ Points<Dim> contact_forces(const ContactOptions& contact, const std::vector<Body
   if (contact.pressure == 0) return forces;
   const std::vector<double>& areas = cloths.marker_areas();
   const Point<Dim> middle = 0.5 * (grid.lower() + grid.upper());
-  const auto push_out = [&](std::size_t m, double size, const Point<Dim>& normal, const Point<Dim>& center,
-                            Load<Dim>& reaction) {
+  const auto push_out = [&](std::size_t m, double size, const Point<Dim>& place, const Point<Dim>& normal,
+                            const Point<Dim>& center, Load<Dim>& reaction) {
     const Point<Dim> force = size * normal;
     forces[m] += force;
-    reaction.add(positions[m] - center, -force);
+    reaction.add(place - center, -force);
   };
+  const PosedBodies<Dim> posed(bodies, time);
   for (std::size_t m = 0; m < positions.size(); ++m) {
+    const Point<Dim> place = grid.folded(positions[m]);
     for (std::size_t b = 0; b < bodies.size(); ++b) {
-      const double size = push(contact, areas[m], bodies[b].distance(positions[m], time));
+      const double size = push(contact, areas[m], posed.distance(b, place));
       if (size > 0)
-        push_out(m, size, outward_normal(bodies[b], positions[m], time, 1e-3 * contact.distance),
-                 bodies[b].motion.center_at(time), reactions.bodies[b]);
+        push_out(m, size, place, posed.normal(b, place, 1e-3 * contact.distance), bodies[b].motion.center_at(time),
+                 reactions.bodies[b]);
     }
     for (int axis = 0; axis < Dim; ++axis)
       for (const End end : {End::lower, End::upper}) {
@@ -70,7 +54,7 @@ Points<Dim> contact_forces(const ContactOptions& contact, const std::vector<Body
             upper ? grid.upper()[axis] - positions[m][axis] : positions[m][axis] - grid.lower()[axis];
         const double size = push(contact, areas[m], distance);
         if (size > 0)
-          push_out(m, size, (upper ? -1 : 1) * Point<Dim>::Unit(axis), middle,
+          push_out(m, size, place, (upper ? -1 : 1) * Point<Dim>::Unit(axis), middle,
                    reactions.sides[static_cast<std::size_t>(axis)][upper ? 1 : 0]);
       }
   }

@@ -21,7 +21,7 @@ CouplingOptions CouplingOptions::from_options(Options& options) {
                  "how cloth and water are coupled in a step");
     coupling.scheme_given = block.given("coupling");
     block.choice("time_scheme", coupling.time_scheme, {"trapezoidal", "backward_euler"},
-                 "of the implicit coupling: second order, or first order and damping");
+                 "of the implicit coupling: as in the thesis, or damping more; both of first order");
     block.choice("mobility", coupling.mobility, {"matrix", "row_sums"},
                  "what stands for the mobility of the markers: that without pressure, or its row sums (semi_implicit)");
     block.real("mobility_factor", coupling.mobility_factor, "-", positive,

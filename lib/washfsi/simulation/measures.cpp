@@ -58,7 +58,7 @@ void Measures<Dim>::observe(double dt, bool all) {
   const Loads<Dim> contact = ordered_sum<Dim>(system_.grid.comm(), system_.contact_loads.bodies);
   measure_loads(velocity, dt, contact);
   cloth_.observe(std::exchange(unmeasured_time_, 0.0));
-  if (!cloth_.groups().empty()) measure_cloth_dissipation(dt, contact);
+  if (couples()) measure_cloth_dissipation(dt, contact);
 }
 
 template <int Dim>
@@ -168,7 +168,7 @@ std::vector<Column> Measures<Dim>::columns() const {
     if (control_volumes_) add_columns<Dim>(columns, body.name + "_balance_");
   }
   for (const SideName side : walls_) add_columns<Dim>(columns, name_of(side) + "_");
-  if (!cloth_.groups().empty()) columns.push_back({"cloth_dissipation", power});
+  if (couples()) columns.push_back({"cloth_dissipation", power});
   const std::vector<Column> of_cloth = cloth_.columns();
   columns.insert(columns.end(), of_cloth.begin(), of_cloth.end());
   return columns;
@@ -194,7 +194,7 @@ std::vector<double> Measures<Dim>::row(double dt) const {
     if (control_volumes_) add_values(row, balance_loads_[b]);
   }
   for (const Load<Dim>& load : wall_loads_) add_values(row, load);
-  if (!cloth_.groups().empty()) row.push_back(cloth_dissipation_);
+  if (couples()) row.push_back(cloth_dissipation_);
   const std::vector<double> of_cloth = cloth_.row();
   row.insert(row.end(), of_cloth.begin(), of_cloth.end());
   return row;

@@ -53,6 +53,7 @@ class Measures {
   void measure_loads(Vec local_velocity, double dt, const Loads<Dim>& contact);
   void measure_cloth_dissipation(double dt, const Loads<Dim>& contact);
   double elastic_energy() const;
+  bool couples() const { return system_.has_fluid && !cloth_.groups().empty(); }
 
   const System<Dim>& system_;
   FlowDiagnostics<Dim> flow_;

@@ -9,16 +9,16 @@ RunOptions RunOptions::from_options(Options& options) {
   RunOptions run;
   options.block("", "Run", [&](OptionBlock& block) {
     block.require("time_end", "the time at which the run ends, in s");
-    block.real(
-        "time_step", run.time_step, "s", non_negative,
-        "length of a step, the longest if -time_cfl is given too; 0: half of the cloth's bound or a CFL number of "
-        "0.3, the shorter");
+    block.real("time_step", run.time_step, "s", non_negative,
+               "length of a step, the longest if -time_cfl is given too; 0: half of the cloth's bound, if the coupling "
+               "has one, "
+               "or a CFL number of 0.3, the shorter");
     block.real("time_cfl", run.time_cfl, "-", non_negative,
                "choose each step for this CFL number; 0: steps of equal length");
     block.real("time_end", run.time_end, "s", positive, "time at which the run ends");
     block.integer("max_steps", run.max_steps, non_negative_integer, "stop after so many steps; 0: no limit");
     block.real("rest_speed", run.rest_speed, "m/s", non_negative,
-               "end early when every marker has been slower for ten steps; 0: do not");
+               "end early when every marker, after one has been as fast, has been slower for ten steps; 0: do not");
     block.real("time_max_cfl", run.max_courant, "-", positive, "a run whose CFL number exceeds this has diverged");
     block.text("output_dir", run.output_dir, "folder for the results");
     block.real("history_interval", run.history_interval, "s", non_negative,

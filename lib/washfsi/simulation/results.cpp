@@ -38,6 +38,17 @@ bool Results<Dim>::holds_a_run(MPI_Comm comm, const std::string& folder) {
 }
 
 template <int Dim>
+void Results<Dim>::remove_ends(MPI_Comm comm, const std::string& folder) {
+  std::error_code ignored;  // what cannot be removed cannot be written either, which tells more
+  if (rank_of(comm) == 0) {
+    for (const char* name : {"checkpoint.h5", "summary.json", "cloth_final.csv"})
+      std::filesystem::remove(folder + "/" + name, ignored);
+    std::filesystem::remove_all(folder + "/profiles", ignored);
+  }
+  MPI_Barrier(comm);
+}
+
+template <int Dim>
 void Results<Dim>::open_history(long restart_step) {
   history_.emplace(system_.grid.comm(), folder_ + "/history.csv", measures_.columns(), restart_step);
   if (cloth_)

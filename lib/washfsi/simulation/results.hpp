@@ -30,6 +30,9 @@ class Results {
   /// Whether a folder has the history of an earlier run. Collective.
   static bool holds_a_run(MPI_Comm comm, const std::string& folder);
 
+  /// Removes what an earlier run wrote at its end, or to go on from. Collective.
+  static void remove_ends(MPI_Comm comm, const std::string& folder);
+
   /// Starts history.csv and tracks.csv, or continues them after `restart_step`. Collective. Errors: FileError.
   void open_history(long restart_step);
   /// A frame of each series.

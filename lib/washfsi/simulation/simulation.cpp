@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "washfsi/simulation/step_bound.hpp"
 #include "washfsi/support/errors.hpp"
 #include "washfsi/support/hdf5_file.hpp"
 
@@ -53,6 +52,7 @@ Simulation<Dim>::Simulation(Options& options, std::string case_name)
   system_ = std::make_unique<System<Dim>>(options.comm(), system, std::move(bodies));
   coupling_ = system_->has_fluid ? coupling.scheme : "to nothing";
   scheme_ = make_coupling_scheme<Dim>(coupling, *system_);
+  body_speeds_ = std::make_unique<BodySpeeds<Dim>>(*system_);
   measures_ = std::make_unique<Measures<Dim>>(*system_);
   if (!run_.restart.empty()) {
     state_ = read_checkpoint<Dim>(run_.restart, *system_, *measures_);
@@ -70,24 +70,36 @@ Simulation<Dim>::Simulation(Options& options, std::string case_name)
 
 template <int Dim>
 void Simulation<Dim>::choose_time_step() {
-  const bool adapted = run_.time_cfl > 0 && state_.dt > 0;  // goes on with the step of the checkpoint
-  if (run_.time_step > 0 && !adapted) state_.dt = run_.time_step;
+  if (run_.time_step > 0 && run_.time_cfl == 0) state_.dt = run_.time_step;
+  if (state_.cloth_bound == 0) find_cloth_bound();
   if (state_.dt > 0) return;  // the user's, or that of the checkpoint
   const double courant = run_.time_cfl > 0 ? run_.time_cfl : 0.3;
-  state_.dt = std::min(0.5 * scheme_->step_bound(*system_), courant * flow_time<Dim>(*system_));
+  state_.dt = std::min(longest_step(), courant * flow_time<Dim>(*system_));
   if (!std::isfinite(state_.dt))
     throw InputError("-time_step is missing: nothing moves at the start from which it could be chosen");
 }
 
-// -time_cfl: the step for the present flow, growing slowly, never longer than the user's or, without that, than the
-// cloth allows.
+// The bound of the coupling where the cloth was located last, so that a restarted run, which locates it anew, has the
+// same steps.
+template <int Dim>
+void Simulation<Dim>::find_cloth_bound() {
+  if (run_.time_step == 0) state_.cloth_bound = scheme_->step_bound(*system_);
+}
+
+// The user's, or what the cloth allows.
+template <int Dim>
+double Simulation<Dim>::longest_step() const {
+  return run_.time_step > 0 ? run_.time_step : 0.5 * state_.cloth_bound;
+}
+
+// -time_cfl: the step for the present flow, growing slowly, and for bodies that are about to start off.
 template <int Dim>
 void Simulation<Dim>::adapt_time_step() {
   if (run_.time_cfl == 0) return;
   constexpr double most_growth = 1.05;
-  const double longest = run_.time_step > 0 ? run_.time_step : 0.5 * scheme_->step_bound(*system_);
   const double for_flow = state_.dt * run_.time_cfl / measures_->flow().courant.value;  // infinite at rest
-  state_.dt = std::min({most_growth * state_.dt, longest, for_flow});
+  state_.dt = std::min({most_growth * state_.dt, longest_step(), for_flow});
+  state_.dt = body_speeds_->longest_step(system_->fluid.time(), state_.dt, run_.time_cfl);
 }
 
 template <int Dim>
@@ -99,6 +111,7 @@ void Simulation<Dim>::start_results(Options& options) {
   }
   write_text_file(options.comm(), run_.output_dir + "/resolved.opts", options.resolved());
   const long continues_from = run_.restart.empty() || run_.check ? -1 : state_.step;
+  if (continues_from < 0) Results<Dim>::remove_ends(options.comm(), run_.output_dir);
   results_ = std::make_unique<Results<Dim>>(*system_, *measures_, profiles_, run_.output_dir, continues_from);
   if (!run_.check) results_->open_history(continues_from);
   measures_->observe_start(state_.dt);
@@ -136,9 +149,11 @@ void Simulation<Dim>::step() {
   if (all) measures_->prepare();
   scheme_->advance(*system_, state_.dt);
   state_.step = attempted_step_;
+  check_markers();  // before anything is measured: crossings look at all space between a cloth's markers
   measures_->observe(state_.dt, all);
-  check_health();
+  check_velocity();
   watch_rest();
+  if (run_.time_cfl > 0) find_cloth_bound();
   const double time = system_->fluid.time();
   if (all) results_->write_row(state_.step, state_.dt);
   if (due(run_.output_interval, time)) results_->write_frame(state_.step);
@@ -163,7 +178,7 @@ bool Simulation<Dim>::due(double interval, double time) const {
 template <int Dim>
 bool Simulation<Dim>::measures_all(double time) const {
   return run_.history_interval == 0 || due(run_.history_interval, time) ||
-         ends(state_.step + 1, time, steps_at_rest_ + 1);
+         ends(state_.step + 1, time, state_.steps_at_rest + 1);
 }
 
 template <int Dim>
@@ -176,17 +191,28 @@ bool Simulation<Dim>::ends(long step, double time, int steps_at_rest) const {
 template <int Dim>
 void Simulation<Dim>::watch_rest() {
   if (run_.rest_speed == 0) return;
+  int& steps = state_.steps_at_rest;
   double fastest = 0;
   for (const auto& velocity : system_->velocities) fastest = std::max(fastest, velocity.norm());
   fastest *= 1 + system_->cloth_slip;  // so that the water round them rests too
-  steps_at_rest_ = largest(system_->grid.comm(), fastest) < run_.rest_speed ? steps_at_rest_ + 1 : 0;
+  if (largest(system_->grid.comm(), fastest) >= run_.rest_speed)
+    steps = 0;
+  else if (steps != RunState::not_moved)
+    ++steps;
 }
 
 template <int Dim>
-void Simulation<Dim>::check_health() const {
-  const auto finite = [](const Point<Dim>& point) { return point.allFinite(); };
-  const bool lost = !std::all_of(system_->positions.begin(), system_->positions.end(), finite);
-  if (any_rank(system_->grid.comm(), lost)) throw DivergedError("cloth: a marker's position is not finite");
+void Simulation<Dim>::check_markers() const {
+  const System<Dim>& system = *system_;
+  const auto there = [&](const Point<Dim>& point) {
+    return point.allFinite() && (!system.has_fluid || system.grid.contains(system.grid.folded(point)));
+  };
+  const bool lost = !std::all_of(system.positions.begin(), system.positions.end(), there);
+  if (any_rank(system.grid.comm(), lost)) throw DivergedError("cloth: a marker has left the box");
+}
+
+template <int Dim>
+void Simulation<Dim>::check_velocity() const {
   const Located& worst = measures_->flow().courant;
   if (worst.value <= run_.max_courant) return;
   const char* advice = run_.time_cfl > 0 ? "" : " (-time_cfl 0.5 would shorten the steps in time)";
@@ -234,7 +260,9 @@ void Simulation<Dim>::print_banner() {
                  "/" + chosen_type("-pressure_pc_type", "transform"));
   const double bound = scheme_->step_bound(system);
   progress_.note(format("  time      step %.4g s, end %.4g s", state_.dt, run_.time_end) +
-                 (std::isfinite(bound) ? format(", bound of the coupling %.4g s", bound) : ""));
+                 (std::isfinite(bound) ? format(", bound of the coupling %.4g s", bound)
+                  : groups.empty()     ? ""
+                                       : ", which the coupling does not bound"));
   watch_step_bound();
 }
 

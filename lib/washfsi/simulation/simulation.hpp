@@ -8,6 +8,7 @@
 #include "washfsi/simulation/coupling_scheme.hpp"
 #include "washfsi/simulation/options.hpp"
 #include "washfsi/simulation/results.hpp"
+#include "washfsi/simulation/step_bound.hpp"
 #include "washfsi/simulation/stop_signals.hpp"
 
 namespace washfsi {
@@ -24,18 +25,21 @@ class Simulation {
 
  private:
   void choose_time_step();
+  void find_cloth_bound();
+  double longest_step() const;
   void adapt_time_step();
   void start_results(Options& options);
   void print_banner();
   void check_only();
   void step();
   void watch_step_bound();
-  void check_health() const;
+  void check_markers() const;
+  void check_velocity() const;
   std::string place_of_largest_velocity() const;
   bool due(double interval, double time) const;
   bool measures_all(double time) const;
   bool ends(long step, double time, int steps_at_rest) const;
-  bool finished() const { return ends(state_.step, system_->fluid.time(), steps_at_rest_); }
+  bool finished() const { return ends(state_.step, system_->fluid.time(), state_.steps_at_rest); }
   void watch_rest();
   void end(const std::string& status);
   void print_summary(const RunSummary& summary);
@@ -45,6 +49,7 @@ class Simulation {
   std::vector<Profile<Dim>> profiles_;
   std::unique_ptr<System<Dim>> system_;
   std::unique_ptr<CouplingScheme<Dim>> scheme_;
+  std::unique_ptr<BodySpeeds<Dim>> body_speeds_;
   std::unique_ptr<Measures<Dim>> measures_;
   std::unique_ptr<Results<Dim>> results_;
   Progress progress_;
@@ -52,7 +57,6 @@ class Simulation {
   long first_step_ = 0, attempted_step_ = 0;
   double attempt_start_ = 0;  ///< time before the last attempted step [s]
   bool warned_of_step_ = false;
-  int steps_at_rest_ = 0;
 };
 
 extern template class Simulation<2>;

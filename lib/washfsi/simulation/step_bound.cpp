@@ -59,16 +59,45 @@ double flow_time(const System<Dim>& system) {
   double speed = 0;
   WASH_PETSC(VecNorm(system.fluid.velocity(), NORM_INFINITY, &speed));
   speed = std::max(speed, system.boundary.largest_speed(0));
-  for_each<Dim>(system.grid.owned(), [&](const Index<Dim>& cell) {
-    const Point<Dim> place = system.grid.cell_center(cell);
-    for (const auto& body : system.bodies)
-      if (body.distance(place, 0) <= 0)
-        speed = std::max(speed, body.motion.largest_speed((place - body.motion.center_at(0)).norm()));
-  });
-  speed = largest(system.grid.comm(), speed);
+  const BodySpeeds<Dim> bodies(system);
+  for (std::size_t b = 0; b < system.bodies.size(); ++b)
+    speed = std::max(speed, bodies.arm(b) > 0 ? system.bodies[b].motion.largest_speed(bodies.arm(b)) : 0.0);
   return speed > 0 ? system.grid.spacing().minCoeff() / speed : std::numeric_limits<double>::infinity();
 }
 
+template <int Dim>
+BodySpeeds<Dim>::BodySpeeds(const System<Dim>& system) : system_(system), arms_(system.bodies.size(), 0.0) {
+  const PosedBodies<Dim> posed(system.bodies, 0);
+  for_each<Dim>(system.grid.owned(), [&](const Index<Dim>& cell) {
+    const Point<Dim> place = system.grid.cell_center(cell);
+    for (std::size_t b = 0; b < arms_.size(); ++b)
+      if (posed.distance(b, place) <= 0)
+        arms_[b] = std::max(arms_[b], (place - system.bodies[b].motion.center_at(0)).norm());
+  });
+  for (double& arm : arms_) arm = largest(system.grid.comm(), arm);
+}
+
+template <int Dim>
+double BodySpeeds<Dim>::longest_step(double time, double dt, double courant) const {
+  constexpr double ahead = 1.5;  // a body that already moves counts with the flow
+  constexpr int most_trials = 60;
+  const double most = ahead * courant * system_.grid.spacing().maxCoeff();
+  for (int n = 0; n < most_trials && at(time + dt) * dt > most; ++n) dt = std::max(0.5 * dt, most / at(time + dt));
+  return dt;
+}
+
+template <int Dim>
+double BodySpeeds<Dim>::at(double time) const {
+  double speed = 0;
+  for (std::size_t b = 0; b < arms_.size(); ++b) {
+    const auto state = system_.bodies[b].motion.state(time);
+    speed = std::max(speed, state.velocity.norm() + std::abs(state.angular_velocity) * arms_[b]);
+  }
+  return speed;
+}
+
+template class BodySpeeds<2>;
+template class BodySpeeds<3>;
 template double cloth_step_bound<2>(const System<2>&);
 template double cloth_step_bound<3>(const System<3>&);
 template double flow_time<2>(const System<2>&);

@@ -17,4 +17,25 @@ double cloth_step_bound(const System<Dim>& system);
 template <int Dim>
 double flow_time(const System<Dim>& system);
 
+/// How fast bodies will move, for steps that must not be surprised by one that starts off.
+template <int Dim>
+class BodySpeeds {
+ public:
+  /// Collective. The system must outlive it.
+  explicit BodySpeeds(const System<Dim>& system);
+  /// Largest distance from a body's centre of its material in the box at the start [m].
+  double arm(std::size_t body) const { return arms_[body]; }
+  /// dt, or a shorter step after which no body is so fast that its CFL number is much above this.
+  double longest_step(double time, double dt, double courant) const;
+
+ private:
+  double at(double time) const;
+
+  const System<Dim>& system_;
+  std::vector<double> arms_;
+};
+
+extern template class BodySpeeds<2>;
+extern template class BodySpeeds<3>;
+
 }  // namespace washfsi

@@ -20,46 +20,71 @@ GridShape<Dim> with_ghosts_for(GridShape<Dim> shape, const SystemOptions<Dim>& o
   return shape;
 }
 
-// Whether a body holds all sides of the box at the start, as a drum does.
+// Whether a body holds all of a pair of opposite sides of the box at the start, as a drum does.
 template <int Dim>
-bool fills_the_sides(const Body<Dim>& body, const GridShape<Dim>& shape) {
+bool fills_the_sides(const Body<Dim>& body, const GridShape<Dim>& shape, std::size_t axis) {
   const Point<Dim> extent = shape.upper - shape.lower;
+  Box<Dim> side{{}, shape.cells};
+  side.upper[axis] = 2;  // both ends
   bool filled = true;
-  for (std::size_t d = 0; d < Dim; ++d) {
-    Box<Dim> side{{}, shape.cells};
-    side.upper[d] = 2;  // both ends
-    for_each<Dim>(side, [&](const Index<Dim>& face) {
-      Point<Dim> place;
-      for (std::size_t e = 0; e < Dim; ++e) {
-        const auto axis = static_cast<int>(e);
-        const double cells = e == d ? 1 : static_cast<double>(shape.cells[e]);
-        const double position = e == d ? static_cast<double>(face[e]) : static_cast<double>(face[e]) + 0.5;
-        place[axis] = shape.lower[axis] + extent[axis] * position / cells;
-      }
-      filled = filled && body.distance(place, 0) <= 0;
-    });
-  }
+  for_each<Dim>(side, [&](const Index<Dim>& face) {
+    Point<Dim> place;
+    for (std::size_t e = 0; e < Dim; ++e) {
+      const auto d = static_cast<int>(e);
+      const double cells = e == axis ? 1 : static_cast<double>(shape.cells[e]);
+      const double position = e == axis ? static_cast<double>(face[e]) : static_cast<double>(face[e]) + 0.5;
+      place[d] = shape.lower[d] + extent[d] * position / cells;
+    }
+    filled = filled && body.distance(place, 0) <= 0;
+  });
   return filled;
+}
+
+// The axes along which a motion may carry material through the sides of the box; turning is about z.
+template <int Dim>
+std::vector<std::size_t> axes_moved_along(const RigidMotion<Dim>& motion) {
+  std::vector<std::size_t> axes{0, 1};
+  if (Dim == 3 && (motion.table || motion.translation[Dim - 1] != 0)) axes.push_back(2);
+  return axes;
 }
 
 // A turning drum that fills the box up to its walls takes them along: they have its velocity.
 template <int Dim>
 typename Boundary<Dim>::Sides sides_with_drum(const SystemOptions<Dim>& options, const std::vector<Body<Dim>>& bodies) {
   typename Boundary<Dim>::Sides sides = options.grid.sides;
+  const auto periodic = [&](std::size_t axis) { return sides[axis][0].kind == BoundaryKind::periodic; };
   for (const auto& body : bodies) {
-    if (body.motion.at_rest() || !fills_the_sides(body, options.grid.shape)) continue;
-    for (auto& axis : sides)
-      for (auto& side : axis)
-        if (side.kind == BoundaryKind::wall)
-          side.motion = [motion = body.motion](const Point<Dim>& place, double time) {
-            return motion.velocity(place, time);
-          };
+    if (body.motion.at_rest()) continue;
+    const std::vector<std::size_t> axes = axes_moved_along(body.motion);
+    const auto passes = [&](std::size_t axis) {
+      return periodic(axis) || fills_the_sides(body, options.grid.shape, axis);
+    };
+    if (!std::all_of(axes.begin(), axes.end(), passes)) continue;
+    for (const std::size_t axis : axes)
+      for (auto& side : sides[axis]) {
+        if (side.kind != BoundaryKind::wall) continue;
+        if (!side.velocity.isZero(0))
+          throw InputError("-bc_" + std::string(1, "xyz"[axis]) + "_..._velocity: this wall moves with the body " +
+                           body.name + ", which fills the box up to it");
+        side.motion = [motion = body.motion](const Point<Dim>& place, double time) {
+          return motion.velocity(place, time);
+        };
+      }
   }
   return sides;
 }
 
-// Steady circular flow between two concentric bodies that turn steadily: u = (A r + B/r) e_theta (4.3-1). A circle's
-// radius is the distance of its centre from its surface.
+// The radius of a circle or cylinder: the distance of its centre from its surface.
+template <int Dim>
+double radius_of(const Body<Dim>& body) {
+  const Point<Dim> center = body.motion.center;
+  const double radius = std::abs(body.distance(center, 0));
+  if (std::abs(body.distance(center + radius * Point<Dim>::Unit(0), 0)) > 1e-9 * radius)
+    throw InputError("-fluid_initial couette: body " + body.name + " is no circle, or a cylinder shorter than wide");
+  return radius;
+}
+
+// Steady circular flow between two concentric bodies that turn steadily: u = (A r + B/r) e_theta (4.3-1).
 template <int Dim>
 void start_couette(System<Dim>& system) {
   const auto& bodies = system.bodies;
@@ -70,8 +95,8 @@ void start_couette(System<Dim>& system) {
   const Point<Dim> center = bodies[0].motion.center;
   const bool drum_first = bodies[0].distance(center, 0) > 0;
   const auto &drum = bodies[drum_first ? 0 : 1], &cylinder = bodies[drum_first ? 1 : 0];
-  const double ro = drum.distance(center, 0), ri = -cylinder.distance(center, 0);
-  if (!(ri > 0 && ro > ri))
+  const double ro = radius_of(drum), ri = radius_of(cylinder);
+  if (cylinder.distance(center, 0) >= 0 || ro <= ri)
     throw InputError("-fluid_initial couette: needs a drum (-..._inverted) and in it a cylinder with the same centre");
   const double wo = drum.motion.angular_speed, wi = cylinder.motion.angular_speed;
   const double a = (wo * ro * ro - wi * ri * ri) / (ro * ro - ri * ri);

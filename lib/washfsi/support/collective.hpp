@@ -28,10 +28,9 @@ std::string from_first_rank(MPI_Comm comm, const std::string& text);
 /// The content of a file that rank 0 reads, on every rank; nothing if it cannot be read. Collective.
 std::optional<std::string> file_from_first_rank(MPI_Comm comm, const std::string& path);
 
-/// A value with the place and field where it was found.
+/// A value with the place where it was found.
 struct Located {
   double value = 0;
-  int field = 0;
   double place[3] = {0, 0, 0};
 };
 

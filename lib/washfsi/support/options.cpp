@@ -77,6 +77,16 @@ bool belongs_to_petsc(const std::string& name) {
   return std::any_of(starts.begin(), starts.end(), [&](std::string_view start) { return name.starts_with(start); });
 }
 
+// Options of our solvers that PETSc reads when one has solved: too late to tell whether it will.
+bool is_read_after_solving(const std::string& name) {
+  static constexpr std::array<std::string_view, 3> prefixes{"momentum_", "pressure_", "cloth_"};
+  static constexpr std::array<std::string_view, 6> reports{"ksp_view",         "pc_view",        "snes_view",
+                                                           "converged_reason", "converged_rate", "final_residual"};
+  const auto starts = [&](std::string_view prefix) { return name.starts_with(prefix); };
+  const auto contains = [&](std::string_view report) { return name.find(report) != std::string::npos; };
+  return std::any_of(prefixes.begin(), prefixes.end(), starts) && std::any_of(reports.begin(), reports.end(), contains);
+}
+
 }  // namespace
 
 Options::Options(MPI_Comm comm) : comm_(comm) {
@@ -146,7 +156,7 @@ void Options::reject_unread() const {
   for (const auto& [name, value] : database()) {
     PetscBool used = PETSC_FALSE;
     WASH_PETSC(PetscOptionsUsed(nullptr, name.c_str(), &used));
-    if (used || values_.contains(name) || belongs_to_petsc(name)) continue;
+    if (used || values_.contains(name) || belongs_to_petsc(name) || is_read_after_solving(name)) continue;
     const std::string suggestion = nearest(name);
     throw InputError("-" + name + (value.empty() ? "" : " " + value) + ": no part of this run reads this option" +
                      (suggestion.empty() ? " (-help lists all)" : "; did you mean -" + suggestion + "?"));
