@@ -21,7 +21,7 @@ LEAST_WAY = 0.1  # lengths: a shorter way back is no turn
 MOST_BENT = 1e-3  # lengths
 MOST_INCLINED = 90  # [degrees]
 RATIO = (1.5, 2.5)  # frequency of the vertical speed over that of the horizontal one
-STEPS = {256: 5e-4, 512: 3e-4, 1024: 2e-4}  # [s] in the tank
+STEPS = {256: 5e-4, 512: 3e-4, 1024: 3e-4}  # [s] in the tank
 
 
 class Case(NamedTuple):
