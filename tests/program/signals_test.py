@@ -12,10 +12,10 @@ import unittest
 import h5py
 import numpy as np
 
-from support import EXPLICIT_WASH, PROGRAM, ProgramTest, command, read_columns
+from support import EXPLICIT_WASH, PATIENCE, PROGRAM, ProgramTest, command, read_columns
 
 LONG = [*EXPLICIT_WASH, "-time_end", 100, "-output_dir", "out"]
-PATIENCE = 60  # [s]
+END = 60 * PATIENCE  # [s]
 
 
 def processes_of_program(launcher):
@@ -36,7 +36,7 @@ class Signals(ProgramTest):
 
     def wait_for_steps(self):
         """Waits until the run has written some steps."""
-        history, end = self.folder / "out" / "history.csv", time.monotonic() + PATIENCE
+        history, end = self.folder / "out" / "history.csv", time.monotonic() + END
         while not history.exists() or len(history.read_text().splitlines()) < 20:
             self.assertLess(time.monotonic(), end, "the run did not start")
             time.sleep(0.05)
@@ -57,7 +57,7 @@ class Signals(ProgramTest):
         ranks = processes_of_program(launcher)
         self.assertEqual(len(ranks), 2)
         os.kill(ranks[rank], number)
-        output, errors = launcher.communicate(timeout=PATIENCE)
+        output, errors = launcher.communicate(timeout=END)
         self.assertEqual((launcher.returncode, errors), (0, ""), output)
         step = self.assert_stopped()
 

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the tests of the program share: running it as a user would, and reading what it leaves behind.
 
-ctest sets the environment: WASHFSI_PROGRAM is the program, WASHFSI_SOURCE the root of the sources.
+ctest sets the environment: WASHFSI_PROGRAM is the program, WASHFSI_SOURCE the root of the sources, WASHFSI_PATIENCE how many
+times longer than usual a run may take (with the sanitizers).
 """
 
 import os
@@ -14,6 +15,7 @@ import numpy as np
 
 PROGRAM = pathlib.Path(os.environ["WASHFSI_PROGRAM"])
 SOURCE = pathlib.Path(os.environ["WASHFSI_SOURCE"])
+PATIENCE = float(os.environ.get("WASHFSI_PATIENCE", 1))
 WASH = SOURCE / "inputs" / "wash2d.opts"
 CAVITY = SOURCE / "inputs" / "cavity.opts"
 SHEET = SOURCE / "inputs" / "sheet.opts"
@@ -48,7 +50,7 @@ def command(ranks, *options):
 
 def run(ranks, *options, folder, seconds=120, launcher=()):
     """Runs the program in a folder; its status is 124 when it had to be ended after some seconds."""
-    return subprocess.run(["timeout", "--kill-after=10", str(seconds), *launcher, *command(ranks, *options)],
+    return subprocess.run(["timeout", "--kill-after=10", str(PATIENCE * seconds), *launcher, *command(ranks, *options)],
                           cwd=folder, capture_output=True, text=True, check=False)
 
 

@@ -18,12 +18,10 @@ double smooth_step(double x) {
   return 1 - y * y * y * (10 - y * (15 - 6 * y));
 }
 
-/// Velocity in the middle of a cell.
+/// A component of the velocity in the middle of a cell.
 template <int Dim>
-Point<Dim> cell_velocity(const ConstFaceView<Dim>& u, const Index<Dim>& cell) {
-  Point<Dim> mean;
-  for (int c = 0; c < Dim; ++c) mean[c] = 0.5 * (u(cell, c) + u(shifted<Dim>(cell, c, 1), c));
-  return mean;
+double cell_velocity(const ConstFaceView<Dim>& u, const Index<Dim>& cell, int component) {
+  return 0.5 * (u(cell, component) + u(shifted<Dim>(cell, component, 1), component));
 }
 
 /// Central difference in the middle of a cell of values in the middle of cells.
@@ -115,13 +113,15 @@ void ControlVolumes<Dim>::add_stress(const Step& step, Vec weight, Vec local_vel
     Point<Dim> slope;
     for (int d = 0; d < Dim; ++d) slope[d] = central_difference<Dim>(w, cell, d, h[d]);
     if (slope.isZero(0)) return;
-    const Point<Dim> velocity = cell_velocity<Dim>(u, cell);
-    Eigen::Matrix<double, Dim, Dim> rate;  // rate(c, d) = du_c/dx_d
-    for (int d = 0; d < Dim; ++d) {
-      rate.col(d) =
-          central_difference<Dim>([&](const Index<Dim>& at) { return cell_velocity<Dim>(u, at); }, cell, d, h[d]);
-      rate(d, d) = (u(shifted<Dim>(cell, d, 1), d) - u(cell, d)) / h[d];
-    }
+    Point<Dim> velocity;
+    for (int c = 0; c < Dim; ++c) velocity[c] = cell_velocity<Dim>(u, cell, c);
+    Eigen::Matrix<double, Dim, Dim> rate;  // rate(c, d) = du_c/dx_d, within one layer of ghosts
+    for (int d = 0; d < Dim; ++d)
+      for (int c = 0; c < Dim; ++c) {
+        const auto component = [&](const Index<Dim>& at) { return cell_velocity<Dim>(u, at, c); };
+        rate(c, d) = c == d ? (u(shifted<Dim>(cell, d, 1), d) - u(cell, d)) / h[d]
+                            : central_difference<Dim>(component, cell, d, h[d]);
+      }
     const Point<Dim> viscous = step.viscosity * (rate + rate.transpose()) * slope;
     const Point<Dim> carried = rho(cell, 0) * velocity.dot(slope) * velocity;
     load.add(grid_.cell_center(cell) - center, grid_.cell_volume() * (carried + p(cell) * slope - viscous));
