@@ -110,10 +110,8 @@ class Output(ProgramTest):
         self.assertTrue(np.isfinite(rows).all())
 
     def test_history_of_some_steps_has_the_same_rows(self):
-        with tempfile.TemporaryDirectory(prefix="washfsi_") as folder:
-            outcome = run(2, *CASE, "-history_interval", 0.005, "-output_dir", "some", folder=folder)
-            self.assertEqual(outcome.returncode, 0, outcome.stderr)
-            some, tracks = (read_columns(pathlib.Path(folder) / "some" / f"{name}.csv") for name in ("history", "tracks"))
+        self.run_well(2, *CASE, "-history_interval", 0.005, "-output_dir", "some")
+        some, tracks = (read_columns(self.folder / "some" / f"{name}.csv") for name in ("history", "tracks"))
         every, all_tracks = read_columns(self.out / "history.csv"), read_columns(self.out / "tracks.csv")
         kept = np.arange(49, 500, 50)
         np.testing.assert_array_equal(some["step"], kept + 1)
@@ -130,37 +128,30 @@ class Output(ProgramTest):
         self.assertTrue(np.isfinite(rows).all())
 
     def test_profile_to_a_periodic_side_ends_as_it_begins(self):
-        with tempfile.TemporaryDirectory(prefix="washfsi_") as folder:
-            sides = [word for side in ("lower", "upper") for word in (f"-bc_y_{side}", "periodic")]
-            outcome = run(2, "-grid_cells", "16,32", *sides, "-bc_x_lower_velocity", "0,1", "-fluid_viscosity", 100,
-                          "-time_step", 0.01, "-time_end", 0.1, "-profiles", "across", "-across_from", "0.3,0", "-across_to", "0.3,1",
-                          "-output_dir", "out", folder=folder)
-            self.assertEqual(outcome.returncode, 0, outcome.stderr)
-            profile = read_columns(pathlib.Path(folder) / "out" / "profiles" / "across.csv")
+        sides = [word for side in ("lower", "upper") for word in (f"-bc_y_{side}", "periodic")]
+        self.run_well(2, "-grid_cells", "16,32", *sides, "-bc_x_lower_velocity", "0,1", "-fluid_viscosity", 100,
+                      "-time_step", 0.01, "-time_end", 0.1, "-profiles", "across", "-across_from", "0.3,0",
+                      "-across_to", "0.3,1", "-output_dir", "out")
+        profile = read_columns(self.folder / "out" / "profiles" / "across.csv")
         self.assertGreater(profile["v"][0], 0)
         for name in "uvp":
             self.assertAlmostEqual(profile[name][-1], profile[name][0], places=12)
 
     def test_new_run_removes_the_ends_of_an_old_one(self):
-        with tempfile.TemporaryDirectory(prefix="washfsi_") as folder:
-            out = pathlib.Path(folder) / "out"
-            (out / "profiles").mkdir(parents=True)
-            old = [out / "cloth_final.csv", out / "profiles" / "old.csv"]  # this run has neither cloth nor profiles
-            for file in old:
-                file.touch()
-            outcome = run(2, "-options_file", CAVITY, "-time_step", 0.01, "-time_end", 0.02, "-output_dir", out,
-                          folder=folder)
-            self.assertEqual(outcome.returncode, 0, outcome.stderr)
-            self.assertEqual([file for file in old if file.exists()], [])
+        out = self.folder / "out"
+        (out / "profiles").mkdir(parents=True)
+        old = [out / "cloth_final.csv", out / "profiles" / "old.csv"]  # this run has neither cloth nor profiles
+        for file in old:
+            file.touch()
+        self.run_well(2, "-options_file", CAVITY, "-time_step", 0.01, "-time_end", 0.02, "-output_dir", out)
+        self.assertEqual([file for file in old if file.exists()], [])
 
     def test_steps_see_a_body_that_starts_off(self):
-        with tempfile.TemporaryDirectory(prefix="washfsi_") as folder:
-            rest = "".join(f"{0.1 * n},0,0,0\n" for n in range(51))  # long steps until 5 s, then a quick start
-            (pathlib.Path(folder) / "motion.csv").write_text(f"time,x,y,angle\n{rest}5.2,0,0,2\n5.6,0,0,8\n7,0,0,28\n")
-            outcome = run(2, "-grid_cells", "24,24", "-bodies", "bar", "-bar_shape", "box", "-bar_size", "0.6,0.2",
-                          "-bar_center", "0.5,0.5", "-bar_motion_file", "motion.csv", "-fluid_viscosity", 0.1,
-                          "-time_cfl", 0.5, "-time_end", 5.3, "-output_dir", "out", folder=folder)
-            self.assertEqual(outcome.returncode, 0, outcome.stderr)
+        rest = "".join(f"{0.1 * n},0,0,0\n" for n in range(51))  # long steps until 5 s, then a quick start
+        (self.folder / "motion.csv").write_text(f"time,x,y,angle\n{rest}5.2,0,0,2\n5.6,0,0,8\n7,0,0,28\n")
+        self.run_well(2, "-grid_cells", "24,24", "-bodies", "bar", "-bar_shape", "box", "-bar_size", "0.6,0.2",
+                      "-bar_center", "0.5,0.5", "-bar_motion_file", "motion.csv", "-fluid_viscosity", 0.1,
+                      "-time_cfl", 0.5, "-time_end", 5.3, "-output_dir", "out")
 
     def test_turning_drum_in_space_is_that_of_the_plane(self):
         case = ["-options_file", COUETTE, *TIGHT, "-time_end", 0.02, "-time_step", 2e-3]
@@ -169,36 +160,27 @@ class Output(ProgramTest):
         for body in ("drum", "roller"):
             space += [f"-{body}_shape", "cylinder", f"-{body}_height", 4]
         torques = {}
-        with tempfile.TemporaryDirectory(prefix="washfsi_") as folder:
-            for name, options in (("plane", ["-grid_cells", "33,33"]), ("space", ["-grid_cells", "33,33,6", *space])):
-                outcome = run(2, *case, *options, "-output_dir", name, folder=folder)
-                self.assertEqual(outcome.returncode, 0, outcome.stderr)
-                bodies = json.loads((pathlib.Path(folder) / name / "summary.json").read_text())["bodies"]
-                torques[name] = [np.ravel(body["torque"])[-1] for body in bodies.values()]
+        for name, options in (("plane", ["-grid_cells", "33,33"]), ("space", ["-grid_cells", "33,33,6", *space])):
+            self.run_well(2, *case, *options, "-output_dir", name)
+            bodies = json.loads((self.folder / name / "summary.json").read_text())["bodies"]
+            torques[name] = [np.ravel(body["torque"])[-1] for body in bodies.values()]
         np.testing.assert_allclose(torques["space"], 0.5 * np.array(torques["plane"]), rtol=1e-6)
 
     def test_first_step_keeps_to_the_cfl_number(self):
-        with tempfile.TemporaryDirectory(prefix="washfsi_") as folder:
-            outcome = run(1, "-options_file", CAVITY, "-time_step", 0.5, "-time_cfl", 0.5, "-time_end", 0.05,
-                          "-output_dir", "out", folder=folder)
-            self.assertEqual(outcome.returncode, 0, outcome.stderr)
-            self.assertLess(read_columns(pathlib.Path(folder) / "out" / "history.csv")["dt"].max(), 0.02)
+        self.run_well(1, "-options_file", CAVITY, "-time_step", 0.5, "-time_cfl", 0.5, "-time_end", 0.05,
+                      "-output_dir", "out")
+        self.assertLess(read_columns(self.folder / "out" / "history.csv")["dt"].max(), 0.02)
 
     def test_cloth_that_has_not_moved_is_not_at_rest(self):
-        with tempfile.TemporaryDirectory(prefix="washfsi_") as folder:
-            outcome = run(1, "-grid_cells", "16,16", "-cloths", "line", "-line_size", 0.3, "-line_markers", 8,
-                          "-line_center", "0.5,0.5", "-line_ke", 100, "-line_excess_mass", 0.1, "-gravity", "0,-9.81",
-                          "-time_step", 1e-5, "-rest_speed", 1e-3, "-time_end", 1e-3, "-output_dir", "out",
-                          folder=folder)
-            self.assertEqual(outcome.returncode, 0, outcome.stderr)
-            self.assertEqual(len(read_columns(pathlib.Path(folder) / "out" / "history.csv")["step"]), 100)
+        self.run_well(1, "-grid_cells", "16,16", "-cloths", "line", "-line_size", 0.3, "-line_markers", 8,
+                      "-line_center", "0.5,0.5", "-line_ke", 100, "-line_excess_mass", 0.1, "-gravity", "0,-9.81",
+                      "-time_step", 1e-5, "-rest_speed", 1e-3, "-time_end", 1e-3, "-output_dir", "out")
+        self.assertEqual(len(read_columns(self.folder / "out" / "history.csv")["step"]), 100)
 
     def test_solvers_report_what_they_have_done(self):
-        with tempfile.TemporaryDirectory(prefix="washfsi_") as folder:
-            outcome = run(1, "-options_file", CAVITY, "-time_step", 0.01, "-time_end", 0.02,
-                          "-pressure_ksp_converged_reason", "-momentum_ksp_view", "-output_dir", "out", folder=folder)
-            self.assertEqual(outcome.returncode, 0, outcome.stderr)
-            self.assertIn("Linear pressure_ solve converged", outcome.stdout)
+        text = self.run_well(1, "-options_file", CAVITY, "-time_step", 0.01, "-time_end", 0.02,
+                             "-pressure_ksp_converged_reason", "-momentum_ksp_view", "-output_dir", "out")
+        self.assertIn("Linear pressure_ solve converged", text)
 
     def test_markers_at_the_end(self):
         with open(self.out / "cloth_final.csv", encoding="utf-8") as file:
@@ -275,7 +257,11 @@ class Output(ProgramTest):
         self.assertIn("-grid_cells", self.run_well(1, "-help"))
 
     def test_check_writes_the_start_only(self):
+        old = self.folder / "out" / "cloth_final.csv"
+        old.parent.mkdir()
+        old.touch()
         text = self.run_well(2, *CASE, "-check", "-output_dir", "out")
+        self.assertTrue(old.exists(), "a check removes nothing")
         for word in ("64 x 64", f"{MARKERS} markers", "bound", "memory", "duration"):
             self.assertIn(word, text)
         for name in ("flow", "cloth", "bodies"):

@@ -15,7 +15,7 @@ import numpy as np
 from support import EXPLICIT_WASH, PATIENCE, PROGRAM, ProgramTest, command, read_columns
 
 LONG = [*EXPLICIT_WASH, "-time_end", 100, "-output_dir", "out"]
-END = 60 * PATIENCE  # [s]
+SECONDS = 60 * PATIENCE  # [s]
 
 
 def processes_of_program(launcher):
@@ -36,7 +36,7 @@ class Signals(ProgramTest):
 
     def wait_for_steps(self):
         """Waits until the run has written some steps."""
-        history, end = self.folder / "out" / "history.csv", time.monotonic() + END
+        history, end = self.folder / "out" / "history.csv", time.monotonic() + SECONDS
         while not history.exists() or len(history.read_text().splitlines()) < 20:
             self.assertLess(time.monotonic(), end, "the run did not start")
             time.sleep(0.05)
@@ -57,7 +57,7 @@ class Signals(ProgramTest):
         ranks = processes_of_program(launcher)
         self.assertEqual(len(ranks), 2)
         os.kill(ranks[rank], number)
-        output, errors = launcher.communicate(timeout=END)
+        output, errors = launcher.communicate(timeout=SECONDS)
         self.assertEqual((launcher.returncode, errors), (0, ""), output)
         step = self.assert_stopped()
 

@@ -3,8 +3,9 @@
 
 Prints the table of docs/verification.md. Arguments: `--cycles PART` for a part of the cycle only; `--keep FOLDER` for
 the runs' results (out/wash_couplings if not given), where a run that has finished is not made again. The reference is
-the explicit coupling with the damping that the semi-implicit step of inputs/wash.opts has by itself, about one step. Tracks: rms distance of the cloths' centres from
-the reference's, over the marker spacing. Fails where the default's stresses are more than 15 % from the reference's.
+the explicit coupling with the damping that the semi-implicit step of inputs/wash.opts has by itself, about one step.
+Tracks: rms distance of the cloths' centres from the reference's, over the marker spacing. Fails where the default's
+stresses are more than 15 % from the reference's.
 """
 
 import argparse

@@ -22,6 +22,9 @@ class Transfer {
 
   const DeltaOptions& delta() const { return delta_; }
 
+  /// Collective. Errors: DivergedError if a marker has left the box.
+  void check_inside(const Points<Dim>& positions) const;
+
   /// Fixes S and J at these marker positions (this rank's markers). Collective.
   /// Errors: DivergedError if a marker has left the box.
   void locate(const Points<Dim>& positions);
@@ -44,7 +47,6 @@ class Transfer {
  private:
   void find_stencils();
   void add_to_local(const Points<Dim>& values, Vec local) const;
-  void check_inside(const Points<Dim>& positions) const;
 
   const Grid<Dim>& grid_;
   const Boundary<Dim>& boundary_;

@@ -30,19 +30,18 @@ Points<Dim> contact_forces(const ContactOptions& contact, const std::vector<Body
   if (contact.pressure == 0) return forces;
   const std::vector<double>& areas = cloths.marker_areas();
   const Point<Dim> middle = 0.5 * (grid.lower() + grid.upper());
-  const auto push_out = [&](std::size_t m, double size, const Point<Dim>& place, const Point<Dim>& normal,
-                            const Point<Dim>& center, Load<Dim>& reaction) {
-    const Point<Dim> force = size * normal;
-    forces[m] += force;
-    reaction.add(place - center, -force);
-  };
   const PosedBodies<Dim> posed(bodies, time);
   for (std::size_t m = 0; m < positions.size(); ++m) {
     const Point<Dim> place = grid.folded(positions[m]);
+    const auto push_out = [&](double size, const Point<Dim>& normal, const Point<Dim>& center, Load<Dim>& reaction) {
+      const Point<Dim> force = size * normal;
+      forces[m] += force;
+      reaction.add(place - center, -force);
+    };
     for (std::size_t b = 0; b < bodies.size(); ++b) {
       const double size = push(contact, areas[m], posed.distance(b, place));
       if (size > 0)
-        push_out(m, size, place, posed.normal(b, place, 1e-3 * contact.distance), bodies[b].motion.center_at(time),
+        push_out(size, posed.normal(b, place, 1e-3 * contact.distance), bodies[b].motion.center_at(time),
                  reactions.bodies[b]);
     }
     for (int axis = 0; axis < Dim; ++axis)
@@ -54,7 +53,7 @@ Points<Dim> contact_forces(const ContactOptions& contact, const std::vector<Body
             upper ? grid.upper()[axis] - positions[m][axis] : positions[m][axis] - grid.lower()[axis];
         const double size = push(contact, areas[m], distance);
         if (size > 0)
-          push_out(m, size, place, (upper ? -1 : 1) * Point<Dim>::Unit(axis), middle,
+          push_out(size, (upper ? -1 : 1) * Point<Dim>::Unit(axis), middle,
                    reactions.sides[static_cast<std::size_t>(axis)][upper ? 1 : 0]);
       }
   }

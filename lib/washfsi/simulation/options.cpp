@@ -11,8 +11,7 @@ RunOptions RunOptions::from_options(Options& options) {
     block.require("time_end", "the time at which the run ends, in s");
     block.real("time_step", run.time_step, "s", non_negative,
                "length of a step, the longest if -time_cfl is given too; 0: half of the cloth's bound, if the coupling "
-               "has one, "
-               "or a CFL number of 0.3, the shorter");
+               "has one, or a CFL number of 0.3, the shorter");
     block.real("time_cfl", run.time_cfl, "-", non_negative,
                "choose each step for this CFL number; 0: steps of equal length");
     block.real("time_end", run.time_end, "s", positive, "time at which the run ends");

@@ -74,7 +74,7 @@ void Simulation<Dim>::choose_time_step() {
   if (state_.cloth_bound == 0) find_cloth_bound();
   if (state_.dt > 0) return;  // the user's, or that of the checkpoint
   const double courant = run_.time_cfl > 0 ? run_.time_cfl : 0.3;
-  state_.dt = std::min(longest_step(), courant * flow_time<Dim>(*system_));
+  state_.dt = std::min(longest_step(), courant * flow_time<Dim>(*system_, *body_speeds_));
   if (!std::isfinite(state_.dt))
     throw InputError("-time_step is missing: nothing moves at the start from which it could be chosen");
 }
@@ -111,7 +111,7 @@ void Simulation<Dim>::start_results(Options& options) {
   }
   write_text_file(options.comm(), run_.output_dir + "/resolved.opts", options.resolved());
   const long continues_from = run_.restart.empty() || run_.check ? -1 : state_.step;
-  if (continues_from < 0) Results<Dim>::remove_ends(options.comm(), run_.output_dir);
+  if (continues_from < 0 && !run_.check) Results<Dim>::remove_ends(options.comm(), run_.output_dir);
   results_ = std::make_unique<Results<Dim>>(*system_, *measures_, profiles_, run_.output_dir, continues_from);
   if (!run_.check) results_->open_history(continues_from);
   measures_->observe_start(state_.dt);
@@ -203,12 +203,11 @@ void Simulation<Dim>::watch_rest() {
 
 template <int Dim>
 void Simulation<Dim>::check_markers() const {
-  const System<Dim>& system = *system_;
-  const auto there = [&](const Point<Dim>& point) {
-    return point.allFinite() && (!system.has_fluid || system.grid.contains(system.grid.folded(point)));
-  };
-  const bool lost = !std::all_of(system.positions.begin(), system.positions.end(), there);
-  if (any_rank(system.grid.comm(), lost)) throw DivergedError("cloth: a marker has left the box");
+  const Points<Dim>& positions = system_->positions;
+  if (system_->has_fluid) return system_->transfer.check_inside(positions);
+  const bool finite =
+      std::all_of(positions.begin(), positions.end(), [](const Point<Dim>& place) { return place.allFinite(); });
+  if (any_rank(system_->grid.comm(), !finite)) throw DivergedError("cloth: a marker's place is not finite");
 }
 
 template <int Dim>

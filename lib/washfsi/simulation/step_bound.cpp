@@ -55,11 +55,10 @@ double cloth_step_bound(const System<Dim>& system) {
 }
 
 template <int Dim>
-double flow_time(const System<Dim>& system) {
+double flow_time(const System<Dim>& system, const BodySpeeds<Dim>& bodies) {
   double speed = 0;
   WASH_PETSC(VecNorm(system.fluid.velocity(), NORM_INFINITY, &speed));
   speed = std::max(speed, system.boundary.largest_speed(0));
-  const BodySpeeds<Dim> bodies(system);
   for (std::size_t b = 0; b < system.bodies.size(); ++b)
     speed = std::max(speed, bodies.arm(b) > 0 ? system.bodies[b].motion.largest_speed(bodies.arm(b)) : 0.0);
   return speed > 0 ? system.grid.spacing().minCoeff() / speed : std::numeric_limits<double>::infinity();
@@ -100,7 +99,7 @@ template class BodySpeeds<2>;
 template class BodySpeeds<3>;
 template double cloth_step_bound<2>(const System<2>&);
 template double cloth_step_bound<3>(const System<3>&);
-template double flow_time<2>(const System<2>&);
-template double flow_time<3>(const System<3>&);
+template double flow_time<2>(const System<2>&, const BodySpeeds<2>&);
+template double flow_time<3>(const System<3>&, const BodySpeeds<3>&);
 
 }  // namespace washfsi

@@ -12,11 +12,6 @@ namespace washfsi {
 template <int Dim>
 double cloth_step_bound(const System<Dim>& system);
 
-/// The time in which the largest speed that boundary, bodies or the present flow prescribe crosses a cell [s]: the step
-/// of CFL number 1; infinite at rest. Collective.
-template <int Dim>
-double flow_time(const System<Dim>& system);
-
 /// How fast bodies will move, for steps that must not be surprised by one that starts off.
 template <int Dim>
 class BodySpeeds {
@@ -34,6 +29,11 @@ class BodySpeeds {
   const System<Dim>& system_;
   std::vector<double> arms_;
 };
+
+/// The time in which the largest speed that boundary, bodies or the present flow prescribe crosses a cell [s]: the step
+/// of CFL number 1; infinite at rest. Collective.
+template <int Dim>
+double flow_time(const System<Dim>& system, const BodySpeeds<Dim>& bodies);
 
 extern template class BodySpeeds<2>;
 extern template class BodySpeeds<3>;
