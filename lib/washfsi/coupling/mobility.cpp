@@ -93,36 +93,52 @@ Point<Dim> MobilityMatrix<Dim>::overlap(const Stencils& moved, const Stencils& p
   return result;
 }
 
+// Whether two markers' deltas may overlap: quickly, since most markers of neighbouring bins do not.
 template <int Dim>
-void MobilityMatrix<Dim>::assemble(const Points<Dim>& positions, PetscInt first, const std::vector<double>& row_sums) {
+bool MobilityMatrix<Dim>::may_overlap(const Point<Dim>& a, const Point<Dim>& b) const {
   const double reach = delta_.spread_width + delta_.interpolate_width;
-  const Bins<Dim> bins(grid_, positions, reach);
+  for (int d = 0; d < Dim; ++d)
+    if (!grid_.periodic(d) && std::abs(a[d] - b[d]) >= reach * grid_.spacing()[d]) return false;
+  return true;
+}
+
+// The overlaps of this rank's markers with others, in ascending order: so the matrix takes them several times faster.
+// Between two markers of this rank they are worked out once if both deltas are the same.
+template <int Dim>
+std::vector<std::vector<typename MobilityMatrix<Dim>::Entry>> MobilityMatrix<Dim>::overlaps(
+    const Points<Dim>& positions, std::size_t first, std::size_t count) const {
+  const Bins<Dim> bins(grid_, positions, delta_.spread_width + delta_.interpolate_width);
   const AxisDelta spread(delta_.kernel, delta_.spread_width), interpolate(delta_.kernel, delta_.interpolate_width);
   std::vector<Stencils> stencils;
   stencils.reserve(positions.size());
   for (const auto& position : positions)
     stencils.push_back({FaceStencil<Dim>(grid_, spread, position), FaceStencil<Dim>(grid_, interpolate, position)});
-
-  // overlaps of this rank's markers, and what their row sums must be multiplied with
-  struct Entry {
-    std::size_t other;
-    Point<Dim> value;
-  };
-  std::vector<std::vector<Entry>> rows(row_sums.size());
-  std::vector<double> scales(positions.size(), 0.0);
-  PetscInt most = 1;
-  for (std::size_t m = 0; m < rows.size(); ++m) {
-    const std::size_t marker = static_cast<std::size_t>(first) + m;
-    Point<Dim> sum = Point<Dim>::Zero();
+  const bool symmetric = delta_.spread_width == delta_.interpolate_width;
+  std::vector<std::vector<Entry>> rows(count);
+  for (std::size_t marker = first; marker < first + count; ++marker)
     bins.visit_near(marker, [&](std::size_t other) {
+      const bool mirrored = symmetric && other >= first && other < first + count && other != marker;
+      if ((mirrored && other < marker) || !may_overlap(positions[marker], positions[other])) return;
       const Point<Dim> value = overlap(stencils[marker], stencils[other]);
       if (value == Point<Dim>::Zero()) return;
-      rows[m].push_back({other, value});
-      sum += value;
+      rows[marker - first].push_back({other, value});
+      if (mirrored) rows[other - first].push_back({marker, value});
     });
-    // in ascending order the matrix takes them several times faster
-    std::sort(rows[m].begin(), rows[m].end(), [](const Entry& a, const Entry& b) { return a.other < b.other; });
-    scales[marker] = row_sums[m] / sum.maxCoeff();
+  for (auto& row : rows)
+    std::sort(row.begin(), row.end(), [](const Entry& a, const Entry& b) { return a.other < b.other; });
+  return rows;
+}
+
+template <int Dim>
+void MobilityMatrix<Dim>::assemble(const Points<Dim>& positions, PetscInt first, const std::vector<double>& row_sums) {
+  const auto begin = static_cast<std::size_t>(first);
+  const std::vector<std::vector<Entry>> rows = overlaps(positions, begin, row_sums.size());
+  std::vector<double> scales(positions.size(), 0.0);  // what the row sums of the overlaps must be multiplied with
+  PetscInt most = 1;
+  for (std::size_t m = 0; m < rows.size(); ++m) {
+    Point<Dim> sum = Point<Dim>::Zero();
+    for (const Entry& entry : rows[m]) sum += entry.value;
+    scales[begin + m] = row_sums[m] / sum.maxCoeff();
     most = std::max(most, static_cast<PetscInt>(rows[m].size()));
   }
   MPI_Allreduce(MPI_IN_PLACE, scales.data(), static_cast<int>(scales.size()), MPI_DOUBLE, MPI_SUM, grid_.comm());
@@ -139,7 +155,7 @@ void MobilityMatrix<Dim>::assemble(const Points<Dim>& positions, PetscInt first,
       values.clear();
       for (const Entry& entry : rows[m]) {
         columns.push_back(static_cast<PetscInt>(entry.other) * Dim + c);
-        values.push_back(std::sqrt(scales[static_cast<std::size_t>(first) + m] * scales[entry.other]) * entry.value[c]);
+        values.push_back(std::sqrt(scales[begin + m] * scales[entry.other]) * entry.value[c]);
       }
       WASH_PETSC(MatSetValues(matrix_, 1, &row, static_cast<PetscInt>(columns.size()), columns.data(), values.data(),
                               INSERT_VALUES));

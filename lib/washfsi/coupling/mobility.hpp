@@ -23,6 +23,12 @@ class MobilityMatrix {
   struct Stencils {
     FaceStencil<Dim> spread, interpolate;
   };
+  struct Entry {
+    std::size_t other;
+    Point<Dim> value;
+  };
+  std::vector<std::vector<Entry>> overlaps(const Points<Dim>& positions, std::size_t first, std::size_t count) const;
+  bool may_overlap(const Point<Dim>& a, const Point<Dim>& b) const;
   Point<Dim> overlap(const Stencils& moved, const Stencils& pushed) const;
   double axis_overlap(int axis, const AxisStencil& a, const AxisStencil& b) const;
 

@@ -63,6 +63,7 @@ class ClothSolver {
   void set_default_solvers(const Defaults& defaults);
   bool applies_matrix_free() const;
   void forget_last_solve();
+  void aim_at(double residual);
 
   const Cloths<Dim>& cloths_;
   petsc::NonlinearSolver solver_;

@@ -16,7 +16,7 @@ struct CouplingOptions {
   std::string time_scheme = "trapezoidal";  ///< of the implicit coupling: trapezoidal | backward_euler
   std::string mobility = "matrix";          ///< that stands for the markers' own (semi_implicit): matrix | row_sums
   double mobility_factor = 1;               ///< of it
-  double tolerance = 1e-6;                  ///< rms residual of the markers' velocities over the flow's speed
+  double tolerance = 1e-5;                  ///< rms residual of the markers' velocities over the flow's speed
   PetscInt sweeps = 1;                      ///< at most, of the semi-implicit coupling
   double slip_tolerance = 0.01;             ///< below which no further sweep is made
 
