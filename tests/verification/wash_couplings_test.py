@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The couplings at the three-dimensional wash: step, damping, cost and the stresses of the first agitation cycle.
 
-Prints the table of docs/verification.md. Arguments: `--cycles PART` for a part of the cycle only; `--keep FOLDER` for
-the runs' results (out/wash_couplings if not given), where a run that has finished is not made again. The reference is
-the explicit coupling with the damping that the semi-implicit step of inputs/wash.opts has by itself, about one step.
-Tracks: rms distance of the cloths' centres from the reference's, over the marker spacing. Fails where the default's
-stresses are more than 15 % from the reference's.
+Prints the table of docs/verification.md. Arguments: `--cycles PART` for a part of the cycle only; `--ranks`, 2 if not
+given; `--keep FOLDER` for the runs' results (out/wash_couplings if not given), where a run that has finished is not made
+again. The reference is the explicit coupling with the damping that the semi-implicit step of inputs/wash.opts has by
+itself, about one step. Tracks: rms distance of the cloths' centres from the reference's, over the marker spacing. Fails
+where the default's stresses are more than 15 % from the reference's.
 """
 
 import argparse
@@ -31,11 +31,11 @@ RUNS = [REFERENCE, DEFAULT, ("semi_implicit", 0, 5e-4), ("semi_implicit", 0, 2.5
 class Run:
     """The start of inputs/wash.opts."""
 
-    def __init__(self, study, end, coupling, damping, step):
+    def __init__(self, study, ranks, end, coupling, damping, step):
         folder = study / f"{coupling}_{damping:g}_{step:g}"
         summary = folder / "summary.json"
         if not summary.is_file() or json.loads(summary.read_text())["status"] != "finished":
-            subprocess.run(command(2, "-options_file", SOURCE / "inputs" / "wash.opts", "-cloth_coupling", coupling,
+            subprocess.run(command(ranks, "-options_file", SOURCE / "inputs" / "wash.opts", "-cloth_coupling", coupling,
                                    *(["-towel_damping", damping] if damping else []), "-time_step", step,
                                    "-time_end", end, "-history_interval", INTERVAL, "-output_dir", folder),
                            check=False, stdout=subprocess.DEVNULL)
@@ -64,6 +64,7 @@ def off(values, reference):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--cycles", type=float, default=1)
+    parser.add_argument("--ranks", type=int, default=2)
     parser.add_argument("--keep", type=Path, default=SOURCE / "out" / "wash_couplings")
     options = parser.parse_args()
     end = options.cycles * CYCLE
@@ -72,7 +73,7 @@ def main():
                "largest stretch", "crossings")
     runs = {}
     for case in RUNS:
-        run = runs[case] = Run(options.keep, end, *case)
+        run = runs[case] = Run(options.keep, options.ranks, end, *case)
         words = [case[0], f"{case[1]:g}", f"{case[2]:g}", f"{run.ms:.1f}", f"{run.cost:.0f}"]
         if not run.stable:
             print_row(*words, "diverged", *[""] * 6)

@@ -134,18 +134,21 @@ void MobilityMatrix<Dim>::assemble(const Points<Dim>& positions, PetscInt first,
   const auto begin = static_cast<std::size_t>(first);
   const std::vector<std::vector<Entry>> rows = overlaps(positions, begin, row_sums.size());
   std::vector<double> scales(positions.size(), 0.0);  // what the row sums of the overlaps must be multiplied with
-  PetscInt most = 1;
+  std::vector<PetscInt> own(Dim * rows.size(), 0), foreign(Dim * rows.size(), 0);  // entries of each matrix row
   for (std::size_t m = 0; m < rows.size(); ++m) {
     Point<Dim> sum = Point<Dim>::Zero();
-    for (const Entry& entry : rows[m]) sum += entry.value;
+    for (const Entry& entry : rows[m]) {
+      sum += entry.value;
+      const bool is_own = entry.other >= begin && entry.other < begin + rows.size();
+      for (std::size_t c = 0; c < Dim; ++c) ++(is_own ? own : foreign)[Dim * m + c];
+    }
     scales[begin + m] = row_sums[m] / sum.maxCoeff();
-    most = std::max(most, static_cast<PetscInt>(rows[m].size()));
   }
   MPI_Allreduce(MPI_IN_PLACE, scales.data(), static_cast<int>(scales.size()), MPI_DOUBLE, MPI_SUM, grid_.comm());
 
   const auto owned = static_cast<PetscInt>(Dim * rows.size());
-  WASH_PETSC(MatCreateAIJ(grid_.comm(), owned, owned, PETSC_DETERMINE, PETSC_DETERMINE, most, nullptr, most, nullptr,
-                          matrix_.put()));
+  WASH_PETSC(MatCreateAIJ(grid_.comm(), owned, owned, PETSC_DETERMINE, PETSC_DETERMINE, 0, own.data(), 0,
+                          foreign.data(), matrix_.put()));
   std::vector<PetscInt> columns;
   std::vector<double> values;
   for (std::size_t m = 0; m < rows.size(); ++m)
