@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The thesis's runs of section 5.5 beside its tables: stresses, tumbling and orbits over the Reynolds number and the load.
+"""The thesis's runs of section 5.5 beside its tables: stresses, tumbling, orbits and the drum's torque over the Reynolds
+number and the load.
 
 Reads what `scripts/study inputs/thesis/*.opts` has left in out/study, or in the folder given, and prints the tables of
 docs/verification.md; runs not made, or too short, are listed as such. Stresses are averages over all markers and the
 first cycles: two over the Reynolds number, five (`--load-cycles`) over the load. Fails where a run that is there breaks
-one of the thesis's trends.
+one of the thesis's trends, or that of the torque on the drum, which falls with the Reynolds number (Akcabay, Dowling
+and Schultz, Clothes washing simulations, Computers & Fluids, 2014).
 """
 
 import argparse
@@ -42,6 +44,7 @@ class Run:
         self.tumbles = history["towel_tumbles"][until][-1]
         self.crossings = history["cloth_crossings"][until][-1]
         self.stretch = history["towel_max_stretch"][until].max()
+        self.drum_torque = np.sqrt(np.average(history["drum_torque_z"][until] ** 2, weights=history["dt"][until]))
         self.depth = history["towel_depth"][until].max()
         self.sinking, self.rising = vertical_speeds(*read_centers(folder), cycles)
 
@@ -64,24 +67,25 @@ def table(study, runs, cycles):
     """Prints the runs beside the thesis's averages; returns those that there are by name, in the same order."""
     print(f"\nFirst {cycles} cycles:\n")
     print_head("run", *(f"{stress} [MPa]" for stress in STRESSES), "bending part of ss, rr, sr", "thesis",
-               "turns per cloth", "near the axis [m/s]", "near the drum [m/s]", "largest stretch", "deepest marker [mm]",
-               "crossings")
+               "turns per cloth", "near the axis [m/s]", "near the drum [m/s]", "torque on the drum, rms [N m]",
+               "largest stretch", "deepest marker [mm]", "crossings")
     results = {}
     for name, thesis in runs.items():
         run = results[name] = Run(study / name, cycles)
         if not run.there:
-            print_row(name, "not run", *[""] * 3, ", ".join(map(str, thesis)), *[""] * 6)
+            print_row(name, "not run", *[""] * 3, ", ".join(map(str, thesis)), *[""] * 7)
             continue
         print_row(name, *(f"{stress:.3f}" for stress in run.stresses), ", ".join(f"{part:.3f}" for part in run.bending),
                   ", ".join(map(str, thesis)), f"{run.tumbles:.2f}",
                   *("no cloth" if np.isnan(speed) else f"{speed:+.3f}" for speed in (run.sinking, run.rising)),
-                  f"{100 * run.stretch:.2f} %", f"{1e3 * run.depth:.2f}", f"{run.crossings:.0f}")
+                  f"{run.drum_torque:.2f}", f"{100 * run.stretch:.2f} %", f"{1e3 * run.depth:.2f}",
+                  f"{run.crossings:.0f}")
     return {name: run for name, run in results.items() if run.there}
 
 
-def rises(runs):
-    """Whether the ss stress rises from run to run."""
-    return all(np.diff([run.stresses[0] for run in runs.values()]) > 0)
+def rises(values):
+    """Whether each value is above the one before it."""
+    return all(np.diff(values) > 0)
 
 
 def main():
@@ -90,8 +94,13 @@ def main():
     parser.add_argument("--load-cycles", type=int, default=5)
     options = parser.parse_args()
     by_reynolds, by_load = table(options.study, BY_REYNOLDS, 2), table(options.study, BY_LOAD, options.load_cycles)
-    trends = {f"ss stress rises with Re ({', '.join(by_reynolds)})": rises(by_reynolds),
-              f"ss stress rises with load ({', '.join(by_load)})": rises(by_load)}
+    trends = {}
+    for name, runs in (("Re", by_reynolds), ("load", by_load)):
+        if len(runs) > 1:
+            trends[f"ss stress rises with {name} ({', '.join(runs)})"] = (
+                rises([run.stresses[0] for run in runs.values()]))
+    if len(by_reynolds) > 1:
+        trends["torque on the drum falls with Re"] = rises([-run.drum_torque for run in by_reynolds.values()])
     if "re1.2e3" in by_reynolds and "re1.2e4" in by_reynolds:
         trends["tumbling slower at Re 1.2e4 than at 1.2e3"] = (
             by_reynolds["re1.2e4"].tumbles < by_reynolds["re1.2e3"].tumbles)
