@@ -10,6 +10,17 @@
 
 namespace washfsi {
 
+namespace {
+
+// Whether the user sets an option of the cloth's solvers, or a default of ours has.
+bool is_given(const char* option) {
+  PetscBool given = PETSC_FALSE;
+  WASH_PETSC(PetscOptionsHasName(nullptr, "cloth_", option, &given));
+  return given == PETSC_TRUE;
+}
+
+}  // namespace
+
 template <int Dim>
 ClothSolver<Dim>::ClothSolver(const Cloths<Dim>& cloths, const Points<Dim>& positions, const Defaults& defaults)
     : cloths_(cloths), matrix_(cloths.stiffness_matrix()) {
@@ -37,9 +48,7 @@ ClothSolver<Dim>::ClothSolver(const Cloths<Dim>& cloths, const Points<Dim>& posi
   }
   const Mat jacobian = matrix_free_ ? matrix_free_ : matrix_;
   WASH_PETSC(SNESSetJacobian(solver_, jacobian, matrix_, &ClothSolver::linearise, this));
-  PetscBool given = PETSC_FALSE;
-  WASH_PETSC(PetscOptionsHasName(nullptr, "cloth_", "-snes_atol", &given));
-  user_sets_atol_ = given == PETSC_TRUE;
+  user_sets_atol_ = is_given("-snes_atol");
 }
 
 // At once, so that all options are read, and wrong ones found, before the first step.
@@ -52,6 +61,9 @@ void ClothSolver<Dim>::set_up_linear_solver(const Points<Dim>& positions) {
   WASH_PETSC(SNESGetKSP(solver_, &linear));
   WASH_PETSC(KSPSetOperators(linear, matrix_, matrix_));
   WASH_PETSC(KSPSetUp(linear));
+  KSPNormType norm = KSP_NORM_DEFAULT;
+  WASH_PETSC(KSPGetNormType(linear, &norm));
+  aims_linear_solver_ = approximate_ && norm == KSP_NORM_UNPRECONDITIONED && !is_given("-ksp_atol");
 }
 
 // A direct solution, of all cloths by every rank, of fibres: they are small, and the result does not depend on the
@@ -79,8 +91,7 @@ void ClothSolver<Dim>::set_default_solvers(const Defaults& defaults) {
   solves_linearly_ = newton || chosen == SNESQN;
   if (!solves_linearly_) return;
   const bool preconditions = newton && (defaults.approximate || std::string(defaults.type) == SNESQN);
-  PetscBool chooses = PETSC_FALSE;
-  WASH_PETSC(PetscOptionsHasName(nullptr, "cloth_", "-pc_type", &chooses));
+  const bool chooses = is_given("-pc_type"), chooses_method = is_given("-ksp_type");
   if (!chooses && preconditions && Dim == 3) {
     petsc::set_default_option("-cloth_pc_type", "bjacobi");
     petsc::set_default_option("-cloth_sub_pc_type", "ilu");
@@ -88,8 +99,6 @@ void ClothSolver<Dim>::set_default_solvers(const Defaults& defaults) {
     petsc::set_default_option("-cloth_pc_type", "redundant");
     petsc::set_default_option("-cloth_redundant_pc_type", defaults.symmetric ? "cholesky" : "lu");
   }
-  PetscBool chooses_method = PETSC_FALSE;
-  WASH_PETSC(PetscOptionsHasName(nullptr, "cloth_", "-ksp_type", &chooses_method));
   petsc::set_default_option("-cloth_ksp_type", preconditions ? "gmres" : "preonly");
   if (!preconditions) return;
   if (approximate_ && !chooses_method) petsc::set_default_option("-cloth_ksp_pc_side", "right");  // see aim_at
@@ -248,13 +257,8 @@ template <int Dim>
 void ClothSolver<Dim>::aim_at(double residual) {
   constexpr double part = 0.3;  // the rest for what is not linear
   KSP linear = nullptr;
-  KSPNormType norm = KSP_NORM_DEFAULT;
-  PetscBool given = PETSC_FALSE;
   WASH_PETSC(SNESGetKSP(solver_, &linear));
-  WASH_PETSC(KSPGetNormType(linear, &norm));
-  WASH_PETSC(PetscOptionsHasName(nullptr, "cloth_", "-ksp_atol", &given));
-  if (norm == KSP_NORM_UNPRECONDITIONED && !given)
-    WASH_PETSC(KSPSetTolerances(linear, PETSC_DEFAULT, part * residual, PETSC_DEFAULT, PETSC_DEFAULT));
+  WASH_PETSC(KSPSetTolerances(linear, PETSC_DEFAULT, part * residual, PETSC_DEFAULT, PETSC_DEFAULT));
 }
 
 template <int Dim>
@@ -271,7 +275,7 @@ PetscInt ClothSolver<Dim>::solve(const Equation& equation, double tolerance, Poi
   if (!user_sets_atol_) {
     const double enough = std::max({tolerance, equation.round_off, 1e-300});
     WASH_PETSC(SNESSetTolerances(solver_, enough, rtol, stol, most_iterations, most_evaluations));
-    if (approximate_) aim_at(enough);
+    if (aims_linear_solver_) aim_at(enough);
   }
   to_vector<Dim>(velocities, unknown_);
   WASH_PETSC(SNESSolve(solver_, nullptr, unknown_));

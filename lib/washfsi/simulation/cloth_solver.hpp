@@ -74,7 +74,7 @@ class ClothSolver {
   bool is_round_off_ = false;   ///< whether the last step's preconditioned residual was no more
   std::exception_ptr failure_;  ///< of the physics, thrown in a callback: it must not cross PETSc's frames
   PetscInt evaluations_ = 0;
-  bool user_sets_atol_ = false, solves_linearly_ = false, approximate_ = false;
+  bool user_sets_atol_ = false, solves_linearly_ = false, approximate_ = false, aims_linear_solver_ = false;
 };
 
 extern template class ClothSolver<2>;
