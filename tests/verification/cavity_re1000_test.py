@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Lid-driven cavity at Re = 1000 against the spectral values of Botella and Peyret (1998): errors and order.
 
-Prints the table of docs/verification.md. Arguments: cells per side (default 65 129 257).
+Prints the table of docs/verification/cavity.md. Arguments: cells per side (default 65 129 257).
 """
 
 import sys
@@ -15,16 +15,15 @@ LEAST_ORDER = 1.8
 
 
 def main():
-    sizes = [int(word) for word in sys.argv[1:]] or [65, 129, 257]
+    sizes = [int(word) for word in cavity.ARGUMENTS] or [65, 129, 257]
     passed, previous = True, None
-    cavity.print_head("cells", "u rms", "u max", "v rms", "v max", "order of the rms", "steps", "wall [s]")
+    cavity.print_record_head("cells", "u rms", "u max", "v rms", "v max", "order of the rms")
     for cells in sizes:
         flow = cavity.run_cavity(cells, 1000)
         errors = cavity.norms(flow, cavity.botella_peyret())
         both = np.hypot(errors[0], errors[2])
         order = previous and cavity.order(previous[1], both, cells / previous[0])
-        cavity.print_row(f"{cells} x {cells}", *map(cavity.percent, errors), f"{order:.2f}" if order else "",
-                         flow.steps, f"{flow.seconds:.0f}")
+        cavity.print_record(f"{cells} x {cells}", *map(cavity.percent, errors), f"{order:.2f}" if order else "")
         passed &= flow.is_steady() and max(errors) <= MOST_ALLOWED.get(cells, np.inf)
         passed &= order is None or order >= LEAST_ORDER
         previous = cells, both

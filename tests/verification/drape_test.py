@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A square cloth draped over a square prism, thesis 4.3.3: penetration, symmetry and time to rest on three grids.
 
-Prints the table of docs/verification.md; the limits hold for 65^3 cells. Arguments: numbers of cells along the side of
-the grids (15 33 65), and `--keep FOLDER` for the runs' results, from which scripts/plot draws.
+Prints the table of docs/verification/drape.md; the limits hold for 65^3 cells. Arguments: numbers of cells along the
+side of the grids (15 33 65), and `--keep FOLDER` for the runs' results, from which scripts/plot draws.
 """
 
 import argparse
@@ -14,7 +14,7 @@ import tempfile
 
 import numpy as np
 
-from tables import SOURCE, command, print_head, print_row, read_markers
+from tables import ARGUMENTS, SOURCE, command, print_record, print_record_head, read_markers, scientific
 
 MARKERS = {15: 15, 33: 30, 65: 60}
 BOX, HEIGHT, SIDE = 0.51, 0.255, 0.5  # [m]
@@ -49,10 +49,10 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("cells", nargs="*", type=int, default=[15, 33, 65])
     parser.add_argument("--keep", type=pathlib.Path)
-    options = parser.parse_args()
+    options = parser.parse_args(ARGUMENTS)
     passed = True
-    print_head("cells / markers", "at rest after [s]", "penetration [h]", f"asymmetry at {EARLY} s", "at rest",
-               "lowest place [m]", "largest stretch", "wall [s]")
+    print_record_head("cells / markers", "at rest after [s]", "deepest marker [h]", f"asymmetry at {EARLY} s",
+                      "at rest", "lowest place [m]", "largest stretch")
     for cells in options.cells:
         with tempfile.TemporaryDirectory(prefix="washfsi_") as temporary:
             folder = options.keep / f"drape_{cells}" if options.keep else temporary
@@ -63,9 +63,9 @@ def main():
         within = (penetration <= MOST_PENETRATION and early <= MOST_ASYMMETRY_EARLY and
                   late <= MOST_ASYMMETRY_AT_REST)
         passed = passed and (within or cells != LIMITED)
-        print_row(f"{cells}^3 / {MARKERS[cells]}^2", f"{time[-1]:.2f}", f"{penetration:.3f}", f"{early:.1e}",
-                  f"{late:.1e}", f"{places[-1, ..., 2].min():.4f}", f"{100 * sheet['max_stretch']:.2f} %",
-                  f"{summary['wall_seconds']:.0f}")
+        print_record(f"{cells}^3 / {MARKERS[cells]}^2", f"{time[-1]:.2f}",
+                     f"{penetration:.3f}" if penetration > 0 else "outside", scientific(early, 1), scientific(late, 1),
+                     f"{places[-1, ..., 2].min():.3f}", f"{100 * sheet['max_stretch']:.1f} %", arguments=[cells])
     return 0 if passed else 1
 
 

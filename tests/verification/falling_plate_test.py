@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Plates that flutter down in water (thesis 3.5.3): the tank test's half period, and Andersen et al.'s fluttering case.
 
-Prints the table of docs/verification.md. Arguments: case:cells ..., by default tank:512 andersen:256. A half period is
-the time between the extreme positions of the plate's centre. Fails when the mean of the first two is out of range, when
-the plate bends or tumbles, or when Andersen's plate has a vertical speed without twice the frequency of the horizontal.
+Prints the table of docs/verification/falling_plate.md. Arguments: case:cells ..., by default tank:512 andersen:256. A
+half period is the time between the extreme positions of the plate's centre. Fails when the mean of the first two is out
+of range, when the plate bends or tumbles, or when Andersen's plate has a vertical speed without twice the frequency of
+the horizontal.
 """
 
 import subprocess
@@ -14,7 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tables import SOURCE, command, print_head, print_row, read_columns, read_markers
+from tables import ARGUMENTS, SOURCE, command, print_record, print_record_head, read_columns, read_markers, scientific
 
 RANKS = 2
 LEAST_WAY = 0.1  # lengths: a shorter way back is no turn
@@ -86,23 +87,25 @@ def most_inclined(places):
 
 
 def main():
-    cases, passed = [word.split(":") for word in sys.argv[1:]] or [("tank", 512), ("andersen", 256)], True
-    print_head("case", "cells", "h/l", "half periods [s]", "mean of two [s]", "speed of descent [m/s]", "largest angle",
-               "frequency of Vy over that of Vx", "bent", "mean slip")
+    cases, passed = [word.split(":") for word in ARGUMENTS] or [("tank", 512), ("andersen", 256)], True
+    print_record_head("case", "cells", "h/l", "step [s]", "first turn [s]", "half periods [s]", "mean of two [s]",
+                      "descent [m/s]", "largest angle", "frequency of Vy over that of Vx", "bent/l", "mean slip")
     for name, cells in cases:
         case, cells = CASES[name], int(cells)
         history, places = fall(case, cells)
         found = turns(history["plate_center_x"], LEAST_WAY * case.length)
         halves = np.diff(history["time"][found])
+        words = [name, f"{cells} x {cells}", f"{case.box / cells / case.length:.4f}", f"{history['dt'][0]:.3g}",
+                 ", ".join(f"{turn:.3f}" for turn in history["time"][found[:1]]),
+                 ", ".join([*(f"{half:.3f}" for half in halves), *["then none"] * (len(halves) < 2)])]
         if len(halves) < 2:
-            print_row(name, f"{cells} x {cells}", f"turns at {history['time'][found]} s only")
+            print_record(*words, *[""] * 6, arguments=[f"{name}:{cells}"])
             passed = False
             continue
         descent = -np.diff(history["plate_center_y"][found[::len(found) - 1]])[0] / halves.sum()
         ratio, bent, angle = frequency_ratio(history, found), most_bent(places), most_inclined(places)
-        print_row(name, f"{cells} x {cells}", f"{case.box / cells / case.length:.4f}",
-                  ", ".join(f"{half:.3f}" for half in halves), f"{halves[:2].mean():.3f}", f"{descent:.4f}",
-                  f"{angle:.0f}", f"{ratio:.2f}", f"{bent:.1e}", f"{history['cloth_slip'].mean():.4f}")
+        print_record(*words, f"{halves[:2].mean():.3f}", f"{descent:.3f}", f"{angle:.0f}", f"{ratio:.1f}",
+                     scientific(bent, 1), f"{100 * history['cloth_slip'].mean():.1f} %", arguments=[f"{name}:{cells}"])
         passed &= bool(case.half_period[0] <= halves[:2].mean() <= case.half_period[1])
         passed &= bool(bent <= MOST_BENT and angle <= MOST_INCLINED)
         passed &= bool(name == "tank" or RATIO[0] <= ratio <= RATIO[1])

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A filament in a vacuum: period of a hanging chain's first mode, and the tip of one that swings from 0.1 pi.
 
-Prints the table of docs/verification.md. Chain: J0(j01 sqrt(s/L)), s from the free end, omega = j01/2 sqrt(g/L).
+Prints the table of docs/verification/filament.md. Chain: J0(j01 sqrt(s/L)), s from the free end, omega = j01/2
+sqrt(g/L).
 """
 
 import subprocess
@@ -10,7 +11,7 @@ import tempfile
 
 import numpy as np
 
-from tables import SOURCE, command, print_head, print_row, read_markers
+from tables import SOURCE, command, print_record, print_record_head, read_markers, scientific
 
 SWING = SOURCE / "tests" / "verification" / "reference" / "filament" / "swing_tip_0.1pi_gamma0.01.csv"
 LENGTH, GRAVITY = 1, 10
@@ -66,13 +67,14 @@ def swing_error():
 
 
 def main():
-    print_head("case", "measure", "computed", "exact", "off", "stretch")
+    print_record_head("case", "measure", "computed", "exact", "off", "stretch")
     period, chain_stretch = first_mode_period()
-    print_row("hanging chain", "period of mode 1 [s]", f"{period:.5f}", f"{PERIOD:.5f}",
-              f"{100 * (period / PERIOD - 1):+.3f} %", f"{chain_stretch:.1e}")
+    print_record("hanging chain", "period of mode 1 [s]", f"{period:.5f}", f"{PERIOD:.5f}",
+                 f"{100 * (period / PERIOD - 1):+.3f} %", scientific(chain_stretch, 1))
     off, swing_stretch = swing_error()
     for axis, error in zip(("sideways", "down"), off):
-        print_row("swing", f"tip {axis}, rms over rms sideways", "", "", f"{100 * error:.2f} %", f"{swing_stretch:.1e}")
+        print_record("swing", f"tip {axis}, rms over rms sideways", "", "", f"{100 * error:.2f} %",
+                     scientific(swing_stretch, 1))
     passed = abs(period / PERIOD - 1) <= MOST_OFF_PERIOD and max(off) <= MOST_OFF_SWING
     return 0 if passed and max(chain_stretch, swing_stretch) <= MOST_STRETCH else 1
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A flag in a stream (Huang, Shin and Sung 2007): amplitude of its free end and Strouhal number.
 
-Prints the table of docs/verification.md. Arguments: numbers of cells a side, by default 256. Swings of the last marker
-are taken once it flaps steadily. Fails when it does not, when the flag stretches, or when amplitude or frequency are
-off those that docs/verification.md records for 256 cells.
+Prints the table of docs/verification/flag.md. Arguments: numbers of cells a side, by default 256. Swings of the last
+marker are taken once it flaps steadily. Fails when it does not, when the flag stretches, or when amplitude or frequency
+are off those that docs/verification/flag.md records for 256 cells.
 """
 
 import subprocess
@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tables import SOURCE, command, print_head, print_row, read_columns, read_markers
+from tables import ARGUMENTS, SOURCE, command, print_record, print_record_head, read_columns, read_markers
 
 RANKS = 2
 LENGTH = 1  # [m] from the first marker, where the hinge is, to the free end
@@ -73,8 +73,9 @@ def agrees(found):
 
 def main():
     passed = True
-    print_head("cells", "amplitude/L, peak to peak", "unevenness", "f L/U", "periods", "largest stretch", "mean slip")
-    for cells in [int(word) for word in sys.argv[1:]] or [256]:
+    print_record_head("cells", "step [L/U]", "amplitude/L, peak to peak", "varies by", "f L/U", "largest stretch",
+                      "mean slip")
+    for cells in [int(word) for word in ARGUMENTS] or [256]:
         with tempfile.TemporaryDirectory(prefix="washfsi_") as folder:
             subprocess.run(command(RANKS, "-options_file", SOURCE / "inputs" / "flag.opts", *flag_options(cells),
                                    "-output_dir", folder), check=True, stdout=subprocess.DEVNULL)
@@ -82,8 +83,9 @@ def main():
             history = read_columns(Path(folder) / "history.csv")
         found = flapping(time, markers, LENGTH / (cells // 8 - 0.5))
         slip = history["cloth_slip"][history["time"] >= SETTLED].mean()
-        print_row(f"{cells} x {cells}", f"{found.amplitude:.3f}", f"{found.uneven:.3f}", f"{found.strouhal:.3f}",
-                  found.periods, f"{found.stretch:.4f}", f"{slip:.4f}")
+        print_record(f"{cells} x {cells}", f"{history['dt'][0]:.3g}", f"{found.amplitude:.2f}",
+                     f"{100 * found.uneven:.0f} %", f"{found.strouhal:.3f}", f"{100 * found.stretch:.1f} %",
+                     f"{100 * slip:.1f} %", arguments=[cells])
         passed &= agrees(found)
     return 0 if passed else 1
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A cylinder that oscillates in water at rest: first harmonic of the force against Stokes' solution.
 
-Prints the table of docs/verification.md. Arguments: methods, by default mapping cut_stencil. The harmonic is that of the
-last two of five periods, by the forcing and by the balance of momentum.
+Prints the table of docs/verification/cylinder.md. Arguments: methods, by default mapping cut_stencil. The harmonic is
+that of the last two of five periods, by the forcing and by the balance of momentum.
 """
 
 import subprocess
@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from tables import SOURCE, command, print_head, print_row, read_columns
+from tables import ARGUMENTS, SOURCE, command, print_record, print_record_head, read_columns
 
 RANKS = 2
 DIAMETER, SPEED, FREQUENCY, VISCOSITY, DENSITY = 1, 0.3, 1, 0.05, 1
@@ -45,9 +45,9 @@ def first_harmonic(history, column, dt):
 
 
 def main():
-    methods, passed, exact = sys.argv[1:] or ["mapping", "cut_stencil"], True, stokes()
-    print_head("method", "loads by", "with the velocity", "over exact", "with the acceleration", "over exact")
-    print_row("Stokes", "", f"{exact[0]:.4f}", "1", f"{exact[1]:.4f}", "1")
+    methods, passed, exact = ARGUMENTS or ["mapping", "cut_stencil"], True, stokes()
+    print_record_head("method", "loads by", "with the velocity", "over exact", "with the acceleration", "over exact")
+    print_record("Stokes", "", f"{exact[0]:.4f}", "1", f"{exact[1]:.4f}", "1")
     for method in methods:
         with tempfile.TemporaryDirectory(prefix="washfsi_") as folder:
             subprocess.run(command(RANKS, "-options_file", SOURCE / "inputs" / "oscillating_cylinder.opts",
@@ -56,7 +56,8 @@ def main():
             history = read_columns(Path(folder) / "history.csv")
         for way, column in (("forcing", "cylinder_force_x"), ("balance", "cylinder_balance_force_x")):
             found = first_harmonic(history, column, history["dt"][-1])
-            print_row(method, way, *(f"{word:.4f}" for pair in zip(found, np.divide(found, exact)) for word in pair))
+            parts = [f"{part:.4f} | {part / right:.3f}" for part, right in zip(found, exact)]
+            print_record(method, way, *parts, arguments=[method])
             passed &= max(abs(np.divide(found, exact) - 1)) <= MOST_OFF[method]
     return 0 if passed else 1
 

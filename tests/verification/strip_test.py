@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A clamped strip of cloth under its weight: tip and overhang angle against the exact heavy elastica.
 
-Prints the table of docs/verification.md. The tip is half a spacing beyond the last row of markers.
+Prints the table of docs/verification/strip.md. The tip is half a spacing beyond the last row of markers.
 """
 
 import csv
@@ -11,7 +11,7 @@ import tempfile
 
 import numpy as np
 
-from tables import SOURCE, command, print_head, print_row, read_markers
+from tables import SOURCE, command, print_record, print_record_head, read_markers
 
 ELASTICA = SOURCE / "tests" / "verification" / "reference" / "elastica"
 MARKERS = (33, 5)
@@ -37,20 +37,20 @@ def chord_table():
 
 
 def main():
-    print_head("w L^3/Kb", "at rest after [s]", "measure", "computed", "exact", "off")
+    print_record_head("w L^3/Kb", "at rest after [s]", "measure", "computed", "exact", "off")
     exact = np.genfromtxt(ELASTICA / "bickley_b3_10_alpha_0.csv", delimiter=",", skip_header=2)
     time, tip = tip_of(10)
     wanted = exact[-1, 1:3]
     off = np.hypot(*(tip[[0, 2]] - wanted))
-    print_row(10, f"{time:.1f}", "tip [L]", f"{tip[0]:.5f}, {tip[2]:.5f}", f"{wanted[0]:.5f}, {wanted[1]:.5f}",
-              f"{100 * off:.2f} % of L")
+    print_record(10, f"{time:.1f}", "tip [L]", f"{tip[0]:.5f}, {tip[2]:.5f}", f"{wanted[0]:.5f}, {wanted[1]:.5f}",
+                 f"{100 * off:.2f} % of L")
     angles, lengths = chord_table()
     length = np.interp(OVERHANG, angles, lengths)
     time, tip = tip_of(length ** 3)
     angle = np.degrees(np.arctan2(-tip[2], tip[0]))
     found = np.interp(angle, angles, lengths)  # of the exact strip with the computed angle
-    print_row(f"{length ** 3:.4f}", f"{time:.1f}", f"overhang at {OVERHANG} degrees [c]", f"{found:.4f}",
-              f"{length:.4f}", f"{100 * (found / length - 1):+.2f} %")
+    print_record(f"{length ** 3:.4f}", f"{time:.1f}", f"overhang at {OVERHANG} degrees [c]", f"{found:.4f}",
+                 f"{length:.4f}", f"{100 * (found / length - 1):+.2f} %")
     return 0 if off <= MOST_OFF_TIP and abs(found / length - 1) <= MOST_OFF_OVERHANG else 1
 
 

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The couplings at the three-dimensional wash: step, damping, cost and the stresses of the first agitation cycle.
 
-Prints the table of docs/verification.md. Arguments: `--cycles PART` for a part of the cycle only; `--ranks`, 2 if not
-given; `--keep FOLDER` for the runs' results (out/wash_couplings if not given), where a run that has finished is not made
-again. The reference is the explicit coupling with the damping that the semi-implicit step of inputs/wash.opts has by
-itself, about one step. Tracks: rms distance of the cloths' centres from the reference's, over the marker spacing. Fails
-where the default's stresses are more than 15 % from the reference's.
+Prints the table of docs/verification/wash.md. Arguments: `--cycles PART` for a part of the cycle only; `--ranks`, 2 if
+not given; `--keep FOLDER` for the runs' results (out/wash_couplings if not given), where a run that has finished is
+not made again. The reference is the explicit coupling with the damping that the semi-implicit step of inputs/wash.opts
+has by itself, about one step. Tracks: rms distance of the cloths' centres from the reference's, over the marker
+spacing. Fails where the default's stresses are more than 15 % from the reference's.
 """
 
 import argparse
@@ -16,7 +16,7 @@ from pathlib import Path
 
 import numpy as np
 
-from tables import SOURCE, command, print_head, print_row
+from tables import ARGUMENTS, SOURCE, command, print_record, print_record_head
 from wash_runs import CYCLE, STRESSES, read_centers
 
 INTERVAL = 1e-3  # between measurements: the default's step [s]
@@ -66,24 +66,24 @@ def main():
     parser.add_argument("--cycles", type=float, default=1)
     parser.add_argument("--ranks", type=int, default=2)
     parser.add_argument("--keep", type=Path, default=SOURCE / "out" / "wash_couplings")
-    options = parser.parse_args()
+    options = parser.parse_args(ARGUMENTS)
     end = options.cycles * CYCLE
-    print_head("coupling", "damping [s]", "step [s]", "ms a step", "s per simulated s", "membrane ss, rr, sr [MPa]",
-               "bending ss, rr, sr [MPa]", "membrane off", "bending off", "tracks off half-way and at the end",
-               "largest stretch", "crossings")
+    print_record_head("coupling", "damping [s]", "step [s]", "ms a step", "s per simulated s",
+                      "membrane ss, rr, sr [MPa]", "bending ss, rr, sr [MPa]", "membrane off", "bending off",
+                      "tracks off half-way and at the end", "largest stretch", "crossings")
     runs = {}
     for case in RUNS:
         run = runs[case] = Run(options.keep, options.ranks, end, *case)
         words = [case[0], f"{case[1]:g}", f"{case[2]:g}", f"{run.ms:.1f}", f"{run.cost:.0f}"]
         if not run.stable:
-            print_row(*words, "diverged", *[""] * 6)
+            print_record(*words, "diverged", *[""] * 6)
             continue
         reference = runs[REFERENCE]
-        print_row(*words, *(", ".join(f"{value:.4f}" for value in part) for part in (run.membrane, run.bending)),
-                  f"{100 * off(run.membrane, reference.membrane):.0f} %",
-                  f"{100 * off(run.bending, reference.bending):.0f} %",
-                  ", ".join(f"{run.tracks_off(reference, part * end):.2f}" for part in (0.5, 1)),
-                  f"{100 * run.stretch:.2f} %", run.crossings)
+        differences = [f"{100 * off(run.membrane, reference.membrane):.0f} %",
+                       f"{100 * off(run.bending, reference.bending):.0f} %",
+                       ", ".join(f"{run.tracks_off(reference, part * end):.2f}" for part in (0.5, 1))]
+        print_record(*words, *(", ".join(f"{value:.4f}" for value in part) for part in (run.membrane, run.bending)),
+                     *(differences if run is not reference else 3 * [""]), f"{100 * run.stretch:.2f} %", run.crossings)
     reference, default = runs[REFERENCE], runs[DEFAULT]
     return 0 if max(off(default.membrane, reference.membrane), off(default.bending, reference.bending)) <= MOST_OFF else 1
 

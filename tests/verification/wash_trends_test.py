@@ -3,10 +3,10 @@
 number and the load.
 
 Reads what `scripts/study inputs/thesis/*.opts` has left in out/study, or in the folder given, and prints the tables of
-docs/verification.md; runs not made, or too short, are listed as such. Stresses are averages over all markers and the
-first cycles: two over the Reynolds number, five (`--load-cycles`) over the load. Fails where a run that is there breaks
-one of the thesis's trends, or that of the torque on the drum, which falls with the Reynolds number (Akcabay, Dowling
-and Schultz, Clothes washing simulations, Computers & Fluids, 2014).
+docs/verification/wash.md; runs not made, or too short, are listed as such. Stresses are averages over all markers and
+the first cycles: two (`--cycles`) over the Reynolds number, five (`--load-cycles`) over the load. Fails where a run
+that is there breaks one of the thesis's trends, or that of the torque on the drum, which falls with the Reynolds number
+(Akcabay, Dowling and Schultz, Clothes washing simulations, Computers & Fluids, 2014).
 """
 
 import argparse
@@ -15,7 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
-from tables import SOURCE, print_head, print_row, read_columns
+from tables import ARGUMENTS, SOURCE, print_record, print_record_head, read_columns
 from wash_runs import CYCLE, STRESSES, read_centers
 
 RADIUS = 0.31  # of the drum [m]
@@ -63,23 +63,26 @@ def vertical_speeds(time, centers, cycles):
     return [speed[part].mean() if part.any() else np.nan for part in (radius < INNER, radius > OUTER)]
 
 
+def joined(stresses):
+    """Stresses [MPa] in one cell."""
+    return ", ".join(f"{stress:.3f}" for stress in stresses)
+
+
 def table(study, runs, cycles):
     """Prints the runs beside the thesis's averages; returns those that there are by name, in the same order."""
     print(f"\nFirst {cycles} cycles:\n")
-    print_head("run", *(f"{stress} [MPa]" for stress in STRESSES), "bending part of ss, rr, sr", "thesis",
-               "turns per cloth", "near the axis [m/s]", "near the drum [m/s]", "torque on the drum, rms [N m]",
-               "largest stretch", "deepest marker [mm]", "crossings")
+    print_record_head("run", "computed", "of that bending", "thesis", "turns per cloth", "near the axis [m/s]",
+                      "near the drum [m/s]", "drum [N m]", "largest stretch", "deepest marker [mm]", "crossings")
     results = {}
     for name, thesis in runs.items():
         run = results[name] = Run(study / name, cycles)
         if not run.there:
-            print_row(name, "not run", *[""] * 3, ", ".join(map(str, thesis)), *[""] * 7)
+            print_record(name, "not run", "", ", ".join(map(str, thesis)), *[""] * 7)
             continue
-        print_row(name, *(f"{stress:.3f}" for stress in run.stresses), ", ".join(f"{part:.3f}" for part in run.bending),
-                  ", ".join(map(str, thesis)), f"{run.tumbles:.2f}",
-                  *("no cloth" if np.isnan(speed) else f"{speed:+.3f}" for speed in (run.sinking, run.rising)),
-                  f"{run.drum_torque:.2f}", f"{100 * run.stretch:.2f} %", f"{1e3 * run.depth:.2f}",
-                  f"{run.crossings:.0f}")
+        print_record(name, joined(run.stresses), joined(run.bending), ", ".join(map(str, thesis)), f"{run.tumbles:.2f}",
+                     *("none there" if np.isnan(speed) else f"{speed:+.3f}" for speed in (run.sinking, run.rising)),
+                     f"{run.drum_torque:.2f}", f"{100 * run.stretch:.2f} %", f"{1e3 * run.depth:.2f}",
+                     f"{run.crossings:.0f}")
     return {name: run for name, run in results.items() if run.there}
 
 
@@ -91,9 +94,11 @@ def rises(values):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("study", nargs="?", type=Path, default=SOURCE / "out" / "study")
+    parser.add_argument("--cycles", type=int, default=2)
     parser.add_argument("--load-cycles", type=int, default=5)
-    options = parser.parse_args()
-    by_reynolds, by_load = table(options.study, BY_REYNOLDS, 2), table(options.study, BY_LOAD, options.load_cycles)
+    options = parser.parse_args(ARGUMENTS)
+    by_reynolds = table(options.study, BY_REYNOLDS, options.cycles)
+    by_load = table(options.study, BY_LOAD, options.load_cycles)
     trends = {}
     for name, runs in (("Re", by_reynolds), ("load", by_load)):
         if len(runs) > 1:
