@@ -10,14 +10,18 @@ LIBRARY = pathlib.Path(os.environ["WASHFSI_SOURCE"]) / "lib" / "washfsi"
 # The arrows, as docs/development.md draws them; CMake must declare the same.
 ARROWS = {
     "support": set(),
+    "geometry": {"support"},
     "grid": {"support"},
     "fluid": {"grid"},
-    "body": {"grid"},
+    "body": {"grid", "geometry"},
     "cloth": {"support"},
-    "coupling": {"grid", "cloth"},
+    "contact": {"body", "cloth"},
+    "coupling": {"grid", "geometry", "cloth"},
     "machine": {"body", "cloth"},
     "output": {"grid", "cloth", "body"},
-    "simulation": {"fluid", "coupling", "machine", "output"},
+    "scheme": {"fluid", "coupling", "contact"},
+    "measure": {"scheme", "machine", "output"},
+    "simulation": {"measure"},
 }
 
 
@@ -33,7 +37,7 @@ def declared_uses():
     """The USES of each washfsi_library in CMake."""
     text = (LIBRARY / "CMakeLists.txt").read_text()
     calls = re.findall(r"^washfsi_library\((\w+)(.*?)\)", text, re.S | re.M)
-    return {name: set(re.search(r"USES ([\w ]+)", body).group(1).split()) if "USES" in body else set()
+    return {name: set(re.search(r"USES ([a-z ]+)", body).group(1).split()) if "USES" in body else set()
             for name, body in calls}
 
 

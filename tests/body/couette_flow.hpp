@@ -4,11 +4,11 @@
 #include <numbers>
 
 #include "support/gather.hpp"
+#include "support/water.hpp"
 #include "washfsi/body/combinations.hpp"
 #include "washfsi/body/control_volume.hpp"
 #include "washfsi/body/mask.hpp"
 #include "washfsi/body/primitives.hpp"
-#include "washfsi/fluid/fractional_step.hpp"
 #include "washfsi/support/collective.hpp"
 
 namespace washfsi::test {
@@ -32,13 +32,10 @@ class CircularCouette {
         bodies_(cylinders(center_)),
         grid_(comm, shape(n)),
         boundary_(grid_, turning_walls(center_)),
-        fluid_(grid_, boundary_, liquid()),
+        water_(grid_, boundary_, liquid()),
         mask_(grid_, bodies_, treatment),
-        control_volumes_(grid_, boundary_, bodies_),
-        density_(grid_.face_vector()),
-        force_(grid_.face_vector()) {
-    WASH_PETSC(VecSet(density_, 1.0));
-    const FaceView<2> u(grid_.face_dm(), fluid_.velocity());
+        control_volumes_(grid_, boundary_, bodies_) {
+    const FaceView<2> u(grid_.face_dm(), water_.fluid.velocity());
     for (int c = 0; c < 2; ++c)
       for_each<2>(grid_.owned(), [&](const Index<2>& face) {
         const Point<2> arm = grid_.face_center(face, c) - center_;
@@ -50,16 +47,16 @@ class CircularCouette {
     const double dt = courant * grid_.spacing()[0] / (wi * ri);
     const int steps = static_cast<int>(std::ceil(time / dt));
     for (int n = 0; n < steps; ++n) {
-      mask_.update(fluid_.time() + dt);
+      mask_.update(water_.clock.time + dt);
       extrapolate(dt);
-      fluid_.advance(dt, {density_, force_, mask_.constraint()});
+      water_.advance(dt, mask_.constraint());
     }
     return errors(dt);
   }
 
   /// The velocity on every rank of the world.
   std::vector<double> velocity(bool everywhere) const {
-    return gather<2, 2>(grid_, grid_.face_dm(), fluid_.velocity(), everywhere);
+    return gather<2, 2>(grid_, grid_.face_dm(), water_.fluid.velocity(), everywhere);
   }
 
  private:
@@ -104,12 +101,12 @@ class CircularCouette {
   }
 
   void extrapolate(double dt) {
-    const GhostedVelocity<2> local(boundary_, grid_.wide_face_dm(), fluid_.velocity(), fluid_.time());
-    mask_.extrapolate(local, fluid_.time() + dt);
+    const GhostedVelocity<2> local = water_.ghosted(grid_.wide_face_dm());
+    mask_.extrapolate(local, water_.clock.time + dt);
   }
 
   Errors errors(double dt) {
-    const GhostedVelocity<2> local(boundary_, grid_.face_dm(), fluid_.velocity(), fluid_.time());
+    const GhostedVelocity<2> local = water_.ghosted(grid_.face_dm());
     const ConstFaceView<2> u(grid_.face_dm(), local);
     double sum = 0, count = 0, worst = 0;
     for_each<2>(grid_.owned(), [&](const Index<2>& cell) {
@@ -124,11 +121,18 @@ class CircularCouette {
       worst = std::max(worst, error);
     });
     const double torque = 4 * std::numbers::pi * viscosity * (wi - wo) * ri * ri * ro * ro / (ro * ro - ri * ri);
-    const double middle = fluid_.time() - 0.5 * dt;
-    const auto loads = mask_.loads(fluid_.constraint_force(), density_, fluid_.pressure(), middle);
-    const auto balance =
-        control_volumes_.loads({fluid_.velocity_before(), fluid_.velocity(), fluid_.pressure(), density_, force_,
-                                mask_.fluid_fraction(), viscosity, fluid_.time(), dt});
+    const double middle = water_.clock.time - 0.5 * dt;
+    const auto loads =
+        mask_.loads(water_.fluid.constraint_force(), water_.liquid.density(), water_.fluid.pressure(), middle);
+    const auto balance = control_volumes_.loads({water_.fluid.velocity_before(),
+                                                 water_.fluid.velocity(),
+                                                 water_.fluid.pressure(),
+                                                 water_.liquid.density(),
+                                                 water_.force,
+                                                 mask_.fluid_fraction(),
+                                                 {viscosity},
+                                                 water_.clock.time,
+                                                 dt});
     return {std::sqrt(ordered_sum(grid_.comm(), sum) / ordered_sum(grid_.comm(), count)),
             largest(grid_.comm(), worst),
             -loads[1].torque[0] / torque,
@@ -141,10 +145,9 @@ class CircularCouette {
   std::vector<Body<2>> bodies_;
   Grid<2> grid_;
   Boundary<2> boundary_;
-  FractionalStep<2> fluid_;
+  Water<2> water_;
   Mask<2> mask_;
   ControlVolumes<2> control_volumes_;
-  petsc::Vector density_, force_;
 };
 
 }  // namespace washfsi::test

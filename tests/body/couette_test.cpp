@@ -6,12 +6,14 @@
 namespace washfsi::test {
 namespace {
 
-constexpr BodyTreatment mapping{}, smooth{BodyMethod::mapping, true}, variable{BodyMethod::mapping_variable, false};
-constexpr BodyTreatment ghost{BodyMethod::ghost, false}, cut_stencil{BodyMethod::cut_stencil, false};
+constexpr BodyTreatment mapping{}, smooth{BodyMethod::mapping, MaskEdge::smooth},
+    variable{BodyMethod::mapping_variable};
+constexpr BodyTreatment ghost{BodyMethod::ghost}, cut_stencil{BodyMethod::cut_stencil};
 
 std::string name_of(const BodyTreatment& treatment) {
   const std::array names{"mapping", "mapping_variable", "ghost", "cut_stencil"};
-  return names.at(static_cast<std::size_t>(treatment.method)) + std::string(treatment.smooth ? " smooth" : "");
+  return names.at(static_cast<std::size_t>(treatment.method)) +
+         std::string(treatment.edge == MaskEdge::smooth ? " smooth" : "");
 }
 
 void print(PetscInt n, const std::string& name, const CircularCouette::Errors& errors) {

@@ -5,11 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include "support/water.hpp"
 #include "washfsi/body/combinations.hpp"
 #include "washfsi/body/primitives.hpp"
 #include "washfsi/body/vaned.hpp"
-#include "washfsi/fluid/diagnostics.hpp"
-#include "washfsi/fluid/fractional_step.hpp"
 
 namespace washfsi::test {
 namespace {
@@ -33,12 +32,8 @@ struct Couette {
       : bodies(cylinders(speed, frequency)),
         grid(PETSC_COMM_WORLD, shape(n)),
         boundary(grid, {}),
-        fluid(grid, boundary, liquid(viscosity)),
-        mask(grid, bodies, {}),
-        density(grid.face_vector()),
-        force(grid.face_vector()) {
-    WASH_PETSC(VecSet(density, 1.0));
-  }
+        water(grid, boundary, liquid(viscosity)),
+        mask(grid, bodies, {}) {}
   static GridShape<2> shape(PetscInt n) {
     GridShape<2> shape;
     shape.cells = {n, n};
@@ -52,17 +47,16 @@ struct Couette {
     return options;
   }
   std::vector<Load<2>> step(double dt) {
-    mask.update(fluid.time() + dt);
-    fluid.advance(dt, {density, force, mask.constraint()});
-    return mask.loads(fluid.constraint_force(), density, fluid.pressure(), fluid.time());
+    mask.update(water.clock.time + dt);
+    water.advance(dt, mask.constraint());
+    return mask.loads(water.fluid.constraint_force(), water.liquid.density(), water.fluid.pressure(), water.clock.time);
   }
 
   std::vector<Body<2>> bodies;
   Grid<2> grid;
   Boundary<2> boundary;
-  FractionalStep<2> fluid;
+  Water<2> water;
   Mask<2> mask;
-  petsc::Vector density, force;
 };
 
 TEST(Loads, SteadyCouetteTorqueApproachesTheory) {
@@ -85,8 +79,8 @@ TEST(Loads, SteadyCouetteTorqueApproachesTheory) {
 TEST(Loads, BalanceTheAngularMomentumOfTheWater) {
   Couette couette(40, 2.0, 1.0, 0.05);
   const auto momentum = [&] {
-    const petsc::Vector held = petsc::zeros_like(couette.fluid.velocity());
-    WASH_PETSC(VecCopy(couette.fluid.velocity(), held));
+    const petsc::Vector held = petsc::zeros_like(couette.water.fluid.velocity());
+    WASH_PETSC(VecCopy(couette.water.fluid.velocity(), held));
     const ConstFaceView<2> u(couette.grid.face_dm(), held),
         fraction(couette.grid.face_dm(), couette.mask.fluid_fraction());
     double sum = 0;
@@ -112,8 +106,8 @@ TEST(Loads, BalanceTheAngularMomentumOfTheWater) {
 TEST(Mask, HoldsTheSolidVelocity) {
   Couette couette(32, 3.0, 0, 0.1);
   (void)couette.step(0.01);
-  const petsc::Vector held = petsc::zeros_like(couette.fluid.velocity());
-  WASH_PETSC(VecCopy(couette.fluid.velocity(), held));
+  const petsc::Vector held = petsc::zeros_like(couette.water.fluid.velocity());
+  WASH_PETSC(VecCopy(couette.water.fluid.velocity(), held));
   couette.mask.hold(held);
   const ConstFaceView<2> u(couette.grid.face_dm(), held);
   for_each<2>(couette.grid.owned(), [&](const Index<2>& face) {

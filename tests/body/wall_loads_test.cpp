@@ -42,7 +42,7 @@ TEST(WallLoads, OfAChannelBalanceItsPressureDrop) {
   const auto sides = exposed_walls<2>(grid, boundary, {});
   ASSERT_EQ(sides.size(), 4U);
   const GhostedVelocity<2> local_velocity(boundary, grid.face_dm(), velocity, 0);
-  const auto loads = wall_loads<2>(grid, boundary, {}, sides, local_velocity, pressure, viscosity, 0);
+  const auto loads = wall_loads<2>(grid, boundary, {}, sides, local_velocity, pressure, {viscosity}, 0);
   const double drop = 2 * viscosity * length, friction = viscosity * length;
   EXPECT_NEAR(loads[0].force[0], 0, 1e-12);               // x lower, where p = 0
   EXPECT_NEAR(loads[1].force[0], -drop * height, 1e-12);  // x upper
@@ -75,7 +75,7 @@ TEST(WallLoads, OfTheWaterBesideABodyAreNotTheBodys) {
   WASH_PETSC(VecSet(velocity, 1));
   mask.hold(velocity);
   const GhostedVelocity<2> local_velocity(boundary, grid.face_dm(), velocity, 0);
-  const auto loads = mask.hidden_wall_shear(boundary, local_velocity, viscosity, 0);
+  const auto loads = mask.hidden_wall_shear(boundary, local_velocity, {viscosity}, 0);
   EXPECT_NEAR(loads[0].force[0], 0, 1e-12);
 }
 

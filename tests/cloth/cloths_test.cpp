@@ -3,13 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include "support/cloth_forces.hpp"
 #include "support/random_points.hpp"
 #include "washfsi/support/collective.hpp"
 
 namespace washfsi::test {
 namespace {
 
-std::vector<ClothGroup<2>> two_groups(const std::string& model, bool closed = false) {
+std::vector<ClothGroup<2>> two_groups(ElasticModel model, bool closed = false) {
   ClothGroup<2> large, small;
   large.name = "large";
   large.count = 2;
@@ -18,10 +19,11 @@ std::vector<ClothGroup<2>> two_groups(const std::string& model, bool closed = fa
   small.count = 3;
   small.markers = {4, 1};
   large.model = small.model = model;
-  large.sheet = small.sheet = {.ds = 0.1, .ke_s = 50, .kb_s = 0.02, .damping = 0.1, .thickness = 1e-3};
+  large.sheet =
+      small.sheet = {.ds = 0.1, .fabric = LinearFabric({.ke_s = 50, .kb_s = 0.02}), .damping = 0.1, .thickness = 1e-3};
   large.sheet.closed = closed;
-  large.hold = "middle";
-  small.hold = "edge";
+  large.hold = Hold::middle;
+  small.hold = Hold::edge;
   large.hold_stiffness = small.hold_stiffness = 300;
   return {large, small};
 }
@@ -34,14 +36,13 @@ Points<Dim> part_of(const Cloths<Dim>& cloths, const Points<Dim>& values) {
 // The distributed forces, stresses and energies against those of each whole piece.
 template <int Dim>
 void expect_same_as_undistributed(const std::vector<ClothGroup<Dim>>& groups, const Points<Dim>& x) {
-  Cloths<Dim> all(PETSC_COMM_SELF, groups), mine(PETSC_COMM_WORLD, groups);
+  const Cloths<Dim> all(PETSC_COMM_SELF, groups), mine(PETSC_COMM_WORLD, groups);
   ASSERT_EQ(all.marker_count(), static_cast<PetscInt>(x.size()));
   const Points<Dim> u = random_points<Dim>(x.size(), 12), anchors = random_points<Dim>(x.size(), 13);
   const auto part = [&](const Points<Dim>& values) { return part_of(mine, values); };
-  all.hold_at(anchors);
-  mine.hold_at(part(anchors));
-  const Points<Dim> whole = all.elastic_forces(x), forces = mine.elastic_forces(part(x));
-  const Points<Dim> whole_damping = all.damping_forces(x, u), damping = mine.damping_forces(part(x), part(u));
+  const Forces<Dim> of_all = cloth_forces(all, anchors), of_mine = cloth_forces(mine, part(anchors));
+  const Points<Dim> whole = of_all.of_places(x), forces = of_mine.of_places(part(x));
+  const Points<Dim> whole_damping = of_all.of_velocities(x, u), damping = of_mine.of_velocities(part(x), part(u));
   const std::vector<MarkerState> whole_states = all.marker_states(x), states = mine.marker_states(part(x));
   for (std::size_t m = 0; m < mine.owned(); ++m) {
     const std::size_t global = m + static_cast<std::size_t>(mine.begin());
@@ -52,37 +53,38 @@ void expect_same_as_undistributed(const std::vector<ClothGroup<Dim>>& groups, co
     EXPECT_EQ(states[m].stretch, whole_states[global].stretch);
     EXPECT_EQ(states[m].shear_angle, whole_states[global].shear_angle);
   }
-  const std::vector<double> energies = mine.elastic_energies(part(x)), whole_energies = all.elastic_energies(x);
+  const std::vector<double> energies = of_mine.elastic_energies(part(x)), whole_energies = of_all.elastic_energies(x);
   for (std::size_t g = 0; g < 2; ++g) EXPECT_NEAR(energies[g], whole_energies[g], 1e-12 * whole_energies[g]);
 }
 
 TEST(Cloths, EnergyFormDoesNotDependOnTheDistribution) {
-  expect_same_as_undistributed<2>(two_groups("energy"), crumpled_fibre<2>(34, 0.1, 11));
+  expect_same_as_undistributed<2>(two_groups(ElasticModel::energy), crumpled_fibre<2>(34, 0.1, 11));
 }
 TEST(Cloths, LoveFormDoesNotDependOnTheDistribution) {
-  expect_same_as_undistributed<2>(two_groups("love"), crumpled_fibre<2>(34, 0.1, 11));
+  expect_same_as_undistributed<2>(two_groups(ElasticModel::love), crumpled_fibre<2>(34, 0.1, 11));
 }
 
 TEST(Cloths, ClosedClothDoesNotDependOnTheDistribution) {
-  expect_same_as_undistributed<2>(two_groups("energy", true), crumpled_fibre<2>(34, 0.1, 11));
+  expect_same_as_undistributed<2>(two_groups(ElasticModel::energy, true), crumpled_fibre<2>(34, 0.1, 11));
 }
 
 // Each column of the matrix against differences of the forces, on all ranks at once.
 TEST(Cloths, StiffnessIsTheJacobianOfTheForces) {
   for (const bool closed : {false, true}) {
-    Cloths<2> cloths(PETSC_COMM_WORLD, two_groups("energy", closed));
+    const Cloths<2> cloths(PETSC_COMM_WORLD, two_groups(ElasticModel::energy, closed));
     const Points<2> x = crumpled_fibre<2>(34, 0.1, 11);
-    cloths.hold_at(part_of(cloths, x));
-    const petsc::Matrix matrix = cloths.stiffness_matrix();
-    cloths.set_stiffness(part_of(cloths, x), GeometricStiffness::all, 1, matrix);
+    const Forces<2> forces = cloth_forces(cloths, part_of(cloths, x));
+    petsc::Matrix matrix;
+    forces.lay_out_stiffness(matrix);
+    forces.set_stiffness(part_of(cloths, x), GeometricStiffness::all, 1, matrix);
     constexpr double e = 1e-6;
     for (std::size_t marker = 0; marker < 34; ++marker)
       for (int d = 0; d < 2; ++d) {
         Points<2> above = x, below = x;
         above[marker][d] += e;
         below[marker][d] -= e;
-        const Points<2> more = cloths.elastic_forces(part_of(cloths, above));
-        const Points<2> less = cloths.elastic_forces(part_of(cloths, below));
+        const Points<2> more = forces.of_places(part_of(cloths, above));
+        const Points<2> less = forces.of_places(part_of(cloths, below));
         const PetscInt column = 2 * static_cast<PetscInt>(marker) + d;
         for (PetscInt row = 2 * cloths.begin(); row < 2 * cloths.end(); ++row) {
           const auto m = static_cast<std::size_t>(row / 2 - cloths.begin());
@@ -95,30 +97,25 @@ TEST(Cloths, StiffnessIsTheJacobianOfTheForces) {
 }
 
 // One large sheet, cut wherever the ranks' shares end, and small ones.
-std::vector<ClothGroup<3>> sheets(const std::string& model) {
+std::vector<ClothGroup<3>> sheets(ElasticModel model) {
   ClothGroup<3> large, small;
   large.name = "large";
   large.markers = {9, 7};
   small.name = "small";
   small.count = 2;
   small.markers = {3, 4};
+  const LinearModuli moduli{.ke_s = 50, .ke_r = 50, .ks = 20, .kb_s = 0.02, .kb_r = 0.02, .kt = 0.01, .poisson = 0.2};
   for (ClothGroup<3>* group : {&large, &small}) {
     group->model = model;
     group->sheet = {.width = static_cast<std::size_t>(group->markers[1]),
                     .ds = 0.1,
                     .dr = 0.1,
-                    .ke_s = 50,
-                    .ke_r = 50,
-                    .ks = 20,
-                    .kb_s = 0.02,
-                    .kb_r = 0.02,
-                    .kt = 0.01,
-                    .poisson = 0.2,
+                    .fabric = LinearFabric(moduli),
                     .damping = 0.1,
                     .thickness = 1e-3};
     group->hold_stiffness = 300;
   }
-  large.hold = "corners";
+  large.hold = Hold::corners;
   return {large, small};
 }
 
@@ -134,18 +131,19 @@ Points<3> crumpled(const Cloths<3>& cloths) {
 }
 
 TEST(Cloths, SheetsDoNotDependOnTheDistribution) {
-  for (const char* model : {"energy", "love"})
+  for (const ElasticModel model : {ElasticModel::energy, ElasticModel::love})
     expect_same_as_undistributed<3>(sheets(model), crumpled(Cloths<3>(PETSC_COMM_SELF, sheets(model))));
 }
 
 // The product of the matrix with random velocities against differences of the forces.
 TEST(Cloths, StiffnessOfSheetsIsTheJacobianOfTheForces) {
-  Cloths<3> cloths(PETSC_COMM_WORLD, sheets("energy"));
+  const Cloths<3> cloths(PETSC_COMM_WORLD, sheets(ElasticModel::energy));
   const Points<3> x = crumpled(cloths), u = random_points<3>(87, 23);
   const auto part = [&](const Points<3>& values) { return part_of(cloths, values); };
-  cloths.hold_at(part(x));
-  const petsc::Matrix matrix = cloths.stiffness_matrix();
-  cloths.set_stiffness(part(x), GeometricStiffness::all, 1, matrix);
+  const Forces<3> forces = cloth_forces(cloths, part(x));
+  petsc::Matrix matrix;
+  forces.lay_out_stiffness(matrix);
+  forces.set_stiffness(part(x), GeometricStiffness::all, 1, matrix);
   petsc::Vector direction, result;
   WASH_PETSC(MatCreateVecs(matrix, direction.put(), result.put()));
   double* values = nullptr;
@@ -160,7 +158,7 @@ TEST(Cloths, StiffnessOfSheetsIsTheJacobianOfTheForces) {
     above[k] += e * u[k];
     below[k] -= e * u[k];
   }
-  const Points<3> more = cloths.elastic_forces(part(above)), less = cloths.elastic_forces(part(below));
+  const Points<3> more = forces.of_places(part(above)), less = forces.of_places(part(below));
   const double* found = nullptr;
   WASH_PETSC(VecGetArrayRead(result, &found));
   for (std::size_t m = 0; m < cloths.owned(); ++m)
@@ -172,25 +170,26 @@ TEST(Cloths, StiffnessOfSheetsIsTheJacobianOfTheForces) {
 TEST(Cloths, HoldsTheRightMarkersOfASheet) {
   ClothGroup<3> group;
   group.markers = {4, 3};
-  const auto held = [&](const char* where) {
+  const auto held = [&](Hold where) {
     group.hold = where;
     return group.held_markers();
   };
-  EXPECT_EQ(held("first"), (std::vector<PetscInt>{0, 1, 2}));
-  EXPECT_EQ(held("edge"), (std::vector<PetscInt>{0, 1, 2, 3, 4, 5}));
-  EXPECT_EQ(held("corners"), (std::vector<PetscInt>{0, 2, 9, 11}));
-  EXPECT_EQ(held("middle"), (std::vector<PetscInt>{4, 7}));
-  EXPECT_EQ(held("none"), (std::vector<PetscInt>{}));
+  EXPECT_EQ(held(Hold::first), (std::vector<PetscInt>{0, 1, 2}));
+  EXPECT_EQ(held(Hold::edge), (std::vector<PetscInt>{0, 1, 2, 3, 4, 5}));
+  EXPECT_EQ(held(Hold::corners), (std::vector<PetscInt>{0, 2, 9, 11}));
+  EXPECT_EQ(held(Hold::middle), (std::vector<PetscInt>{4, 7}));
+  EXPECT_EQ(held(Hold::none), (std::vector<PetscInt>{}));
 }
 
 TEST(Cloths, DeadLoadsAddUp) {
-  std::vector<ClothGroup<2>> groups = two_groups("energy");
+  std::vector<ClothGroup<2>> groups = two_groups(ElasticModel::energy);
   groups[0].load = {1, -2};
   groups[0].end_force_first = {0.1, 0};
   groups[0].end_force_last = {0, 0.3};
   const Cloths<2> cloths(PETSC_COMM_WORLD, groups);
   std::vector<double> sum{0, 0};
-  for (const auto& force : cloths.dead_loads())
+  const Forces<2> forces = cloth_forces(cloths, Points<2>(cloths.owned(), Point<2>::Zero()));
+  for (const auto& force : forces.constant())
     for (int d = 0; d < 2; ++d) sum[static_cast<std::size_t>(d)] += force[d];
   sum = ordered_sum(PETSC_COMM_WORLD, sum);
   EXPECT_NEAR(sum[0], 2 * (1.1 + 0.1), 1e-12);
@@ -198,7 +197,7 @@ TEST(Cloths, DeadLoadsAddUp) {
 }
 
 TEST(Cloths, MassesAndAreasAddUp) {
-  const Cloths<2> cloths(PETSC_COMM_WORLD, two_groups("energy"));
+  const Cloths<2> cloths(PETSC_COMM_WORLD, two_groups(ElasticModel::energy));
   double mass = 0, area = 0;
   for (const double m : cloths.marker_masses()) mass += m;
   for (const double a : cloths.marker_areas()) area += a;

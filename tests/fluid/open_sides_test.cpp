@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "support/gather.hpp"
-#include "washfsi/fluid/fractional_step.hpp"
-#include "washfsi/fluid/stencils.hpp"
+#include "support/water.hpp"
+#include "washfsi/grid/stencils.hpp"
 #include "washfsi/support/collective.hpp"
 #include "washfsi/support/errors.hpp"
 
@@ -23,8 +23,8 @@ class DisturbedFlow {
  public:
   /// `mirrored`: the axis along which everything is reflected, or -1.
   DisturbedFlow(MPI_Comm comm, const Sides<Dim>& sides, int mirrored)
-      : grid_(comm, shape(sides)), boundary_(grid_, sides), fluid_(grid_, boundary_, options()) {
-    const FaceView<Dim> u(grid_.face_dm(), fluid_.velocity());
+      : grid_(comm, shape(sides)), boundary_(grid_, sides), water_(grid_, boundary_, options()) {
+    const FaceView<Dim> u(grid_.face_dm(), fluid().velocity());
     for (int c = 0; c < Dim; ++c)
       for_each<Dim>(grid_.inner_faces(c), [&](const Index<Dim>& face) {
         Point<Dim> place = grid_.face_center(face, c);
@@ -35,19 +35,18 @@ class DisturbedFlow {
   }
 
   void run(int steps) {
-    const petsc::Vector density = grid_.face_vector(), force = grid_.face_vector();
-    WASH_PETSC(VecSet(density, options().density));
-    for (int n = 0; n < steps; ++n) fluid_.advance(0.02, {density, force, {}});
+    for (int n = 0; n < steps; ++n) water_.advance(0.02);
   }
 
   const Grid<Dim>& grid() const { return grid_; }
   const Boundary<Dim>& boundary() const { return boundary_; }
-  const FractionalStep<Dim>& fluid() const { return fluid_; }
+  const FractionalStep<Dim>& fluid() const { return water_.fluid; }
+  double time() const { return water_.clock.time; }
   std::vector<double> velocity(bool everywhere = true) const {
-    return gather<Dim, Dim>(grid_, grid_.face_dm(), fluid_.velocity(), everywhere);
+    return gather<Dim, Dim>(grid_, grid_.face_dm(), fluid().velocity(), everywhere);
   }
   std::vector<double> pressure(bool everywhere = true) const {
-    return gather<Dim, 1>(grid_, grid_.cell_dm(), fluid_.pressure(), everywhere);
+    return gather<Dim, 1>(grid_, grid_.cell_dm(), fluid().pressure(), everywhere);
   }
 
  private:
@@ -71,7 +70,7 @@ class DisturbedFlow {
 
   Grid<Dim> grid_;
   Boundary<Dim> boundary_;
-  FractionalStep<Dim> fluid_;
+  Water<Dim> water_;
 };
 
 template <int Dim>
@@ -188,7 +187,7 @@ TEST(OpenSides, WhatFlowsInFlowsOut) {
     for (int n = 0; n < 4; ++n) {
       flow.run(1);
       const petsc::LocalVector local(flow.grid().face_dm(), flow.fluid().velocity());
-      flow.boundary().fill(local, flow.fluid().time());
+      flow.boundary().fill(local, flow.time());
       const ConstFaceView<3> u(flow.grid().face_dm(), local);
       const Spacing<3> h(flow.grid().spacing());
       double sum = 0;
@@ -219,12 +218,10 @@ TEST(OpenSides, ParabolicInflowBecomesPoiseuilleFlow) {
   FluidOptions<2> options;
   options.density = 1;
   options.viscosity = 0.1;
-  FractionalStep<2> fluid(grid, boundary, options);
-  const petsc::Vector density = grid.face_vector(), force = grid.face_vector();
-  WASH_PETSC(VecSet(density, 1.0));
-  for (int n = 0; n < 500; ++n) fluid.advance(0.02, {density, force, {}});
-  const ConstFaceView<2> u(grid.face_dm(), fluid.velocity());
-  const ConstCellView<2> p(grid.cell_dm(), fluid.pressure());
+  Water<2> water(grid, boundary, options);
+  for (int n = 0; n < 500; ++n) water.advance(0.02);
+  const ConstFaceView<2> u(grid.face_dm(), water.fluid.velocity());
+  const ConstCellView<2> p(grid.cell_dm(), water.fluid.pressure());
   const double h = grid.spacing()[1];
   for_each<2>(grid.owned(), [&](const Index<2>& cell) {
     const double y = grid.face_center(cell, 0)[1];
@@ -251,9 +248,9 @@ TEST(OpenSides, VortexLeavesThroughAnOutflow) {
   FluidOptions<2> options;
   options.density = 1;
   options.viscosity = 1e-4;
-  options.initial = "uniform";
-  options.initial_velocity = {1, 0};
-  FractionalStep<2> fluid(grid, boundary, options);
+  Water<2> water(grid, boundary, options);
+  FractionalStep<2>& fluid = water.fluid;
+  fluid.start([](const Point<2>&, int c) { return c == 0 ? 1 : 0; });
   {
     const FaceView<2> u(grid.face_dm(), fluid.velocity());
     for (int c = 0; c < 2; ++c)
@@ -270,9 +267,7 @@ TEST(OpenSides, VortexLeavesThroughAnOutflow) {
     return ordered_sum(grid.comm(), energy);
   };
   const double before = disturbance();
-  const petsc::Vector density = grid.face_vector(), force = grid.face_vector();
-  WASH_PETSC(VecSet(density, 1.0));
-  for (int n = 0; n < 200; ++n) fluid.advance(0.01, {density, force, {}});
+  for (int n = 0; n < 200; ++n) water.advance(0.01);
   const double left = disturbance() / before;
   EXPECT_LT(left, 0.01);
   if (rank_of(grid.comm()) == 0) std::printf("energy of the disturbance left by the vortex: %.2e\n", left);

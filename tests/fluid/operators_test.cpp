@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "washfsi/fluid/diagnostics.hpp"
-#include "washfsi/fluid/fractional_step.hpp"
+#include "support/water.hpp"
 #include "washfsi/support/errors.hpp"
 
 namespace washfsi::test {
@@ -45,10 +44,10 @@ void expect_divergence_free(const char* preconditioner) {
   sides[1][1].velocity[0] = 1;
   sides[0][0].kind = BoundaryKind::slip;
   Boundary<Dim> boundary(grid, sides);
-  FractionalStep<Dim> fluid(grid, boundary, {});
-  const petsc::Vector density = grid.face_vector(), force = grid.face_vector();
+  Water<Dim> water(grid, boundary);
+  const FractionalStep<Dim>& fluid = water.fluid;
   {
-    const FaceView<Dim> u(grid.face_dm(), fluid.velocity()), rho(grid.face_dm(), density);
+    const FaceView<Dim> u(grid.face_dm(), fluid.velocity()), rho(grid.face_dm(), water.liquid.density());
     for_each<Dim>(grid.owned(), [&](const Index<Dim>& cell) {
       for (int c = 0; c < Dim; ++c) {
         const Point<Dim> x = grid.face_center(cell, c);
@@ -58,9 +57,8 @@ void expect_divergence_free(const char* preconditioner) {
     });
   }
   boundary.set_boundary_faces(fluid.velocity(), 0);
-  fluid.advance(1e-3, {density, force, {}});
-  const GhostedVelocity<Dim> velocity(boundary, grid.face_dm(), fluid.velocity(), fluid.time());
-  const auto flow = FlowDiagnostics<Dim>::of(grid, {velocity, density}, 1e-3);
+  water.advance(1e-3);
+  const auto flow = FlowDiagnostics<Dim>::of(grid, {water.ghosted(grid.face_dm()), water.liquid.fields()}, 1e-3);
   EXPECT_LT(flow.max_divergence, 1e-6 / grid.spacing().minCoeff()) << (preconditioner ? preconditioner : "default");
   EXPECT_GT(flow.kinetic_energy, 0);
 }
@@ -130,11 +128,9 @@ TEST(FractionalStep, ASlowApproachToSteadyStateDoesNotFreeze) {
   FluidOptions<2> options;
   options.density = 1;
   options.viscosity = 0.1;
-  FractionalStep<2> fluid(grid, boundary, options);
-  const petsc::Vector density = grid.face_vector(), force = grid.face_vector();
-  WASH_PETSC(VecSet(density, 1));
-  for (int n = 0; n < 4000; ++n) fluid.advance(0.005, {density, force, {}});  // 2 diffusion times: e^(-20)
-  const ConstFaceView<2> u(grid.face_dm(), fluid.velocity());
+  Water<2> water(grid, boundary, options);
+  for (int n = 0; n < 4000; ++n) water.advance(0.005);  // 2 diffusion times: e^(-20)
+  const ConstFaceView<2> u(grid.face_dm(), water.fluid.velocity());
   for_each<2>(grid.owned(), [&](const Index<2>& face) { EXPECT_NEAR(u(face, 0), grid.face_center(face, 0)[1], 1e-6); });
 }
 
@@ -152,12 +148,10 @@ TEST(FractionalStep, GivesTheSameFlowForMirroredWalls) {
     options.density = 1;
     options.viscosity = 0.01;
     options.momentum_tolerance = options.pressure_tolerance = 1e-13;
-    FractionalStep<2> fluid(grid, boundary, options);
-    const petsc::Vector density = grid.face_vector(), force = grid.face_vector();
-    WASH_PETSC(VecSet(density, 1));
-    for (int n = 0; n < 20; ++n) fluid.advance(0.02, {density, force, {}});
+    Water<2> water(grid, boundary, options);
+    for (int n = 0; n < 20; ++n) water.advance(0.02);
     velocity[lid] = grid.face_vector();
-    WASH_PETSC(VecCopy(fluid.velocity(), velocity[lid]));
+    WASH_PETSC(VecCopy(water.fluid.velocity(), velocity[lid]));
   }
   const ConstFaceView<2> low(grid.face_dm(), velocity[0]), high(grid.face_dm(), velocity[1]);
   for_each<2>(grid.owned(), [&](const Index<2>& face) {

@@ -35,7 +35,7 @@ WRONG_OPTIONS = [
      ["-drum_vertices 0,0,3,0,0,1,2,2", "cross"]),
     ("smooth mask without a mask to smooth", ["-body_method", "ghost", "-body_mask", "smooth"],
      ["-body_mask smooth", "mapping"]),
-    ("strong form without a Jacobian", ["-long_model", "love"], ["-long_model love", "-cloth_coupling"]),
+    ("strong form without a Jacobian", ["-long_model", "love"], ["-long_model love", "-coupling_scheme"]),
     ("coupling without fluid", ["-fluid", "none", "-cloth_coupling", "midpoint"], ["-cloth_coupling midpoint", "-fluid none"]),
     ("ring too large", ["-long_shape", "ellipse", "-long_semi_axes", "1,1"], ["-long_placement", "outside the grid"]),
     ("ring with ends", ["-long_shape", "ellipse", "-long_end_force_first", "1,0"], ["-long_end_force", "no ends"]),
@@ -67,8 +67,17 @@ WRONG_OPTIONS = [
     ("unknown solver", ["-pressure_ksp_type", "foo"], ["-pressure_ksp_type", "foo"]),
 ]
 
+CRIMP = ["-towel_fabric", "crimp", "-towel_ke_yarn", "40000", "-towel_crimp", "0.05"]
 WRONG_OPTIONS_OF_SHEETS = [
     ("Poisson's ratios without symmetry", ["-towel_poisson", "0.3,0.5"], ["-towel_poisson 0.3,0.5", "symmetric"]),
+    ("unknown fabric", ["-towel_fabric", "felt"], ["-towel_fabric felt", "linear", "crimp"]),
+    ("fabric with crimp but without its yarns", CRIMP[:2] + CRIMP[4:], ["-towel_ke_yarn"]),
+    ("yarns softer than their crimp", CRIMP + ["-towel_ke_yarn", "5000,1000"], ["-towel_ke_yarn 1000", "2000"]),
+    ("knee without width", CRIMP + ["-towel_crimp_width", "0"], ["-towel_crimp_width 0"]),
+    ("crimp of linear fabric", ["-towel_crimp", "0.05"], ["-towel_crimp 0.05"]),
+    ("strong form of a fabric with crimp", CRIMP + ["-towel_model", "love", "-cloth_coupling", "explicit"],
+     ["-towel_model love", "linear"]),
+    ("fabric without stiffness", ["-towel_ke", "4000,0"], ["-towel_ke 0"]),
     ("markers that are no whole number", ["-towel_markers", "6,5.5"], ["-towel_markers", "5.5"]),
     ("too many directions", ["-towel_size", "0.1,0.1,0.1"], ["-towel_size 0.1,0.1,0.1"]),
     ("ring in space", ["-towel_shape", "ellipse"], ["-towel_shape ellipse"]),

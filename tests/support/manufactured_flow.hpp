@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <functional>
 
-#include "washfsi/fluid/fractional_step.hpp"
+#include "support/water.hpp"
 #include "washfsi/support/collective.hpp"
 
 namespace washfsi::test {
@@ -65,11 +65,11 @@ template <int Dim>
 class ManufacturedRun {
  public:
   ManufacturedRun(ExactFlow<Dim> exact, const GridShape<Dim>& shape, typename Boundary<Dim>::Sides sides, bool forced,
-                  const std::string& advection = "central")
+                  Advection advection = Advection::central)
       : exact_(std::move(exact)),
         grid_(PETSC_COMM_WORLD, shape),
         boundary_(grid_, std::move(sides)),
-        fluid_(grid_, boundary_, options(advection)),
+        water_(grid_, boundary_, options(advection)),
         forced_(forced) {}
 
   FlowError advance(double dt, int steps) {
@@ -81,11 +81,10 @@ class ManufacturedRun {
   /// Pairs of steps of 4/3 and 2/3 dt, without forces.
   FlowError advance_unequally(double dt, int pairs) {
     set_exact_start(4 * dt / 3);
-    const petsc::Vector density = grid_.face_vector(), force = grid_.face_vector();
-    set_density(density, 0);
+    set_density(water_.liquid.density(), 0);
     for (int n = 0; n < pairs; ++n) {
-      fluid_.advance(4 * dt / 3, {density, force, {}});
-      fluid_.advance(2 * dt / 3, {density, force, {}});
+      water_.advance(4 * dt / 3);
+      water_.advance(2 * dt / 3);
     }
     return error(2 * dt / 3);
   }
@@ -94,20 +93,20 @@ class ManufacturedRun {
   std::pair<petsc::Vector, petsc::Vector> final_state(double dt, int steps) {
     const petsc::Vector before = grid_.cell_vector();
     (void)advance(dt, steps - 1);
-    WASH_PETSC(VecCopy(fluid_.pressure(), before));
+    WASH_PETSC(VecCopy(water_.fluid.pressure(), before));
     take_steps(dt, 1);
     petsc::Vector velocity = grid_.face_vector(), pressure = grid_.cell_vector();
-    WASH_PETSC(VecCopy(fluid_.velocity(), velocity));
-    WASH_PETSC(VecCopy(fluid_.pressure(), pressure));
+    WASH_PETSC(VecCopy(water_.fluid.velocity(), velocity));
+    WASH_PETSC(VecCopy(water_.fluid.pressure(), pressure));
     WASH_PETSC(VecAXPBY(pressure, -0.5, 1.5, before));
     return {std::move(velocity), std::move(pressure)};
   }
 
-  FractionalStep<Dim>& fluid() { return fluid_; }
+  FractionalStep<Dim>& fluid() { return water_.fluid; }
   const Grid<Dim>& grid() const { return grid_; }
 
  private:
-  FluidOptions<Dim> options(const std::string& advection) const {
+  FluidOptions<Dim> options(Advection advection) const {
     FluidOptions<Dim> options;
     options.advection = advection;
     options.density = exact_.density;
@@ -118,8 +117,8 @@ class ManufacturedRun {
   }
 
   void set_exact_start(double dt) {
-    const FaceView<Dim> u(grid_.face_dm(), fluid_.velocity());
-    const CellView<Dim> p(grid_.cell_dm(), fluid_.pressure());
+    const FaceView<Dim> u(grid_.face_dm(), water_.fluid.velocity());
+    const CellView<Dim> p(grid_.cell_dm(), water_.fluid.pressure());
     for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) {
       for (int c = 0; c < Dim; ++c) u(cell, c) = exact_.velocity(grid_.face_center(cell, c), 0)[c];
       p(cell) = exact_.pressure(grid_.cell_center(cell), -dt / 2);
@@ -127,11 +126,10 @@ class ManufacturedRun {
   }
 
   void take_steps(double dt, int steps) {
-    const petsc::Vector density = grid_.face_vector(), force = grid_.face_vector();
     for (int n = 0; n < steps; ++n) {
-      set_density(density, fluid_.time() + dt / 2);
-      if (forced_) set_force(force, fluid_.time() + dt / 2);
-      fluid_.advance(dt, {density, force, {}});
+      set_density(water_.liquid.density(), water_.clock.time + dt / 2);
+      if (forced_) set_force(water_.force, water_.clock.time + dt / 2);
+      water_.advance(dt);
     }
   }
 
@@ -150,9 +148,9 @@ class ManufacturedRun {
   }
 
   FlowError error(double dt) {
-    const ConstFaceView<Dim> u(grid_.face_dm(), fluid_.velocity());
-    const ConstCellView<Dim> p(grid_.cell_dm(), fluid_.pressure());
-    const double time = fluid_.time(), count = grid_.cell_count();
+    const ConstFaceView<Dim> u(grid_.face_dm(), water_.fluid.velocity());
+    const ConstCellView<Dim> p(grid_.cell_dm(), water_.fluid.pressure());
+    const double time = water_.clock.time, count = grid_.cell_count();
     double offset = 0;
     for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) {
       offset += p(cell) - exact_.pressure(grid_.cell_center(cell), time - dt / 2);
@@ -179,7 +177,7 @@ class ManufacturedRun {
   ExactFlow<Dim> exact_;
   Grid<Dim> grid_;
   Boundary<Dim> boundary_;
-  FractionalStep<Dim> fluid_;
+  Water<Dim> water_;
   bool forced_;
 };
 

@@ -10,6 +10,7 @@
 #include "washfsi/body/primitives.hpp"
 #include "washfsi/body/sampled.hpp"
 #include "washfsi/body/sweeps.hpp"
+#include "washfsi/geometry/nearest.hpp"
 
 namespace washfsi {
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
 
 #include "washfsi/body/shape_options.hpp"
 #include "washfsi/support/errors.hpp"
@@ -14,28 +13,37 @@ template <int Dim>
 Body<Dim> Body<Dim>::from_options(Options& options, const std::string& name, double sample_spacing) {
   Body<Dim> body;
   body.name = name;
-  body.shape = shape_from_options<Dim>(options, name, sample_spacing);
+  body.shape = shape_from_options<Dim>(options, name, sample_spacing, "bodies_");
   body.motion = RigidMotion<Dim>::from_options(options, name);
   return body;
 }
 
+const ChoiceNames<BodyMethod>& names_of(BodyMethod) {
+  static const ChoiceNames<BodyMethod> names{{"mapping", BodyMethod::mapping},
+                                             {"mapping_variable", BodyMethod::mapping_variable},
+                                             {"ghost", BodyMethod::ghost},
+                                             {"cut_stencil", BodyMethod::cut_stencil}};
+  return names;
+}
+
+const ChoiceNames<MaskEdge>& names_of(MaskEdge) {
+  static const ChoiceNames<MaskEdge> names{{"sharp", MaskEdge::sharp}, {"smooth", MaskEdge::smooth}};
+  return names;
+}
+
 BodyTreatment BodyTreatment::from_options(Options& options) {
-  static const std::map<std::string, BodyMethod> methods{{"mapping", BodyMethod::mapping},
-                                                         {"mapping_variable", BodyMethod::mapping_variable},
-                                                         {"ghost", BodyMethod::ghost},
-                                                         {"cut_stencil", BodyMethod::cut_stencil}};
-  std::string method = "mapping", mask = "sharp";
+  BodyTreatment treatment;
   options.block("", "Bodies and water", [&](OptionBlock& block) {
-    block.choice("body_method", method, {"mapping", "mapping_variable", "ghost", "cut_stencil"},
+    block.choice("body_method", treatment.method,
                  "how bodies hold the water: mapping is the thesis's (4.2-6) with the plain projection (4.2-12),"
                  " mapping_variable with (4.2-9); ghost extrapolates velocities through the wall; with cut_stencil, the"
                  " most accurate, viscous stencils end at the walls");
-    block.choice("body_mask", mask, {"sharp", "smooth"},
+    block.choice("body_mask", treatment.edge,
                  "mask of the solid; smooth over two spacings to either side, for the mapping methods");
   });
-  const BodyTreatment treatment{methods.at(method), mask == "smooth"};
-  if (treatment.smooth && (treatment.method == BodyMethod::ghost || treatment.method == BodyMethod::cut_stencil))
-    throw InputError("-body_mask smooth: needs -body_method mapping or mapping_variable; " + method +
+  const bool puts_wall = treatment.method == BodyMethod::ghost || treatment.method == BodyMethod::cut_stencil;
+  if (treatment.edge == MaskEdge::smooth && puts_wall)
+    throw InputError("-body_mask smooth: needs -body_method mapping or mapping_variable; " + name_of(treatment.method) +
                      " puts the wall where it is");
   return treatment;
 }
@@ -44,7 +52,7 @@ template <int Dim>
 std::vector<Body<Dim>> bodies_from_options(Options& options, double cell) {
   std::vector<std::string> names;
   options.block("", "Bodies", [&](OptionBlock& block) { block.names("bodies", names, "names of the rigid bodies"); });
-  if (options.help() && names.empty()) names = {"drum"};  // so that -help shows a body's options
+  if (names.empty()) names = options.examples("drum", "BODY");
   std::vector<Body<Dim>> bodies;
   for (const auto& name : names) options.claim_prefix(name, "-bodies");
   for (const auto& name : names) bodies.push_back(Body<Dim>::from_options(options, name, 0.5 * cell));

@@ -12,11 +12,16 @@ namespace washfsi {
 /// How bodies hold the water: by the mask (4.2-6) with the plain projection (4.2-12) or with the variable one (4.2-9);
 /// by velocities extrapolated through the wall (Yokoi); by the mask with viscous stencils that end at the walls.
 enum class BodyMethod { mapping, mapping_variable, ghost, cut_stencil };
+const ChoiceNames<BodyMethod>& names_of(BodyMethod);
+
+/// The edge of the solid's mask.
+enum class MaskEdge { sharp, smooth };
+const ChoiceNames<MaskEdge>& names_of(MaskEdge);
 
 /// -body_method and -body_mask.
 struct BodyTreatment {
   BodyMethod method = BodyMethod::mapping;
-  bool smooth = false;  ///< the mask; the mapping methods only
+  MaskEdge edge = MaskEdge::sharp;  ///< smooth: the mapping methods only
 
   /// Errors: InputError.
   static BodyTreatment from_options(Options& options);

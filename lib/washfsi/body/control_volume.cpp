@@ -75,7 +75,7 @@ void ControlVolumes<Dim>::weigh(const PosedBodies<Dim>& posed, std::size_t body,
   WASH_PETSC(VecZeroEntries(weight));
   const CellView<Dim> w(grid_.cell_dm(), weight);
   Box<Dim> cells = grid_.owned();
-  for (std::size_t d = 0; d < Dim; ++d) {
+  for (int d = 0; d < Dim; ++d) {
     --cells.lower[d];
     ++cells.upper[d];
   }
@@ -97,15 +97,18 @@ Loads<Dim> ControlVolumes<Dim>::loads(const Step& step) {
   Loads<Dim> loads(bodies_.size());
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     if (!all_at_rest_) weigh(posed, b, weights_[b]);
-    add_stress(step, weights_[b], local_velocity, bodies_[b].motion.center_at(middle), loads[b]);
+    with_viscosity<Dim>(grid_, step.viscosity, [&](const auto& viscosity) {
+      add_stress(step, viscosity, weights_[b], local_velocity, bodies_[b].motion.center_at(middle), loads[b]);
+    });
     add_inertia(step, weights_[b], bodies_[b].motion, loads[b]);
   }
   return ordered_sum<Dim>(grid_.comm(), loads);
 }
 
 template <int Dim>
-void ControlVolumes<Dim>::add_stress(const Step& step, Vec weight, Vec local_velocity, const Point<Dim>& center,
-                                     Load<Dim>& load) const {
+template <class Form>
+void ControlVolumes<Dim>::add_stress(const Step& step, const Form& viscosity, Vec weight, Vec local_velocity,
+                                     const Point<Dim>& center, Load<Dim>& load) const {
   const ConstCellView<Dim> w(grid_.cell_dm(), weight), p(grid_.cell_dm(), step.pressure);
   const ConstFaceView<Dim> u(grid_.face_dm(), local_velocity), rho(grid_.face_dm(), step.density);
   const Point<Dim> h = grid_.spacing();
@@ -122,7 +125,7 @@ void ControlVolumes<Dim>::add_stress(const Step& step, Vec weight, Vec local_vel
         rate(c, d) = c == d ? (u(shifted<Dim>(cell, d, 1), d) - u(cell, d)) / h[d]
                             : central_difference<Dim>(component, cell, d, h[d]);
       }
-    const Point<Dim> viscous = step.viscosity * (rate + rate.transpose()) * slope;
+    const Point<Dim> viscous = viscosity.scale * viscosity.in_cell(cell) * (rate + rate.transpose()) * slope;
     const Point<Dim> carried = rho(cell, 0) * velocity.dot(slope) * velocity;
     load.add(grid_.cell_center(cell) - center, grid_.cell_volume() * (carried + p(cell) * slope - viscous));
   });

@@ -3,7 +3,7 @@
 
 #include "washfsi/body/body.hpp"
 #include "washfsi/body/load.hpp"
-#include "washfsi/grid/boundary.hpp"
+#include "washfsi/grid/viscous_stress.hpp"
 
 namespace washfsi {
 
@@ -23,8 +23,8 @@ class ControlVolumes {
     Vec velocity_before, velocity, pressure;  ///< u^n, u^(n+1) [m/s], p^(n+1/2) [Pa]
     Vec density, force;                       ///< rho [kg/m3], f [N/m3]
     Vec fluid_fraction;                       ///< H
-    double viscosity;                         ///< [Pa s]
-    double time, dt;                          ///< the step's end and length [s]
+    Viscosity viscosity;
+    double time, dt;  ///< the step's end and length [s]
   };
   /// One load per body. Collective.
   Loads<Dim> loads(const Step& step);
@@ -33,7 +33,9 @@ class ControlVolumes {
   void weigh(const PosedBodies<Dim>& posed, std::size_t body, Vec weight) const;
   double weight_at(const PosedBodies<Dim>& posed, std::size_t body, const Point<Dim>& place) const;
   double distance_to_sides(const Point<Dim>& place) const;
-  void add_stress(const Step& step, Vec weight, Vec local_velocity, const Point<Dim>& center, Load<Dim>& load) const;
+  template <class Form>
+  void add_stress(const Step& step, const Form& viscosity, Vec weight, Vec local_velocity, const Point<Dim>& center,
+                  Load<Dim>& load) const;
   void add_inertia(const Step& step, Vec weight, const RigidMotion<Dim>& motion, Load<Dim>& load) const;
 
   const Grid<Dim>& grid_;

@@ -15,7 +15,7 @@ Mask<Dim>::Mask(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies, con
     : grid_(grid),
       bodies_(bodies),
       treatment_(treatment),
-      smoothing_(treatment.smooth ? 2 * grid.spacing().maxCoeff() : 0),
+      smoothing_(treatment.edge == MaskEdge::smooth ? 2 * grid.spacing().maxCoeff() : 0),
       fraction_(grid.face_vector()),
       solid_velocity_(grid.face_vector()),
       held_velocity_(grid.face_vector()),
@@ -49,7 +49,7 @@ void Mask<Dim>::update(double time) {
 
 // H as a function of the signed distance (thesis 4.2).
 template <int Dim>
-double Mask<Dim>::fluid_share(double distance) const {
+double Mask<Dim>::fraction_at(double distance) const {
   if (std::abs(distance) >= smoothing_) return distance > 0 ? 1 : distance < 0 ? 0 : 0.5;
   const double x = distance / smoothing_;
   return 0.5 * (1 + x + std::sin(std::numbers::pi * x) / std::numbers::pi);
@@ -63,10 +63,10 @@ void Mask<Dim>::place(const PosedBodies<Dim>& posed, std::size_t body, double ti
   const RigidMotion<Dim>& motion = bodies_[body].motion;
   const bool moves = !motion.at_rest();
   const auto number = static_cast<double>(body);
-  const auto hold = [&](const Index<Dim>& face, int c, const Point<Dim>& place, double share) {
+  const auto hold = [&](const Index<Dim>& face, int c, const Point<Dim>& place, double H) {
     const double before = fraction(face, c);
-    if (share == 1 || share > before || (share == before && holder(face, c) < number)) return;
-    fraction(face, c) = share;
+    if (H == 1 || H > before || (H == before && holder(face, c) < number)) return;
+    fraction(face, c) = H;
     holder(face, c) = number;
     solid(face, c) = moves ? motion.velocity(place, time)[c] : 0;
   };
@@ -81,7 +81,7 @@ void Mask<Dim>::place(const PosedBodies<Dim>& posed, std::size_t body, double ti
       [&](const Index<Dim>& face) {
         for (int c = 0; c < Dim; ++c) {
           const Point<Dim> place = grid_.face_center(face, c);
-          hold(face, c, place, fluid_share(posed.distance(body, place)));
+          hold(face, c, place, fraction_at(posed.distance(body, place)));
         }
       });
 }
@@ -215,30 +215,39 @@ double Mask<Dim>::dissipation(Vec velocity_before, Vec density, double dt) const
 }
 
 template <int Dim>
-Loads<Dim> Mask<Dim>::hidden_wall_shear(const Boundary<Dim>& boundary, Vec local_velocity, double viscosity,
+Loads<Dim> Mask<Dim>::hidden_wall_shear(const Boundary<Dim>& boundary, Vec local_velocity, const Viscosity& viscosity,
                                         double time) const {
   Loads<Dim> loads(bodies_.size());
-  const ConstFaceView<Dim> u(grid_.face_dm(), local_velocity), holder(grid_.face_dm(), body_);
-  const ConstFaceView<Dim> fraction(grid_.face_dm(), fraction_);
-  for (int axis = 0; axis < Dim; ++axis)
-    for (const End end : {End::lower, End::upper}) {
-      const auto& side = boundary.side(axis, end);
-      if (side.kind != BoundaryKind::wall || side.motion) continue;
-      const double spacing = grid_.spacing()[axis], area = grid_.cell_volume() / spacing;
-      const int outwards = end == End::upper ? 1 : -1;
-      for_each<Dim>(grid_.cells_beside(axis, end), [&](const Index<Dim>& face) {
-        for (int c = 0; c < Dim; ++c) {
-          if (c == axis || holder(face, c) < 0) continue;
-          const auto b = static_cast<std::size_t>(holder(face, c));
-          Point<Dim> place = grid_.face_center(face, c), force = Point<Dim>::Zero();
-          place[axis] += 0.5 * outwards * spacing;
-          const double rate = (u(face, c) - u(shifted<Dim>(face, axis, outwards), c)) / spacing;
-          force[c] = (1 - fraction(face, c)) * area * viscosity * rate;  // on water beside the body it is the water's
-          loads[b].add(place - bodies_[b].motion.center_at(time), force);
-        }
-      });
-    }
+  with_viscosity<Dim>(grid_, viscosity, [&](const auto& mu) {
+    for (int axis = 0; axis < Dim; ++axis)
+      for (const End end : {End::lower, End::upper}) {
+        const auto& side = boundary.side(axis, end);
+        if (side.kind == BoundaryKind::wall && !side.motion)
+          add_hidden_shear(axis, end, ConstFaceView<Dim>(grid_.face_dm(), local_velocity), mu, time, loads);
+      }
+  });
   return ordered_sum<Dim>(grid_.comm(), loads);
+}
+
+template <int Dim>
+template <class Form>
+void Mask<Dim>::add_hidden_shear(int axis, End end, const ConstFaceView<Dim>& u, const Form& viscosity, double time,
+                                 Loads<Dim>& loads) const {
+  const ConstFaceView<Dim> holder(grid_.face_dm(), body_), fraction(grid_.face_dm(), fraction_);
+  const double spacing = grid_.spacing()[axis], area = grid_.cell_volume() / spacing;
+  const int outwards = end == End::upper ? 1 : -1;
+  for_each<Dim>(grid_.cells_beside(axis, end), [&](const Index<Dim>& face) {
+    for (int c = 0; c < Dim; ++c) {
+      if (c == axis || holder(face, c) < 0) continue;
+      const auto b = static_cast<std::size_t>(holder(face, c));
+      Point<Dim> place = grid_.face_center(face, c), force = Point<Dim>::Zero();
+      place[axis] += 0.5 * outwards * spacing;
+      const double mu = viscosity.scale * viscosity.on_side(face, c, axis, outwards);
+      const double rate = (u(face, c) - u(shifted<Dim>(face, axis, outwards), c)) / spacing;
+      force[c] = (1 - fraction(face, c)) * area * mu * rate;  // on water beside the body it is the water's
+      loads[b].add(place - bodies_[b].motion.center_at(time), force);
+    }
+  });
 }
 
 template class Mask<2>;

@@ -5,11 +5,11 @@
 #include "washfsi/body/load.hpp"
 #include "washfsi/grid/boundary.hpp"
 #include "washfsi/grid/constraint.hpp"
-#include "washfsi/grid/grid.hpp"
+#include "washfsi/grid/viscous_stress.hpp"
 
 namespace washfsi {
 
-/// The bodies on the faces of a grid: the fluid's share H, a function of the signed distance Phi, and the velocity of
+/// The bodies on the faces of a grid: the fluid fraction H, a function of the signed distance Phi, and the velocity of
 /// the solid (4.2-6). Sharp: H = 0 in the solid, 1/2 on its surface, 1 in fluid. Smooth over |Phi| < eps = 2h:
 ///   H = 1/2 (1 + Phi/eps + sin(pi Phi/eps)/pi).
 template <int Dim>
@@ -45,14 +45,18 @@ class Mask {
   /// The drag of walls of the box at rest on the water inside each body, which is not the body's: what `loads` must be
   /// given on top where a body moves along a wall. The velocity is that at `time`, local, of face_dm, its ghosts
   /// filled. Collective.
-  Loads<Dim> hidden_wall_shear(const Boundary<Dim>& boundary, Vec local_velocity, double viscosity, double time) const;
+  Loads<Dim> hidden_wall_shear(const Boundary<Dim>& boundary, Vec local_velocity, const Viscosity& viscosity,
+                               double time) const;
 
  private:
   void place(const PosedBodies<Dim>& posed, std::size_t body, double time);
-  double fluid_share(double distance) const;
+  double fraction_at(double distance) const;
   void find_cuts(const PosedBodies<Dim>& posed, double time);
   void add_constraint_force(Vec constraint_force, Vec density, double time, Loads<Dim>& loads) const;
   void add_wall_pressure(Vec pressure, double time, Loads<Dim>& loads) const;
+  template <class Form>
+  void add_hidden_shear(int axis, End end, const ConstFaceView<Dim>& u, const Form& viscosity, double time,
+                        Loads<Dim>& loads) const;
 
   const Grid<Dim>& grid_;
   const std::vector<Body<Dim>>& bodies_;

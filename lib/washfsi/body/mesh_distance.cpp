@@ -13,38 +13,6 @@ namespace washfsi {
 
 namespace {
 
-/// What of a triangle is nearest: its face, or the edge from corner `index` to the next, or this corner.
-enum class Feature { face, edge, corner };
-struct Nearest {
-  Point<3> place;
-  Feature feature;
-  std::size_t index;
-};
-
-bool projects_inside(const Triangle& t, const Point<3>& normal, const Point<3>& place) {
-  for (std::size_t k = 0; k < 3; ++k)
-    if (normal.dot((t[(k + 1) % 3] - t[k]).cross(place - t[k])) < 0) return false;
-  return true;
-}
-
-Nearest nearest_on(const Triangle& t, const Point<3>& place) {
-  const Point<3> normal = (t[1] - t[0]).cross(t[2] - t[0]);
-  if (projects_inside(t, normal, place))
-    return {place - normal.dot(place - t[0]) / normal.squaredNorm() * normal, Feature::face, 0};
-  Nearest nearest{t[0], Feature::corner, 0};
-  double least = std::numeric_limits<double>::max();
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Point<3> edge = t[(k + 1) % 3] - t[k];
-    const double along = std::clamp((place - t[k]).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
-    const Point<3> foot = t[k] + along * edge;
-    if ((place - foot).squaredNorm() >= least) continue;
-    least = (place - foot).squaredNorm();
-    const bool inner = along > 0 && along < 1;
-    nearest = {foot, inner ? Feature::edge : Feature::corner, along < 1 ? k : (k + 1) % 3};
-  }
-  return nearest;
-}
-
 struct ReleaseDevice {
   void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
 };
@@ -87,13 +55,13 @@ struct MeshDistance::Search {
   const Point<3>& place;
   double least2 = std::numeric_limits<double>::max();
   std::size_t facet = 0;
-  Nearest nearest{};
+  NearestOnTriangle nearest{};
 
   static bool look(RTCPointQueryFunctionArguments* arguments) {
     auto& search = *static_cast<Search*>(arguments->userPtr);
     const MeshDistance& surface = search.mesh;
     const std::size_t facet = arguments->primID;
-    const Nearest here = nearest_on(surface.mesh_.triangle(surface.mesh_.facets[facet]), search.place);
+    const NearestOnTriangle here = nearest_on(surface.mesh_.triangle(surface.mesh_.facets[facet]), search.place);
     const double distance2 = (here.place - search.place).squaredNorm();
     if (distance2 >= search.least2) return false;
     search.least2 = distance2;
@@ -144,10 +112,10 @@ double MeshDistance::distance(const Point<3>& place) const {
   RTCPointQueryContext context;
   rtcInitPointQueryContext(&context);
   rtcPointQuery(tree_->scene(), &query, &context, Search::look, &search);
-  const auto [foot, feature, index] = search.nearest;
-  const Point<3>& normal = feature == Feature::face   ? facet_normals_[search.facet]
-                           : feature == Feature::edge ? edge_normals_[search.facet][index]
-                                                      : vertex_normals_[mesh_.facets[search.facet][index]];
+  const auto [foot, part, index] = search.nearest;
+  const Point<3>& normal = part == TrianglePart::face   ? facet_normals_[search.facet]
+                           : part == TrianglePart::edge ? edge_normals_[search.facet][index]
+                                                        : vertex_normals_[mesh_.facets[search.facet][index]];
   return std::copysign(std::sqrt(search.least2), normal.dot(place - foot));
 }
 

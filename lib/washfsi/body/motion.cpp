@@ -81,14 +81,19 @@ template <int Dim>
 RigidMotion<Dim> RigidMotion<Dim>::from_options(Options& options, const std::string& name) {
   RigidMotion motion;
   std::string path;
-  options.block(name + "_", "Motion of body " + name, [&](OptionBlock& block) {
-    block.template point<Dim>("center", motion.center, "m", "place of the body's centre, about which it turns");
-    block.real("angular_speed", motion.angular_speed, "rad/s", any_number, "speed of rotation, or its largest value");
-    block.template point<Dim>("velocity", motion.translation, "m/s", "velocity of the centre, or its largest value");
-    block.real("frequency", motion.frequency, "Hz", non_negative, "of an oscillating motion; 0: steady");
-    block.text("motion_file", path,
-               "table of the motion instead: time, x, y[, z], angle; the place is added to center");
-  });
+  options.block(
+      name + "_", "Motion of body " + name,
+      [&](OptionBlock& block) {
+        block.template point<Dim>("center", motion.center, "m", "place of the body's centre, about which it turns");
+        block.real("angular_speed", motion.angular_speed, "rad/s", any_number,
+                   "speed of rotation, or its largest value");
+        block.template point<Dim>("velocity", motion.translation, "m/s",
+                                  "velocity of the centre, or its largest value");
+        block.real("frequency", motion.frequency, "Hz", non_negative, "of an oscillating motion; 0: steady");
+        block.text("motion_file", path,
+                   "table of the motion instead: time, x, y[, z], angle; the place is added to center");
+      },
+      "bodies_");
   if (path.empty()) return motion;
   const std::string option = "-" + name + "_motion_file";
   if (!motion.at_rest() || motion.frequency != 0)

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "washfsi/geometry/nearest.hpp"
+
 namespace washfsi {
 
 template <int Dim>

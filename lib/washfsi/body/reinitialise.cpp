@@ -23,9 +23,8 @@ struct Neighbours {
 
 template <int Dim>
 Neighbours neighbours(const Grid<Dim>& grid, const ConstCellView<Dim>& phi, const Index<Dim>& cell, int axis) {
-  const auto d = static_cast<std::size_t>(axis);
-  const bool first = !grid.periodic(axis) && cell[d] == 0;
-  const bool last = !grid.periodic(axis) && cell[d] == grid.cells()[d] - 1;
+  const bool first = !grid.periodic(axis) && cell[axis] == 0;
+  const bool last = !grid.periodic(axis) && cell[axis] == grid.cells()[axis] - 1;
   const double here = phi(cell);
   double lower = first ? here : phi(shifted<Dim>(cell, axis, -1));
   double upper = last ? here : phi(shifted<Dim>(cell, axis, 1));

@@ -12,12 +12,11 @@ template <int Dim>
 Lattice<Dim> Lattice<Dim>::around(const Point<Dim>& lower, const Point<Dim>& upper, double margin, double spacing) {
   Lattice lattice;
   lattice.spacing = spacing;
-  for (std::size_t d = 0; d < Dim; ++d) {
-    const auto axis = static_cast<int>(d);
-    const double width = upper[axis] - lower[axis] + 2 * margin;
+  for (int d = 0; d < Dim; ++d) {
+    const double width = upper[d] - lower[d] + 2 * margin;
     const double intervals = std::min(std::max(std::ceil(width / spacing), 1.0), 1e9);
     lattice.count[d] = static_cast<PetscInt>(intervals) + 1;
-    lattice.lower[axis] = 0.5 * (lower[axis] + upper[axis] - intervals * spacing);  // the body in the middle
+    lattice.lower[d] = 0.5 * (lower[d] + upper[d] - intervals * spacing);  // the body in the middle
   }
   return lattice;
 }
@@ -32,7 +31,7 @@ double Lattice<Dim>::size() const {
 template <int Dim>
 Point<Dim> Lattice<Dim>::place(const Index<Dim>& point) const {
   Point<Dim> place = lower;
-  for (std::size_t d = 0; d < Dim; ++d) place[static_cast<int>(d)] += spacing * static_cast<double>(point[d]);
+  for (int d = 0; d < Dim; ++d) place[d] += spacing * static_cast<double>(point[d]);
   return place;
 }
 
@@ -41,7 +40,7 @@ Sampled<Dim>::Sampled(const Lattice<Dim>& lattice, std::vector<double> values)
     : lattice_(lattice), values_(std::move(values)) {
   PetscInt stride = 1;
   Index<Dim> last = lattice.count;
-  for (std::size_t d = 0; d < Dim; ++d) {
+  for (int d = 0; d < Dim; ++d) {
     stride_[d] = stride;
     stride *= lattice.count[d];
     --last[d];
@@ -60,9 +59,8 @@ template <int Dim>
 double Sampled<Dim>::interpolate(const Point<Dim>& place) const {
   std::array<double, Dim> part{};
   PetscInt base = 0;
-  for (std::size_t d = 0; d < Dim; ++d) {
-    const auto axis = static_cast<int>(d);
-    const double position = (place[axis] - lattice_.lower[axis]) / lattice_.spacing;
+  for (int d = 0; d < Dim; ++d) {
+    const double position = (place[d] - lattice_.lower[d]) / lattice_.spacing;
     const PetscInt cell = std::clamp<PetscInt>(static_cast<PetscInt>(position), 0, lattice_.count[d] - 2);
     part[d] = position - static_cast<double>(cell);
     base += cell * stride_[d];
@@ -71,12 +69,12 @@ double Sampled<Dim>::interpolate(const Point<Dim>& place) const {
   for (unsigned corner = 0; corner < 1U << Dim; ++corner) {
     double weight = 1;
     PetscInt offset = base;
-    for (std::size_t d = 0; d < Dim; ++d) {
+    for (int d = 0; d < Dim; ++d) {
       const bool upper = (corner >> d & 1U) != 0;
       weight *= upper ? part[d] : 1 - part[d];
       if (upper) offset += stride_[d];
     }
-    sum += weight * values_[static_cast<std::size_t>(offset)];
+    sum += weight * values_[offset];
   }
   return sum;
 }
@@ -94,7 +92,7 @@ std::unique_ptr<Sampled<Dim>> Sampled<Dim>::of(MPI_Comm comm, const Shape<Dim>& 
   int number = 0;
   for_each<Dim>(lattice.points(), [&](const Index<Dim>& point) {
     if (number >= starts[rank] && number < starts[rank] + counts[rank])
-      values[static_cast<std::size_t>(number)] = shape.distance(lattice.place(point));
+      values[number] = shape.distance(lattice.place(point));
     ++number;
   });
   MPI_Allgatherv(MPI_IN_PLACE, 0, MPI_DATATYPE_NULL, values.data(), counts.data(), starts.data(), MPI_DOUBLE, comm);

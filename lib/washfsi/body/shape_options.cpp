@@ -20,17 +20,42 @@ namespace {
 
 constexpr Range copies{1.0, 1000.0, false, "a whole number from 1 to 1000"};
 
-bool is_one_of(const std::string& word, const std::vector<std::string>& words) {
-  return std::find(words.begin(), words.end(), word) != words.end();
+enum class ShapeKind {
+  sphere,
+  box,
+  cylinder,
+  halfspace,
+  capsule,
+  polygon,
+  revolution,
+  vaned,
+  agitator,
+  stl,
+  united,
+  intersection,
+  difference,
+};
+
+const ChoiceNames<ShapeKind>& names_of(ShapeKind) {
+  using enum ShapeKind;
+  static const ChoiceNames<ShapeKind> names{
+      {"sphere", sphere},         {"box", box},         {"cylinder", cylinder},     {"halfspace", halfspace},
+      {"capsule", capsule},       {"polygon", polygon}, {"revolution", revolution}, {"vaned", vaned},
+      {"agitator", agitator},     {"stl", stl},         {"union", united},          {"intersection", intersection},
+      {"difference", difference},
+  };
+  return names;
 }
 
 /// Reads the shape whose options have one prefix, without its parts.
 template <int Dim>
 class ShapeReader {
  public:
-  ShapeReader(Options& options, std::string name, double sample_spacing) : options_(options), name_(std::move(name)) {
+  ShapeReader(Options& options, std::string name, double sample_spacing, const std::string& fallback)
+      : options_(options), name_(std::move(name)) {
     stl_.sample_spacing = sample_spacing_ = sample_spacing;
-    options_.block(name_ + "_", "Shape " + name_, [&](OptionBlock& block) { read(block); });
+    options_.block(
+        name_ + "_", "Shape " + name_, [&](OptionBlock& block) { read(block); }, fallback);
   }
 
   const std::vector<std::string>& parts() const { return parts_; }
@@ -42,13 +67,13 @@ class ShapeReader {
 
  private:
   void read(OptionBlock& block) {
-    block.choice("shape", kind_, kinds(), "kind of shape; sphere is a circle in the plane");
+    block.choice("shape", kind_, "kind of shape; sphere is a circle in the plane", kinds());
     read_round(block);
     read_straight(block);
     read_outlines(block);
-    if (used({"vaned"})) read_vaned(block);
-    if (Dim == 3 && used({"agitator"})) read_agitator(block);
-    if (Dim == 3 && used({"stl"})) stl_.read(block);
+    if (used({ShapeKind::vaned})) read_vaned(block);
+    if (Dim == 3 && used({ShapeKind::agitator})) read_agitator(block);
+    if (Dim == 3 && used({ShapeKind::stl})) stl_.read(block);
     if (used(combinations)) {
       block.require("parts", "the names of the parts of the shape");
       block.names("parts", parts_, "names of the parts (union, intersection, difference: the first minus the others)");
@@ -58,10 +83,10 @@ class ShapeReader {
   }
 
   void read_round(OptionBlock& block) {
-    if (used({"cylinder", "capsule"})) block.require("radius", "the radius of the shape [m]");
-    if (used({"sphere", "cylinder", "capsule"}))
+    if (used({ShapeKind::cylinder, ShapeKind::capsule})) block.require("radius", "the radius of the shape [m]");
+    if (used({ShapeKind::sphere, ShapeKind::cylinder, ShapeKind::capsule}))
       block.real("radius", radius_, "m", positive, "radius (sphere, cylinder, capsule)");
-    if (used({"capsule"})) {
+    if (used({ShapeKind::capsule})) {
       block.require("from", "the beginning of the capsule's axis [m]");
       block.require("to", "the end of the capsule's axis [m]");
       block.template point<Dim>("from", from_, "m", "beginning of the axis (capsule)");
@@ -70,17 +95,17 @@ class ShapeReader {
   }
 
   void read_straight(OptionBlock& block) {
-    if (used({"box"})) {
+    if (used({ShapeKind::box})) {
       block.require("size", "the lengths of the box's sides [m]");
       block.template point<Dim>("size", size_, "m", "lengths of the sides (box)");
       if (!(size_.minCoeff() > 0)) refuse("size", list_text<Dim>(size_), "numbers > 0");
     }
-    if (used({"halfspace"})) {
+    if (used({ShapeKind::halfspace})) {
       block.require("normal", "the direction out of the solid");
       block.template point<Dim>("normal", normal_, "-", "direction out of the solid (halfspace)");
       if (!(normal_.norm() > 0)) refuse("normal", list_text<Dim>(normal_), "a direction other than 0");
     }
-    if (Dim == 3 && used({"cylinder", "polygon", "vaned"})) {
+    if (Dim == 3 && used({ShapeKind::cylinder, ShapeKind::polygon, ShapeKind::vaned})) {
       block.require("height", "the length of the shape along z [m]");
       block.real("height", height_, "m", positive,
                  "length along z, half of it on either side (cylinder, polygon, vaned)");
@@ -88,8 +113,9 @@ class ShapeReader {
   }
 
   void read_outlines(OptionBlock& block) {
-    if (used({"polygon"})) corners_ = read_corners(block, "vertices", "corners x1,y1,x2,y2,... in order (polygon)");
-    if (Dim == 3 && used({"revolution"})) {
+    if (used({ShapeKind::polygon}))
+      corners_ = read_corners(block, "vertices", "corners x1,y1,x2,y2,... in order (polygon)");
+    if (Dim == 3 && used({ShapeKind::revolution})) {
       corners_ = read_corners(block, "profile", "corners r1,z1,r2,z2,... of the profile, in order (revolution)");
       for (const auto& corner : corners_)
         if (corner[0] < 0) refuse("profile", text_of(corners_), "r1,z1,r2,z2,... with every r >= 0");
@@ -155,31 +181,31 @@ class ShapeReader {
   }
 
   ShapePtr<Dim> primitive() const {
-    if (kind_ == "sphere") return std::make_unique<Sphere<Dim>>(radius_);
-    if (kind_ == "box") return std::make_unique<Cuboid<Dim>>(size_);
-    if (kind_ == "halfspace") return std::make_unique<HalfSpace<Dim>>(normal_);
-    if (kind_ == "capsule") return std::make_unique<Capsule<Dim>>(from_, to_, radius_);
+    if (kind_ == ShapeKind::sphere) return std::make_unique<Sphere<Dim>>(radius_);
+    if (kind_ == ShapeKind::box) return std::make_unique<Cuboid<Dim>>(size_);
+    if (kind_ == ShapeKind::halfspace) return std::make_unique<HalfSpace<Dim>>(normal_);
+    if (kind_ == ShapeKind::capsule) return std::make_unique<Capsule<Dim>>(from_, to_, radius_);
     if constexpr (Dim == 2)
       return outline();
-    else if (kind_ == "stl")
+    else if (kind_ == ShapeKind::stl)
       return shape_from_stl(options_.comm(), stl_, name_);
-    else if (kind_ == "agitator")
+    else if (kind_ == ShapeKind::agitator)
       return sampled_agitator(options_.comm(), agitator_, sample_spacing_);
-    else if (kind_ == "revolution")
+    else if (kind_ == ShapeKind::revolution)
       return std::make_unique<Revolved>(std::make_unique<Polygon>(corners_, Polygon::Kind::profile));
     else
       return std::make_unique<Extruded>(outline(), height_);
   }
 
   ShapePtr<2> outline() const {
-    if (kind_ == "cylinder") return std::make_unique<Sphere<2>>(radius_);
-    if (kind_ == "vaned") return vaned(vaned_);
+    if (kind_ == ShapeKind::cylinder) return std::make_unique<Sphere<2>>(radius_);
+    if (kind_ == ShapeKind::vaned) return vaned(vaned_);
     return std::make_unique<Polygon>(corners_);
   }
 
   ShapePtr<Dim> combination(ShapeList<Dim> parts) const {
-    if (kind_ == "union") return std::make_unique<Union<Dim>>(std::move(parts));
-    if (kind_ == "intersection") return std::make_unique<Intersection<Dim>>(std::move(parts));
+    if (kind_ == ShapeKind::united) return std::make_unique<Union<Dim>>(std::move(parts));
+    if (kind_ == ShapeKind::intersection) return std::make_unique<Intersection<Dim>>(std::move(parts));
     return difference<Dim>(std::move(parts));
   }
 
@@ -195,15 +221,17 @@ class ShapeReader {
     return shape;
   }
 
-  static std::vector<std::string> kinds() {
-    if (Dim == 2)
-      return {"sphere", "box", "halfspace", "capsule", "polygon", "vaned", "union", "intersection", "difference"};
-    return {"sphere", "box",      "cylinder", "halfspace", "capsule",      "polygon",   "revolution",
-            "vaned",  "agitator", "stl",      "union",     "intersection", "difference"};
+  // All, but in the plane only those that can be there.
+  static std::vector<ShapeKind> kinds() {
+    using enum ShapeKind;
+    if (Dim == 3) return {};
+    return {sphere, box, halfspace, capsule, polygon, vaned, united, intersection, difference};
   }
 
   // -help shows the options of every kind.
-  bool used(const std::vector<std::string>& kinds) const { return options_.help() || is_one_of(kind_, kinds); }
+  bool used(const std::vector<ShapeKind>& kinds) const {
+    return options_.help() || std::find(kinds.begin(), kinds.end(), kind_) != kinds.end();
+  }
 
   static std::string text_of(const Points<2>& corners) {
     std::vector<std::string> texts;
@@ -215,10 +243,12 @@ class ShapeReader {
     throw InputError("-" + name_ + "_" + option + " " + value + ": must be " + allowed);
   }
 
-  inline static const std::vector<std::string> combinations{"union", "intersection", "difference"};
+  inline static const std::vector<ShapeKind> combinations{ShapeKind::united, ShapeKind::intersection,
+                                                          ShapeKind::difference};
 
   Options& options_;
-  std::string name_, kind_ = "sphere";
+  std::string name_;
+  ShapeKind kind_ = ShapeKind::sphere;
   double radius_ = 0.1, height_ = 0.2;
   Point<Dim> size_ = Point<Dim>::Constant(0.2), normal_ = Point<Dim>::Unit(Dim - 1);
   Point<Dim> from_ = Point<Dim>::Zero(), to_ = Point<Dim>::Zero();
@@ -237,8 +267,9 @@ class ShapeReader {
 }  // namespace
 
 template <int Dim>
-ShapePtr<Dim> shape_from_options(Options& options, const std::string& name, double sample_spacing) {
-  const ShapeReader<Dim> reader(options, name, sample_spacing);
+ShapePtr<Dim> shape_from_options(Options& options, const std::string& name, double sample_spacing,
+                                 const std::string& fallback) {
+  const ShapeReader<Dim> reader(options, name, sample_spacing, fallback);
   if (options.help()) return nullptr;  // sizes may be missing, and no shape is needed
   for (const auto& part : reader.parts()) options.claim_prefix(name + "_" + part, "-" + name + "_parts");
   ShapeList<Dim> parts;
@@ -247,7 +278,7 @@ ShapePtr<Dim> shape_from_options(Options& options, const std::string& name, doub
   return reader.build(std::move(parts));
 }
 
-template ShapePtr<2> shape_from_options<2>(Options&, const std::string&, double);
-template ShapePtr<3> shape_from_options<3>(Options&, const std::string&, double);
+template ShapePtr<2> shape_from_options<2>(Options&, const std::string&, double, const std::string&);
+template ShapePtr<3> shape_from_options<3>(Options&, const std::string&, double, const std::string&);
 
 }  // namespace washfsi

@@ -7,12 +7,9 @@
 
 #include <mpi.h>
 
-#include "washfsi/support/point.hpp"
+#include "washfsi/geometry/nearest.hpp"
 
 namespace washfsi {
-
-/// Three corners, counter-clockwise seen from outside.
-using Triangle = std::array<Point<3>, 3>;
 
 /// The facets of an STL file, ASCII or binary; its normals are not used, since the order of the corners tells them.
 /// `option` names the file in errors: InputError if it cannot be read, is no STL file, or is cut short. Collective.

@@ -18,14 +18,13 @@ void subdivide(const Grid<Dim>& grid, const Box<Dim>& box, double reach, const D
   Point<Dim> middle, size;
   PetscInt longest = 0;
   std::size_t axis = 0;
-  for (std::size_t d = 0; d < Dim; ++d) {
-    const auto e = static_cast<int>(d);
+  for (int d = 0; d < Dim; ++d) {
     const PetscInt cells = box.upper[d] - box.lower[d];
     if (cells <= 0) return;
     if (cells > longest) axis = d;
     longest = std::max(longest, cells);
-    size[e] = static_cast<double>(cells) * grid.spacing()[e];
-    middle[e] = grid.lower()[e] + 0.5 * static_cast<double>(box.lower[d] + box.upper[d]) * grid.spacing()[e];
+    size[d] = static_cast<double>(cells) * grid.spacing()[d];
+    middle[d] = grid.lower()[d] + 0.5 * static_cast<double>(box.lower[d] + box.upper[d]) * grid.spacing()[d];
   }
   const double from_middle = distance(middle);
   if (std::abs(from_middle) > reach + 0.5 * size.norm()) return far(box, from_middle > 0 ? 1 : -1);

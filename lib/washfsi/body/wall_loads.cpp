@@ -25,18 +25,20 @@ std::vector<SideName> exposed_walls(const Grid<Dim>& grid, const Boundary<Dim>& 
 namespace {
 
 /// Force per area on a side beside a cell: the pressure continued linearly to the wall, and the friction.
-template <int Dim>
+template <int Dim, class Form>
 Point<Dim> traction(const ConstFaceView<Dim>& u, const ConstCellView<Dim>& p, const Index<Dim>& cell, SideName side,
-                    bool slips, double viscosity, double spacing) {
+                    bool slips, const Form& viscosity, double spacing) {
   const int outwards = side.end == End::upper ? 1 : -1;
   const Index<Dim> inner = shifted<Dim>(cell, side.axis, -outwards), outer = shifted<Dim>(cell, side.axis, outwards);
   Point<Dim> result;
-  for (int c = 0; c < Dim; ++c) result[c] = -viscosity * (u(outer, c) - u(cell, c)) / spacing;
+  for (int c = 0; c < Dim; ++c)
+    result[c] =
+        -(viscosity.scale * viscosity.on_side(cell, c, side.axis, outwards)) * (u(outer, c) - u(cell, c)) / spacing;
   const double pressure = 1.5 * p(cell) - 0.5 * p(inner);
   // a rigid wall has no stretching along it, so none across; along a slip side the water may stretch
   const Index<Dim> next = shifted<Dim>(cell, side.axis, 1);
   const double stretching = slips ? (u(next, side.axis) - u(cell, side.axis)) / spacing : 0;
-  result[side.axis] = outwards * (pressure - 2 * viscosity * stretching);
+  result[side.axis] = outwards * (pressure - 2 * viscosity.scale * viscosity.in_cell(cell) * stretching);
   return result;
 }
 
@@ -44,7 +46,7 @@ Point<Dim> traction(const ConstFaceView<Dim>& u, const ConstCellView<Dim>& p, co
 
 template <int Dim>
 Loads<Dim> wall_loads(const Grid<Dim>& grid, const Boundary<Dim>& boundary, const std::vector<Body<Dim>>& bodies,
-                      const std::vector<SideName>& sides, Vec local_velocity, Vec pressure, double viscosity,
+                      const std::vector<SideName>& sides, Vec local_velocity, Vec pressure, const Viscosity& viscosity,
                       double time) {
   const petsc::LocalVector local_pressure(grid.cell_dm(), pressure);
   const ConstFaceView<Dim> u(grid.face_dm(), local_velocity);
@@ -52,29 +54,31 @@ Loads<Dim> wall_loads(const Grid<Dim>& grid, const Boundary<Dim>& boundary, cons
   const PosedBodies<Dim> posed(bodies, time);
   const Point<Dim> middle = 0.5 * (grid.lower() + grid.upper());
   Loads<Dim> loads(sides.size());
-  for (std::size_t s = 0; s < sides.size(); ++s) {
-    const int axis = sides[s].axis;  // names of their own, since a lambda takes them
-    const End end = sides[s].end;
-    const double spacing = grid.spacing()[axis], area = grid.cell_volume() / spacing;
-    const bool slips = boundary.side(axis, end).kind == BoundaryKind::slip;
-    for_each<Dim>(grid.cells_beside(axis, end), [&](const Index<Dim>& cell) {
-      const Point<Dim> force = area * traction<Dim>(u, p, cell, sides[s], slips, viscosity, spacing);
-      for (int c = 0; c < Dim; ++c) {  // each where its velocity is
-        Point<Dim> place = c == axis ? grid.cell_center(cell) : grid.face_center(cell, c);
-        if (posed.holder(place) < bodies.size()) continue;
-        place[axis] = end == End::upper ? grid.upper()[axis] : grid.lower()[axis];
-        loads[s].add(place - middle, force[c] * Point<Dim>::Unit(c));
-      }
-    });
-  }
+  with_viscosity<Dim>(grid, viscosity, [&](const auto& mu) {
+    for (std::size_t s = 0; s < sides.size(); ++s) {
+      const int axis = sides[s].axis;  // names of their own, since a lambda takes them
+      const End end = sides[s].end;
+      const double spacing = grid.spacing()[axis], area = grid.cell_volume() / spacing;
+      const bool slips = boundary.side(axis, end).kind == BoundaryKind::slip;
+      for_each<Dim>(grid.cells_beside(axis, end), [&](const Index<Dim>& cell) {
+        const Point<Dim> force = area * traction<Dim>(u, p, cell, sides[s], slips, mu, spacing);
+        for (int c = 0; c < Dim; ++c) {  // each where its velocity is
+          Point<Dim> place = c == axis ? grid.cell_center(cell) : grid.face_center(cell, c);
+          if (posed.holder(place) < bodies.size()) continue;
+          place[axis] = end == End::upper ? grid.upper()[axis] : grid.lower()[axis];
+          loads[s].add(place - middle, force[c] * Point<Dim>::Unit(c));
+        }
+      });
+    }
+  });
   return ordered_sum<Dim>(grid.comm(), loads);
 }
 
 template std::vector<SideName> exposed_walls<2>(const Grid<2>&, const Boundary<2>&, const std::vector<Body<2>>&);
 template std::vector<SideName> exposed_walls<3>(const Grid<3>&, const Boundary<3>&, const std::vector<Body<3>>&);
 template Loads<2> wall_loads<2>(const Grid<2>&, const Boundary<2>&, const std::vector<Body<2>>&,
-                                const std::vector<SideName>&, Vec, Vec, double, double);
+                                const std::vector<SideName>&, Vec, Vec, const Viscosity&, double);
 template Loads<3> wall_loads<3>(const Grid<3>&, const Boundary<3>&, const std::vector<Body<3>>&,
-                                const std::vector<SideName>&, Vec, Vec, double, double);
+                                const std::vector<SideName>&, Vec, Vec, const Viscosity&, double);
 
 }  // namespace washfsi

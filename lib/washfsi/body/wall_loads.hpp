@@ -3,7 +3,7 @@
 
 #include "washfsi/body/body.hpp"
 #include "washfsi/body/load.hpp"
-#include "washfsi/grid/boundary.hpp"
+#include "washfsi/grid/viscous_stress.hpp"
 
 namespace washfsi {
 
@@ -23,7 +23,7 @@ std::vector<SideName> exposed_walls(const Grid<Dim>& grid, const Boundary<Dim>& 
 /// Collective.
 template <int Dim>
 Loads<Dim> wall_loads(const Grid<Dim>& grid, const Boundary<Dim>& boundary, const std::vector<Body<Dim>>& bodies,
-                      const std::vector<SideName>& sides, Vec local_velocity, Vec pressure, double viscosity,
+                      const std::vector<SideName>& sides, Vec local_velocity, Vec pressure, const Viscosity& viscosity,
                       double time);
 
 }  // namespace washfsi

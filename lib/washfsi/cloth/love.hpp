@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The thesis's strong form of the cloth's equations on its own lattice (3.4.1): a baseline for verification. It does
-// not conserve angular momentum, has no energy and no Jacobian.
+// not conserve angular momentum, has no energy and no Jacobian. The sheet's fabric must be linear.
 #pragma once
 
 #include "washfsi/cloth/sheet.hpp"

@@ -17,6 +17,7 @@ void add_love_forces(const Sheet& sheet, std::span<const Point<2>> positions, st
   const auto& x = positions;
   const std::size_t n = x.size();
   const double ds = sheet.ds;
+  const LinearModuli& moduli = std::get<LinearFabric>(sheet.fabric).moduli();
   if (n < 2) return;
 
   std::vector<Point<2>> slope(n + 1, Point<2>::Zero()), normal(n + 1, Point<2>::Zero());  // X_s and e3, staggered
@@ -24,7 +25,7 @@ void add_love_forces(const Sheet& sheet, std::span<const Point<2>> positions, st
   for (std::size_t j = 1; j < n; ++j) {
     slope[j] = (x[j] - x[j - 1]) / ds;
     normal[j] = turned_left<2>(slope[j].normalized());
-    tension[j] = sheet.ke_s * 0.5 * (slope[j].squaredNorm() - 1);
+    tension[j] = moduli.ke_s * 0.5 * (slope[j].squaredNorm() - 1);
   }
   slope[0] = slope[1];  // no moment, no change of slope at the ends
   slope[n] = slope[n - 1];
@@ -32,7 +33,7 @@ void add_love_forces(const Sheet& sheet, std::span<const Point<2>> positions, st
   // curvature at staggered points: e3 . X_ss / K^2, from the slopes at the two markers beside
   for (std::size_t j = 1; j < n; ++j) {
     const Point<2> at_left = 0.5 * (slope[j - 1] + slope[j]), at_right = 0.5 * (slope[j] + slope[j + 1]);
-    moment[j] = sheet.kb_s * normal[j].dot(at_right - at_left) / ds / slope[j].squaredNorm();
+    moment[j] = moduli.kb_s * normal[j].dot(at_right - at_left) / ds / slope[j].squaredNorm();
   }
 
   // shear at markers, then at staggered points

@@ -13,6 +13,7 @@ class Plate {
  public:
   Plate(const Sheet& sheet, std::span<const Point<3>> positions)
       : sheet_(sheet),
+        moduli_(std::get<LinearFabric>(sheet.fabric).moduli()),
         x_(positions),
         n_(static_cast<long>(positions.size() / sheet.width)),
         m_(static_cast<long>(sheet.width)) {
@@ -26,7 +27,7 @@ class Plate {
   Point<3> flux_s(long i, long j) const {
     if (i < 0 || i + 1 >= n_) return Point<3>::Zero();
     const Point<3> a = slope_s(i, j), b = 0.5 * (tangent_r(i, j) + tangent_r(i + 1, j));
-    Point<3> flux = sheet_.ke_s * (strain_s(i, j) + sheet_.poisson * beside_s(i, j)) * a;
+    Point<3> flux = moduli_.ke_s * (strain_s(i, j) + moduli_.poisson * beside_s(i, j)) * a;
     for (const long quad : {j - 1, j}) flux += 0.5 * shear(i, quad) * quad_tangent_r(i, quad);
     const double q1 = -(at(m11_, i + 1, j) - at(m11_, i, j)) / (sheet_.ds * a.norm()) -
                       0.5 * (slope_of_m12_r(i, j) + slope_of_m12_r(i + 1, j)) / (sheet_.dr * b.norm());
@@ -36,7 +37,7 @@ class Plate {
   Point<3> flux_r(long i, long j) const {
     if (j < 0 || j + 1 >= m_) return Point<3>::Zero();
     const Point<3> a = 0.5 * (tangent_s(i, j) + tangent_s(i, j + 1)), b = slope_r(i, j);
-    Point<3> flux = sheet_.ke_r * (strain_r(i, j) + sheet_.poisson * beside_r(i, j)) * b;
+    Point<3> flux = moduli_.ke_r * (strain_r(i, j) + moduli_.poisson * beside_r(i, j)) * b;
     for (const long quad : {i - 1, i}) flux += 0.5 * shear(quad, j) * quad_tangent_s(quad, j);
     const double q2 = -(at(m22_, i, j + 1) - at(m22_, i, j)) / (sheet_.dr * b.norm()) -
                       0.5 * (slope_of_m12_s(i, j) + slope_of_m12_s(i, j + 1)) / (sheet_.ds * a.norm());
@@ -67,7 +68,7 @@ class Plate {
   }
   bool inside(long i, long j) const { return i >= 0 && i + 1 < n_ && j >= 0 && j + 1 < m_; }
   /// N12 at the centroid of a quad; none beyond the edges.
-  double shear(long i, long j) const { return sheet_.ks * quad_tangent_s(i, j).dot(quad_tangent_r(i, j)); }
+  double shear(long i, long j) const { return moduli_.ks * quad_tangent_s(i, j).dot(quad_tangent_r(i, j)); }
   /// The other strain at the point of E11 or E22: the mean of those around it.
   double beside_s(long i, long j) const {
     const long below = std::max(j - 1, 0L), above = std::min(j, m_ - 2);
@@ -85,9 +86,9 @@ class Plate {
     const Point<3> twist = (tangent_r(std::min(i + 1, n_ - 1), j) - tangent_r(std::max(i - 1, 0L), j)) /
                            (sheet_.ds * static_cast<double>(std::min(i + 1, n_ - 1) - std::max(i - 1, 0L)));
     const double kappa_s = normal.dot(bend_s) / a.squaredNorm(), kappa_r = normal.dot(bend_r) / b.squaredNorm();
-    m11_.push_back(sheet_.kb_s * (kappa_s + sheet_.poisson * kappa_r));
-    m22_.push_back(sheet_.kb_r * (kappa_r + sheet_.poisson * kappa_s));
-    m12_.push_back(sheet_.kt * normal.dot(twist) / (a.norm() * b.norm()));
+    m11_.push_back(moduli_.kb_s * (kappa_s + moduli_.poisson * kappa_r));
+    m22_.push_back(moduli_.kb_r * (kappa_r + moduli_.poisson * kappa_s));
+    m12_.push_back(moduli_.kt * normal.dot(twist) / (a.norm() * b.norm()));
   }
   // Half a spacing beyond the outermost markers M11 and M22 are zero: there they are a third of the next ones.
   void vanish_at_edges(long i, long j) {
@@ -107,6 +108,7 @@ class Plate {
   }
 
   const Sheet& sheet_;
+  const LinearModuli& moduli_;
   std::span<const Point<3>> x_;
   long n_, m_;
   std::vector<double> m11_, m22_, m12_;
@@ -119,8 +121,8 @@ void add_love_forces(const Sheet& sheet, std::span<const Point<3>> positions, st
   const Plate plate(sheet, positions);
   for (long i = 0; i < n; ++i)
     for (long j = 0; j < m; ++j)
-      forces[static_cast<std::size_t>(i * m + j)] += sheet.dr * (plate.flux_s(i, j) - plate.flux_s(i - 1, j)) +
-                                                     sheet.ds * (plate.flux_r(i, j) - plate.flux_r(i, j - 1));
+      forces[i * m + j] += sheet.dr * (plate.flux_s(i, j) - plate.flux_s(i - 1, j)) +
+                           sheet.ds * (plate.flux_r(i, j) - plate.flux_r(i, j - 1));
 }
 
 }  // namespace washfsi

@@ -10,6 +10,19 @@
 
 namespace washfsi {
 
+/// How elasticity acts on the markers: as minus the gradient of a discrete energy, or by the thesis's strong form.
+enum class ElasticModel { energy, love };
+const ChoiceNames<ElasticModel>& names_of(ElasticModel);
+
+/// Where springs hold a cloth: nowhere; at the one or two markers in the middle; along the first row, a hinge; at its
+/// corners; along the first two rows, a clamp.
+enum class Hold { none, middle, first, corners, edge };
+const ChoiceNames<Hold>& names_of(Hold);
+
+/// Shapes at the start, see `shaped_cloth`.
+enum class ClothShape { flat, ellipse, mode, bar_mode, crumpled };
+const ChoiceNames<ClothShape>& names_of(ClothShape);
+
 /// A group of equal cloths: how many, how large, of what, held where, loaded by what.
 template <int Dim>
 struct ClothGroup {
@@ -19,12 +32,12 @@ struct ClothGroup {
   std::array<PetscInt, 2> markers{12, 1};
   /// Physical length along s and r [m] = markers times spacing; in the plane the unit depth along r.
   std::array<double, 2> size{0.25, 1};
-  double excess_mass = 0.093;    ///< over the water displaced, rho_s [kg/m2]
-  std::string model = "energy";  ///< energy | love
-  std::string shape = "flat";    ///< at the start: flat | ellipse (a ring) | mode | bar_mode | crumpled
+  double excess_mass = 0.093;  ///< over the water displaced, rho_s [kg/m2]
+  ElasticModel model = ElasticModel::energy;
+  ClothShape shape = ClothShape::flat;  ///< at the start; an ellipse is a ring
   Sheet sheet;
 
-  std::string hold = "none";  ///< where springs hold it: none | middle | first | corners | edge
+  Hold hold = Hold::none;     ///< where springs hold it
   double hold_stiffness = 0;  ///< of the spring at each held marker [N/m; per unit depth in the plane]; 0: Ke/ds
   Point<Dim> load = Point<Dim>::Zero();             ///< constant force per undeformed area [N/m2]
   Point<Dim> end_force_first = Point<Dim>::Zero();  ///< at the edge before the first row [N; N/m in the plane]
@@ -36,6 +49,12 @@ struct ClothGroup {
   /// Which markers of a cloth the springs hold, in ascending order.
   std::vector<PetscInt> held_markers() const;
 };
+
+/// Whether any group has this elastic model.
+template <int Dim>
+bool uses(const std::vector<ClothGroup<Dim>>& groups, ElasticModel model) {
+  return std::any_of(groups.begin(), groups.end(), [&](const auto& group) { return group.model == model; });
+}
 
 /// All groups named by -cloths.
 template <int Dim>

@@ -1,51 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "washfsi/cloth/sheet_lattice.hpp"
+#include "washfsi/cloth/sheet_membrane.hpp"
 
 namespace washfsi {
 
 namespace {
-
-// Rates of the strains as the markers move along a direction.
-template <int Dim>
-Membrane strain_rates_of(const SheetLattice<Dim>& lattice, const SheetLattice<Dim>& direction) {
-  Membrane rates(lattice.x.size());
-  const double ds2 = lattice.sheet.ds * lattice.sheet.ds, dr2 = lattice.sheet.dr * lattice.sheet.dr;
-  for (std::size_t k = 0; k < lattice.x.size(); ++k) {
-    if (lattice.has_edge_s(k)) rates.s[k] = lattice.edge_s(k).dot(direction.edge_s(k)) / ds2;
-    if (lattice.has_edge_r(k)) rates.r[k] = lattice.edge_r(k).dot(direction.edge_r(k)) / dr2;
-    if (lattice.has_quad(k))
-      rates.shear[k] =
-          direction.tangent_s(k).dot(lattice.tangent_r(k)) + lattice.tangent_s(k).dot(direction.tangent_r(k));
-  }
-  return rates;
-}
-
-// Forces of resultants along the edges and tangents of a lattice: linear in both.
-template <int Dim>
-void add_membrane_forces(const SheetLattice<Dim>& lattice, const Membrane& pulls, std::span<Point<Dim>> forces) {
-  const double ds = lattice.sheet.ds, dr = lattice.sheet.dr;
-  const std::size_t m = lattice.m;
-  for (std::size_t k = 0; k < lattice.x.size(); ++k) {
-    if (lattice.has_edge_s(k)) {
-      const Point<Dim> pull = pulls.s[k] * dr / ds * lattice.edge_s(k);
-      forces[k] += pull;
-      forces[k + m] -= pull;
-    }
-    if (lattice.has_edge_r(k)) {
-      const Point<Dim> pull = pulls.r[k] * ds / dr * lattice.edge_r(k);
-      forces[k] += pull;
-      forces[k + 1] -= pull;
-    }
-    if (lattice.has_quad(k) && pulls.shear[k] != 0) {
-      const Point<Dim> along_r = 0.5 * dr * pulls.shear[k] * lattice.tangent_r(k);
-      const Point<Dim> along_s = 0.5 * ds * pulls.shear[k] * lattice.tangent_s(k);
-      forces[k] += along_r + along_s;
-      forces[k + 1] += along_r - along_s;
-      forces[k + m] += along_s - along_r;
-      forces[k + m + 1] -= along_r + along_s;
-    }
-  }
-}
 
 template <int Dim>
 void add_bending_forces(const SheetLattice<Dim>& lattice, std::span<Point<Dim>> forces) {
@@ -66,7 +24,7 @@ void add_bending_forces(const SheetLattice<Dim>& lattice, std::span<Point<Dim>> 
       forces[k + 1] -= couple;
     }
     if (lattice.has_quad(k)) {
-      const Point<Dim> couple = 2 * sheet.kt * lattice.twist_weight(k) * lattice.mixed_difference(k);
+      const Point<Dim> couple = 2 * lattice.bending.twist * lattice.twist_weight(k) * lattice.mixed_difference(k);
       forces[k] -= couple;
       forces[k + 1] += couple;
       forces[k + m] += couple;
@@ -88,50 +46,64 @@ template <int Dim>
 void add_energy_force_rates(const Sheet& sheet, std::span<const Point<Dim>> positions,
                             std::span<const Point<Dim>> direction, std::span<Point<Dim>> rates) {
   const SheetLattice<Dim> lattice(sheet, positions), change(sheet, direction);
-  add_membrane_forces(lattice, resultants_of(lattice, strain_rates_of(lattice, change)), rates);
-  add_membrane_forces(change, resultants_of(lattice, strains_of(lattice)), rates);
+  std::visit([&](const auto& law) { add_membrane_force_rates(law, lattice, change, rates); }, sheet.fabric);
   add_bending_forces(change, rates);
 }
+
+namespace {
+
+// By a law of fabric.
+template <int Dim, FabricLaw Law>
+void add_damping_forces_of(const Law& law, const SheetLattice<Dim>& lattice, std::span<const Point<Dim>> velocities,
+                           std::span<Point<Dim>> forces) {
+  const double beta = lattice.sheet.damping, ds = lattice.sheet.ds, dr = lattice.sheet.dr;
+  const auto damp = [&](std::size_t a, std::size_t b, double factor) {
+    const Point<Dim> edge = lattice.x[b] - lattice.x[a];
+    const Point<Dim> drag = factor * edge.dot(velocities[b] - velocities[a]) * edge;
+    forces[a] += drag;
+    forces[b] -= drag;
+  };
+  for (std::size_t k = 0; k < lattice.x.size(); ++k) {
+    if (lattice.has_edge_s(k))
+      damp(k, k + lattice.m, beta * law.warp_modulus(lattice.strain_s(k)) * dr / (ds * ds * ds));
+    if (lattice.has_edge_r(k)) damp(k, k + 1, beta * law.weft_modulus(lattice.strain_r(k)) * ds / (dr * dr * dr));
+  }
+}
+
+}  // namespace
 
 template <int Dim>
 void add_damping_forces(const Sheet& sheet, std::span<const Point<Dim>> positions,
                         std::span<const Point<Dim>> velocities, std::span<Point<Dim>> forces) {
   const SheetLattice<Dim> lattice(sheet, positions);
-  const double ds = sheet.ds, dr = sheet.dr;
-  const double along_s = sheet.damping * sheet.ke_s * dr / (ds * ds * ds);
-  const double along_r = sheet.damping * sheet.ke_r * ds / (dr * dr * dr);
-  const auto damp = [&](std::size_t a, std::size_t b, double factor) {
-    const Point<Dim> edge = positions[b] - positions[a];
-    const Point<Dim> drag = factor * edge.dot(velocities[b] - velocities[a]) * edge;
-    forces[a] += drag;
-    forces[b] -= drag;
-  };
-  for (std::size_t k = 0; k < positions.size(); ++k) {
-    if (lattice.has_edge_s(k)) damp(k, k + lattice.m, along_s);
-    if (lattice.has_edge_r(k)) damp(k, k + 1, along_r);
-  }
+  std::visit([&](const auto& law) { add_damping_forces_of(law, lattice, velocities, forces); }, sheet.fabric);
 }
 
 template <int Dim>
 double elastic_energy(const Sheet& sheet, std::span<const Point<Dim>> positions, std::size_t first, std::size_t last) {
   const SheetLattice<Dim> lattice(sheet, positions);
-  const Membrane strains = strains_of(lattice);
-  const double cross = cross_extension(sheet), cross_bend = cross_bending(sheet);
-  double energy = 0;
-  for (std::size_t k = first; k < last; ++k) {
-    energy += 0.5 * lattice.edge_weight_s(k) * sheet.ke_s * strains.s[k] * strains.s[k] +
-              0.5 * lattice.edge_weight_r(k) * sheet.ke_r * strains.r[k] * strains.r[k];
-    const bool along_s = lattice.bends_along_s(k), along_r = lattice.bends_along_r(k);
-    const double weight = 0.5 * lattice.bend_weight(k);
-    if (along_s) energy += weight * sheet.kb_s * lattice.second_difference_s(k).squaredNorm();
-    if (along_r) energy += weight * sheet.kb_r * lattice.second_difference_r(k).squaredNorm();
-    if (along_s && along_r) energy += cross_bend * lattice.second_difference_s(k).dot(lattice.second_difference_r(k));
-    if (!lattice.has_quad(k)) continue;
-    energy += 0.25 * cross * (strains.s[k] + strains.s[k + 1]) * (strains.r[k] + strains.r[k + lattice.m]) +
-              0.5 * sheet.ks * strains.shear[k] * strains.shear[k] +
-              lattice.twist_weight(k) * sheet.kt * lattice.mixed_difference(k).squaredNorm();
-  }
-  return sheet.marker_area() * energy;
+  return std::visit([&](const auto& law) { return elastic_energy_of(law, lattice, first, last); }, sheet.fabric);
+}
+
+double largest_stiffness(const Sheet& sheet) {
+  const LargestModuli membrane = largest_moduli_of(sheet.fabric);
+  const BendingModuli bending = bending_of(sheet.fabric);
+  const double per_s = 1 / (sheet.ds * sheet.ds), per_r = 1 / (sheet.dr * sheet.dr);
+  const double bending_s = 4 * bending.s * per_s * per_s;
+  if (sheet.width == 1) return membrane.s * per_s + bending_s;
+  const double along_s = (1 + membrane.poisson) * membrane.s * per_s + membrane.shear * per_r;
+  const double along_r = (1 + membrane.poisson) * membrane.r * per_r + membrane.shear * per_s;
+  const double mixed = 8 * (std::abs(bending.cross) + bending.twist) * per_s * per_r;
+  return std::max(along_s, along_r) + bending_s + 4 * bending.r * per_r * per_r + mixed;
+}
+
+double cancelling_size(const Sheet& sheet, double distance) {
+  const LargestModuli membrane = largest_moduli_of(sheet.fabric);
+  const BendingModuli bending = bending_of(sheet.fabric);
+  const double ds = sheet.ds, dr = sheet.dr;
+  double size = membrane.s * dr + 16 * bending.s * dr * distance / std::pow(ds, 3);
+  if (sheet.width > 1) size += membrane.r * ds + 16 * bending.r * ds * distance / std::pow(dr, 3);
+  return size;
 }
 
 template <int Dim>

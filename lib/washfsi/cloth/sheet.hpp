@@ -4,39 +4,37 @@
 // undeformed cloth, edges half a spacing beyond the outermost markers. Marker (i, j) has the number i m + j. A fibre is
 // a sheet one marker wide. Formulation 3.1, 3.2, thesis 3.3.3 to 3.3.5.
 //
-// Energy form (default), forces F_ij = -dE/dX_ij; all conditions at free edges are natural:
-//   E = sum over s-edges    1/2 w Ke_s ds dr E11^2,  E11 = (|X_(i+1,j) - X_ij|^2/ds^2 - 1)/2
-//     + sum over r-edges    1/2 w Ke_r ds dr E22^2,  E22 likewise
-//     + sum over quads      ds dr (nu sqrt(Ke_s Ke_r) <E11> <E22> + 1/2 Ks (a.b)^2)
-//     + sum over markers    1/2 ds dr (f Kb_s |D_s|^2 + f Kb_r |D_r|^2 + 2 nu sqrt(Kb_s Kb_r) D_s.D_r)
-//     + sum over quads      g ds dr Kt |D_q|^2
-// <> is the mean of a quad's two edges, a and b are its mean tangents X_s and X_r, D_s and D_r second differences
-// (absent where a neighbour is missing), D_q the mixed one. The strip of half a spacing round the markers has no quads:
-// there w = 1 - nu^2/2 per side of an edge without a quad, f = 1 - nu^2 where D_s or D_r is absent, g = 1 + 1/2 per
-// side without a next row of quads. The form conserves linear and angular momentum to round-off and cannot create
-// energy; bending is linear in X, so that nothing is singular on crumpled cloth.
+// Energy form (default), forces F_ij = -dE/dX_ij; all conditions at free edges are natural. With the energies per area
+// and the bending moduli of a law of fabric (cloth/fabric_law.hpp):
+//   E = sum over s-edges    ds dr warp(E11, bare),  E11 = (|X_(i+1,j) - X_ij|^2/ds^2 - 1)/2
+//     + sum over r-edges    ds dr weft(E22, bare),  E22 likewise
+//     + sum over quads      ds dr quad(E11 of two edges, E22 of two edges, a.b)
+//     + sum over markers    1/2 ds dr (f B_s |D_s|^2 + f B_r |D_r|^2 + 2 B_sr D_s.D_r)
+//     + sum over quads      g ds dr B_t |D_q|^2
+// a and b are a quad's mean tangents X_s and X_r, so that a.b = 2 E12; D_s and D_r second differences (absent where a
+// neighbour is missing), D_q the mixed one. The strip of half a spacing round the markers has no quads: there an edge
+// is bare on one or both sides, f is not 1 where D_s or D_r is absent, and g = 1 + 1/2 per side without a next row of
+// quads. The form conserves linear and angular momentum to round-off and cannot create energy; bending is linear in X,
+// so that nothing is singular on crumpled cloth.
 #pragma once
 
 #include <array>
 #include <functional>
 #include <span>
 
+#include "washfsi/cloth/fabric.hpp"
 #include "washfsi/support/point.hpp"
 
 namespace washfsi {
 
-/// Lattice and stiffnesses of a sheet. In the plane all are per unit depth, which then is `dr`.
+/// Lattice and fabric of a sheet. In the plane all is per unit depth, which then is `dr`.
 struct Sheet {
-  std::size_t width = 1;      ///< markers along r, m
-  double ds = 0, dr = 1;      ///< spacings [m]
-  double ke_s = 0, ke_r = 0;  ///< extensional stiffness [N/m]
-  double ks = 0;              ///< shear stiffness, N12 = 2 Ks E12 [N/m]
-  double kb_s = 0, kb_r = 0;  ///< bending stiffness [N m]
-  double kt = 0;              ///< twisting stiffness, M12 = Kt tau [N m]
-  double poisson = 0;         ///< nu, the geometric mean of nu_sr and nu_rs
-  double damping = 0;         ///< Kelvin-Voigt time beta of the edges [s]
-  double thickness = 1;       ///< q [m], for stresses only
-  bool closed = false;        ///< a ring along s: no ends
+  std::size_t width = 1;  ///< markers along r, m
+  double ds = 0, dr = 1;  ///< spacings [m]
+  Fabric fabric{};        ///< of what it is
+  double damping = 0;     ///< Kelvin-Voigt time beta of the edges [s]
+  double thickness = 1;   ///< q [m], for stresses only
+  bool closed = false;    ///< a ring along s: no ends
 
   double marker_area() const { return ds * dr; }  ///< undeformed [m2; m in the plane]
 };
@@ -50,7 +48,7 @@ template <int Dim>
 using AddBlock = std::function<void(std::size_t row, std::size_t column, const StiffnessBlock<Dim>& block)>;
 
 /// How much of the geometric stiffness, which stems from the stresses and not from the moduli, enters a matrix: all of
-/// it, or only that of edges in tension. Without the rest the matrix is positive definite.
+/// it, or only that of edges in tension. Without the rest the matrix is positive definite, if the law's tangents are.
 enum class GeometricStiffness { all, of_tension };
 
 /// The functions below act on neighbouring rows of one sheet (a row: all markers of one i). Given only some of its
@@ -71,7 +69,8 @@ template <int Dim>
 void add_energy_force_rates(const Sheet& sheet, std::span<const Point<Dim>> positions,
                             std::span<const Point<Dim>> direction, std::span<Point<Dim>> rates);
 
-/// Adds the Kelvin-Voigt damping of the edges: along s beta Ke_s dr d (d . dU)/ds^3 with d the edge vector.
+/// Adds the Kelvin-Voigt damping of the edges: along s the resultant beta k dE11/dt, k the fabric's modulus at E11,
+/// which is the force beta k dr d (d . dU)/ds^3 with d the edge vector.
 template <int Dim>
 void add_damping_forces(const Sheet& sheet, std::span<const Point<Dim>> positions,
                         std::span<const Point<Dim>> velocities, std::span<Point<Dim>> forces);
@@ -80,6 +79,13 @@ void add_damping_forces(const Sheet& sheet, std::span<const Point<Dim>> position
 /// quad to its lowest.
 template <int Dim>
 double elastic_energy(const Sheet& sheet, std::span<const Point<Dim>> positions, std::size_t first, std::size_t last);
+
+/// A quarter of the largest eigenvalue of the stiffness per area: of stretching and shear, and of bending and twist
+/// [N/m3].
+double largest_stiffness(const Sheet& sheet);
+
+/// A size of the parts whose difference the force on a marker is, at a distance from the origin [N].
+double cancelling_size(const Sheet& sheet, double distance);
 
 /// Largest stretch |X_s| - 1 or |X_r| - 1 of any edge.
 template <int Dim>
@@ -101,9 +107,6 @@ struct MarkerState {
   double curvature = 0;                                     ///< sqrt(kappa_s^2 + kappa_r^2 + 2 tau^2) [1/m]
   double shear_angle = 0;                                   ///< mean of the quads beside [rad]
 };
-
-/// The larger of the stresses along warp and weft at the surface of the cloth [Pa].
-double surface_stress(const MarkerState& state);
 
 /// The state at each marker.
 template <int Dim>

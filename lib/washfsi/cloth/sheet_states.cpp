@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "washfsi/cloth/sheet_lattice.hpp"
+#include "washfsi/cloth/sheet_membrane.hpp"
 
 namespace washfsi {
 
@@ -85,8 +85,8 @@ MarkerState marker_state(const SheetLattice<Dim>& lattice, const Membrane& pulls
                            0.25 * std::abs(pull_shear.sum) / q};
   const Moments<Dim> moments(lattice, k);
   state.bending_stress = {per_section * moments.s.norm(), per_section * moments.r.norm(),
-                          per_section * sheet.kt * twist.norm()};
-  state.stretch = 0.5 * stretch.sum / (m > 1 ? 2 : 1);
+                          per_section * lattice.bending.twist * twist.norm()};
+  state.stretch = 0.5 * stretch.sum / (sheet.width > 1 ? 2 : 1);
   double squares = 2 * twist.squaredNorm();
   if (lattice.bends_along_s(k)) squares += lattice.second_difference_s(k).squaredNorm();
   if (lattice.bends_along_r(k)) squares += lattice.second_difference_r(k).squaredNorm();
@@ -96,11 +96,6 @@ MarkerState marker_state(const SheetLattice<Dim>& lattice, const Membrane& pulls
 }
 
 }  // namespace
-
-double surface_stress(const MarkerState& state) {
-  return std::max(state.membrane_stress[ss] + state.bending_stress[ss],
-                  state.membrane_stress[rr] + state.bending_stress[rr]);
-}
 
 template <int Dim>
 std::vector<MarkerState> marker_states(const Sheet& sheet, std::span<const Point<Dim>> positions) {

@@ -14,6 +14,7 @@ namespace washfsi {
 /// (2002) 479, 6.27); that of Bao, Kaye and Peskin of half width 3 (J. Comput. Phys. 316 (2016) 139), three times
 /// continuously differentiable.
 enum class DeltaKernel { cosine, peskin, bao };
+const ChoiceNames<DeltaKernel>& names_of(DeltaKernel);
 
 /// Shape and half widths of the regularised delta in cells.
 struct DeltaOptions {
@@ -96,8 +97,7 @@ class AxisDelta {
     if (kernel_ == DeltaKernel::cosine)
       set_cosines(turn_ * first, stencil);
     else
-      for (int i = 0; i < stencil.count; ++i)
-        stencil.weight[static_cast<std::size_t>(i)] = regularised_delta(kernel_, first + i, width_);
+      for (int i = 0; i < stencil.count; ++i) stencil.weight[i] = regularised_delta(kernel_, first + i, width_);
     return stencil;
   }
 
@@ -107,7 +107,7 @@ class AxisDelta {
     const double scale = 0.5 / width_;
     double real = std::cos(angle), imaginary = std::sin(angle);
     for (int i = 0; i < stencil.count; ++i) {
-      stencil.weight[static_cast<std::size_t>(i)] = scale + scale * real;
+      stencil.weight[i] = scale + scale * real;
       const double turned = real * cos_ - imaginary * sin_;
       imaginary = real * sin_ + imaginary * cos_;
       real = turned;

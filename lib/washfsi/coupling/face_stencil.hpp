@@ -14,21 +14,19 @@ class FaceStencil {
   FaceStencil(const Grid<Dim>& grid, const AxisDelta& delta, const Point<Dim>& position) {
     for (int d = 0; d < Dim; ++d) {
       const double place = (position[d] - grid.lower()[d]) / grid.spacing()[d];
-      axes_[static_cast<std::size_t>(d)] = {delta.stencil(place), delta.stencil(place - 0.5)};
+      axes_[d] = {delta.stencil(place), delta.stencil(place - 0.5)};
     }
   }
 
   /// Weights along an axis of the faces of a component: those normal to the axis or those between.
-  const AxisStencil& along(int axis, int component) const {
-    return axes_[static_cast<std::size_t>(axis)][axis == component ? 0 : 1];
-  }
+  const AxisStencil& along(int axis, int component) const { return axes_[axis][axis == component ? 0 : 1]; }
 
   /// Calls visit(row, weight) for each row along x of a component's faces, `row` pointing to its first face in the
   /// field of a view; the weight of the row times that along x is a face's.
   template <class Field, class Visit>
   void visit_rows(int component, const Field& field, const Visit& visit) const {
     Index<Dim> first;
-    for (int d = 0; d < Dim; ++d) first[static_cast<std::size_t>(d)] = along(d, component).first;
+    for (int d = 0; d < Dim; ++d) first[d] = along(d, component).first;
     visit_from<Dim - 1>(component, field, &field(first, component), 1.0, visit);
   }
 
@@ -40,7 +38,7 @@ class FaceStencil {
     } else {
       const AxisStencil& stencil = along(Axis, component);
       for (int i = 0; i < stencil.count; ++i, face += field.stride(Axis))
-        visit_from<Axis - 1>(component, field, face, weight * stencil.weight[static_cast<std::size_t>(i)], visit);
+        visit_from<Axis - 1>(component, field, face, weight * stencil.weight[i], visit);
     }
   }
 

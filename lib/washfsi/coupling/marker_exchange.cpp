@@ -21,7 +21,7 @@ template <int Dim>
 void MarkerExchange<Dim>::rebuild() {
   const auto ranks = static_cast<std::size_t>(ranks_of(grid_.comm()));
   std::vector<int> sent(ranks, 0), received(ranks, 0), sent_start(ranks, 0), received_start(ranks, 0);
-  for (const int owner : cell_owner_) ++sent[static_cast<std::size_t>(owner)];
+  for (const int owner : cell_owner_) ++sent[owner];
   MPI_Alltoall(sent.data(), 1, MPI_INT, received.data(), 1, MPI_INT, grid_.comm());
   std::exclusive_scan(sent.begin(), sent.end(), sent_start.begin(), 0);
   std::exclusive_scan(received.begin(), received.end(), received_start.begin(), 0);
@@ -29,7 +29,7 @@ void MarkerExchange<Dim>::rebuild() {
   std::vector<int> outgoing(cell_owner_.size()), next = sent_start;
   for (std::size_t m = 0; m < cell_owner_.size(); ++m) {
     int& slot = next[static_cast<std::size_t>(cell_owner_[m])];
-    outgoing[static_cast<std::size_t>(slot)] = static_cast<int>(m);
+    outgoing[slot] = static_cast<int>(m);
     ++slot;
   }
   here_ = static_cast<std::size_t>(std::accumulate(received.begin(), received.end(), 0));
@@ -42,7 +42,7 @@ void MarkerExchange<Dim>::rebuild() {
   sources.reserve(here_);
   for (std::size_t rank = 0; rank < ranks; ++rank)
     for (int i = received_start[rank]; i < received_start[rank] + received[rank]; ++i)
-      sources.push_back({static_cast<PetscInt>(rank), incoming[static_cast<std::size_t>(i)]});
+      sources.push_back({static_cast<PetscInt>(rank), incoming[i]});
   forest_ = petsc::star_forest(grid_.comm(), cell_owner_.size(), sources);
 }
 

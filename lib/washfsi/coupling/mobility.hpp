@@ -28,7 +28,7 @@ class MobilityMatrix {
     Point<Dim> value;
   };
   std::vector<std::vector<Entry>> overlaps(const Points<Dim>& positions, std::size_t first, std::size_t count) const;
-  bool may_overlap(const Point<Dim>& a, const Point<Dim>& b) const;
+  std::vector<Stencils> stencils_at(const Points<Dim>& positions) const;
   Point<Dim> overlap(const Stencils& moved, const Stencils& pushed) const;
   double axis_overlap(int axis, const AxisStencil& a, const AxisStencil& b) const;
 

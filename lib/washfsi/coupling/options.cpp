@@ -7,19 +7,21 @@
 
 namespace washfsi {
 
-DeltaOptions DeltaOptions::from_options(Options& options) {
-  static const std::map<std::string, DeltaKernel> kernels{
+const ChoiceNames<DeltaKernel>& names_of(DeltaKernel) {
+  static const ChoiceNames<DeltaKernel> names{
       {"cosine", DeltaKernel::cosine}, {"peskin", DeltaKernel::peskin}, {"bao", DeltaKernel::bao}};
+  return names;
+}
+
+DeltaOptions DeltaOptions::from_options(Options& options) {
   static const std::map<DeltaKernel, double> own_width{{DeltaKernel::peskin, 2}, {DeltaKernel::bao, 3}};
   DeltaOptions delta;
-  std::string kernel = "cosine";
   constexpr Range widths{1.5, 4, false, "1.5, 2, 3 or 4"};
   options.block("delta_", "Regularised delta", [&](OptionBlock& block) {
     block.choice(
-        "kernel", kernel, {"cosine", "peskin", "bao"},
+        "kernel", delta.kernel,
         "shape of the regularised delta: the thesis's cosine; Peskin's, of half width 2; the smoother one of Bao,"
         " Kaye and Peskin, of half width 3");
-    delta.kernel = kernels.at(kernel);
     if (own_width.contains(delta.kernel)) delta.spread_width = delta.interpolate_width = own_width.at(delta.kernel);
     block.real("spread_width", delta.spread_width, "cells", widths, "half width for spreading forces and mass");
     block.real("interpolate_width", delta.interpolate_width, "cells", widths, "half width for the markers' velocity");
@@ -29,7 +31,7 @@ DeltaOptions DeltaOptions::from_options(Options& options) {
     const std::string option = "-delta_" + std::string(name) + "_width " + to_text(width);
     if (width != 1.5 && width != 2 && width != 3 && width != 4) throw InputError(option + ": must be 1.5, 2, 3 or 4");
     if (own_width.contains(delta.kernel) && width != own_width.at(delta.kernel))
-      throw InputError(option + ": the delta of -delta_kernel " + kernel + " has the half width " +
+      throw InputError(option + ": the delta of -delta_kernel " + name_of(delta.kernel) + " has the half width " +
                        to_text(own_width.at(delta.kernel)));
   }
   return delta;

@@ -59,7 +59,7 @@ void Transfer<Dim>::add_to_local(const Points<Dim>& values, Vec local) const {
       const AxisStencil& x = spread_stencils_[m].along(0, c);
       const double value = per_volume * values[m][c];
       spread_stencils_[m].visit_rows(c, field, [&](double* row, double weight) {
-        for (int i = 0; i < x.count; ++i) row[i * Dim] += weight * value * x.weight[static_cast<std::size_t>(i)];
+        for (int i = 0; i < x.count; ++i) row[i * Dim] += weight * value * x.weight[i];
       });
     });
 }
@@ -98,7 +98,7 @@ Points<Dim> Transfer<Dim>::interpolate(Vec local_velocity) const {
       double sum = 0;
       stencils[m].visit_rows(c, u, [&](const double* row, double weight) {
         double along = 0;
-        for (int i = 0; i < x.count; ++i) along += row[i * Dim] * x.weight[static_cast<std::size_t>(i)];
+        for (int i = 0; i < x.count; ++i) along += row[i * Dim] * x.weight[i];
         sum += weight * along;
       });
       velocities[m][c] = sum;

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "washfsi/fluid/stencils.hpp"
+#include "washfsi/grid/stencils.hpp"
 
 namespace washfsi {
 
@@ -16,7 +16,7 @@ namespace {
 template <int Dim>
 struct Ends {
   explicit Ends(const Grid<Dim>& grid) : cells(grid.cells()) {
-    for (std::size_t d = 0; d < Dim; ++d) periodic[d] = grid.periodic(static_cast<int>(d));
+    for (int d = 0; d < Dim; ++d) periodic[d] = grid.periodic(d);
   }
   /// Whether a face or edge with this number along an axis lies in the boundary.
   bool at_lower(const Index<Dim>& index, std::size_t axis) const { return !periodic[axis] && index[axis] == 0; }
@@ -32,23 +32,23 @@ struct Ends {
   std::array<bool, Dim> periodic;
 };
 
-// 2 e:e summed over this rank's cells and, between two directions, over the edges where their faces meet. Where all
-// faces are solid or beyond the box nothing is counted.
-template <int Dim>
-double squared_strain(const Grid<Dim>& grid, const ConstFaceView<Dim>& u, Vec fluid_fraction) {
-  const petsc::LocalVector local_share(grid.face_dm());
-  WASH_PETSC(VecZeroEntries(local_share));  // beyond the box all is solid
-  WASH_PETSC(DMGlobalToLocal(grid.face_dm(), fluid_fraction, INSERT_VALUES, local_share));
-  const ConstFaceView<Dim> share(grid.face_dm(), local_share);
+// 2 mu e:e over the viscosity's scale, summed over this rank's cells and, between two directions, over the edges where
+// their faces meet. Where all faces are solid or beyond the box nothing is counted.
+template <int Dim, class Form>
+double squared_strain(const Grid<Dim>& grid, const ConstFaceView<Dim>& u, const Form& mu, Vec fluid_fraction) {
+  const petsc::LocalVector local_fraction(grid.face_dm());
+  WASH_PETSC(VecZeroEntries(local_fraction));  // beyond the box all is solid
+  WASH_PETSC(DMGlobalToLocal(grid.face_dm(), fluid_fraction, INSERT_VALUES, local_fraction));
+  const ConstFaceView<Dim> fraction(grid.face_dm(), local_fraction);
   const Spacing<Dim> h(grid.spacing());
   const Ends<Dim> ends(grid);
-  const auto is_wet = [&](const Index<Dim>& face, auto c) { return !ends.at_lower(face, c) && share(face, c) > 0; };
+  const auto is_wet = [&](const Index<Dim>& face, auto c) { return !ends.at_lower(face, c) && fraction(face, c) > 0; };
   double sum = 0;
   for_each_component<Dim>([&](auto c) {
     for_each<Dim>(grid.owned(), [&](const Index<Dim>& cell) {
       const Index<Dim> next = shifted<Dim>(cell, c, 1);
       const double stretching = (u(next, c) - u(cell, c)) * h.inverse[c];
-      if (is_wet(cell, c) || is_wet(next, c)) sum += 2 * stretching * stretching;
+      if (is_wet(cell, c) || is_wet(next, c)) sum += mu.in_cell(cell) * 2 * stretching * stretching;
     });
     for_each_component<Dim>([&](auto d) {
       if constexpr (d < c) {
@@ -59,7 +59,7 @@ double squared_strain(const Grid<Dim>& grid, const ConstFaceView<Dim>& u, Vec fl
           const Index<Dim> below = shifted<Dim>(edge, d, -1), beside = shifted<Dim>(edge, c, -1);
           if (!is_wet(edge, c) && !is_wet(below, c) && !is_wet(edge, d) && !is_wet(beside, d)) return;
           const double shear = (u(edge, c) - u(below, c)) * h.inverse[d] + (u(edge, d) - u(beside, d)) * h.inverse[c];
-          sum += ends.part(edge, c) * ends.part(edge, d) * shear * shear;
+          sum += mu.on_edge(edge, c, d) * ends.part(edge, c) * ends.part(edge, d) * shear * shear;
         });
       }
     });
@@ -67,13 +67,26 @@ double squared_strain(const Grid<Dim>& grid, const ConstFaceView<Dim>& u, Vec fl
   return sum;
 }
 
+// This rank's part of the dissipation over the volume of a cell.
+template <int Dim>
+double dissipated(const Grid<Dim>& grid, const ConstFaceView<Dim>& u, const FlowState& state) {
+  if (state.liquid.viscosity.everywhere == 0 && !state.liquid.viscosity.in_cells) return 0;
+  const Vec fraction = state.fluid_fraction ? state.fluid_fraction : state.liquid.density;
+  double result = 0;
+  with_viscosity<Dim>(grid, state.liquid.viscosity, [&](const auto& viscosity) {
+    result = viscosity.scale * squared_strain(grid, u, viscosity, fraction);
+  });
+  return result;
+}
+
 }  // namespace
 
 template <int Dim>
 FlowDiagnostics<Dim> FlowDiagnostics<Dim>::of(const Grid<Dim>& grid, const FlowState& state, double dt) {
   FlowDiagnostics result;
-  const ConstFaceView<Dim> u(grid.face_dm(), state.velocity), rho(grid.face_dm(), state.density);
-  const ConstFaceView<Dim> share(grid.face_dm(), state.fluid_fraction ? state.fluid_fraction : state.density);
+  const Vec density = state.liquid.density;
+  const ConstFaceView<Dim> u(grid.face_dm(), state.velocity), rho(grid.face_dm(), density);
+  const ConstFaceView<Dim> fraction(grid.face_dm(), state.fluid_fraction ? state.fluid_fraction : density);
   const Spacing<Dim> h(grid.spacing());
   const Ends<Dim> ends(grid);
   const bool has_solids = state.fluid_fraction;
@@ -85,7 +98,7 @@ FlowDiagnostics<Dim> FlowDiagnostics<Dim>::of(const Grid<Dim>& grid, const FlowS
       const Index<Dim> next = shifted<Dim>(cell, d, 1);
       const double lower = u(cell, d), upper = u(next, d);
       courant += dt * std::max(std::abs(lower), std::abs(upper)) * h.inverse[d];
-      const double mass = (has_solids ? share(cell, d) : 1) * rho(cell, d) * (ends.at_lower(cell, d) ? 0.5 : 1);
+      const double mass = (has_solids ? fraction(cell, d) : 1) * rho(cell, d) * (ends.at_lower(cell, d) ? 0.5 : 1);
       energy += 0.5 * mass * lower * lower;
       if (ends.at_upper(next, d)) energy += 0.25 * rho(cell, d) * upper * upper;
       if constexpr (d < 2) turning += (d == 0 ? -1 : 1) * mass * lower * (grid.face_center(cell, d) - middle)[1 - d];
@@ -98,10 +111,8 @@ FlowDiagnostics<Dim> FlowDiagnostics<Dim>::of(const Grid<Dim>& grid, const FlowS
     }
     result.max_divergence = std::max(result.max_divergence, std::abs(divergence<Dim>(u, cell, h)));
   });
-  const double strain =
-      state.viscosity > 0 ? squared_strain(grid, u, has_solids ? state.fluid_fraction : state.density) : 0;
   const std::vector<double> sums =
-      ordered_sum(grid.comm(), std::vector<double>{energy, turning, state.viscosity * strain});
+      ordered_sum(grid.comm(), std::vector<double>{energy, turning, dissipated(grid, u, state)});
   result.kinetic_energy = sums[0] * grid.cell_volume();
   result.angular_momentum = sums[1] * grid.cell_volume();
   result.dissipation = sums[2] * grid.cell_volume();

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "washfsi/grid/boundary.hpp"
+#include "washfsi/fluid/liquid.hpp"
 #include "washfsi/support/collective.hpp"
 
 namespace washfsi {
 
-/// A flow as global face vectors, and its viscosity [Pa s].
+/// A flow as vectors of faces.
 struct FlowState {
-  Vec velocity;  ///< local, of face_dm, its ghosts filled
-  Vec density;
+  Vec velocity;  ///< local, of face_dm, its ghosts filled [m/s]
+  LiquidFields liquid;
   Vec fluid_fraction = nullptr;  ///< H of the faces; none: no solids
-  double viscosity = 0;
 };
 
 /// What is watched after each step. Sums are over faces, without those in solids [in 2D per unit depth].

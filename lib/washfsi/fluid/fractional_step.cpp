@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "washfsi/fluid/stencils.hpp"
+#include "washfsi/fluid/advection.hpp"
 #include "washfsi/support/collective.hpp"
 
 namespace washfsi {
@@ -15,12 +14,11 @@ FractionalStep<Dim>::FractionalStep(const Grid<Dim>& grid, Boundary<Dim>& bounda
     : grid_(grid),
       boundary_(boundary),
       density_(options.density),
-      viscosity_(options.viscosity),
       pressure_tolerance_(options.pressure_tolerance),
       projects_(options.projection),
       advection_scheme_(options.advection),
       flow_dm_(departs_from_central() || boundary.has_outflow() ? grid.wide_face_dm() : grid.face_dm()),
-      momentum_(grid, boundary, options.viscosity, options.momentum_tolerance),
+      momentum_(grid, boundary, options.momentum_tolerance),
       poisson_(grid, options.density),
       velocity_(grid.face_vector()),
       velocity_before_(grid.face_vector()),
@@ -32,77 +30,68 @@ FractionalStep<Dim>::FractionalStep(const Grid<Dim>& grid, Boundary<Dim>& bounda
       pressure_(grid.cell_vector()),
       phi_(grid.cell_vector()),
       minus_divergence_(grid.cell_vector()) {
-  set_initial_velocity(options);
+  start([](const Point<Dim>&, int) { return 0; });
 }
 
 template <int Dim>
-void FractionalStep<Dim>::set_initial_velocity(const FluidOptions<Dim>& options) {
-  const bool vortices = options.initial == "taylor_green", uniform = options.initial == "uniform";
-  const Point<Dim> wave = 2 * std::numbers::pi * (grid_.upper() - grid_.lower()).cwiseInverse();
+void FractionalStep<Dim>::start(const VelocityAt<Dim>& velocity) {
   {
     const FaceView<Dim> u(grid_.face_dm(), velocity_);
     for (int c = 0; c < Dim; ++c)
-      for_each<Dim>(grid_.owned(), [&](const Index<Dim>& face) {
-        const Point<Dim> angle = wave.cwiseProduct(grid_.face_center(face, c) - grid_.lower());
-        // u = (-cos kx sin ly, (k/l) sin kx cos ly): one wave in the x,y plane, divergence free
-        if (vortices && c == 0) u(face, c) = -std::cos(angle[0]) * std::sin(angle[1]);
-        if (vortices && c == 1) u(face, c) = wave[0] / wave[1] * std::sin(angle[0]) * std::cos(angle[1]);
-        if (uniform) u(face, c) = options.initial_velocity[c];
-      });
+      for_each<Dim>(grid_.owned(),
+                    [&](const Index<Dim>& face) { u(face, c) = velocity(grid_.face_center(face, c), c); });
   }
   if (boundary_.has_outflow()) boundary_.start_outflow(petsc::LocalVector(flow_dm_, velocity_), 0.0);
   boundary_.set_boundary_faces(velocity_, 0.0);
 }
 
 template <int Dim>
-void FractionalStep<Dim>::set_time(double time) {
-  time_ = time;
-  boundary_.set_outflow_time(time);
-}
-
-template <int Dim>
-void FractionalStep<Dim>::advance(double dt, const StepFields<Dim>& fields) {
-  predict(dt, fields);
+void FractionalStep<Dim>::advance(const TimeStep& step, const StepFields<Dim>& fields) {
+  predict(step, fields);
   project();
   finish();
 }
 
 template <int Dim>
-void FractionalStep<Dim>::predict(double dt, const StepFields<Dim>& fields) {
+void FractionalStep<Dim>::predict(const TimeStep& step, const StepFields<Dim>& fields) {
   const petsc::LogPart part("momentum");
-  dt_ = dt;
+  step_ = step;
   fields_ = fields;
-  explicit_terms(dt, fields);
+  explicit_terms();
   // the guesses: linear extrapolation of the two last velocities, and a pressure that changes at the same rate as
   // before
-  const double ratio = has_history_ ? dt / dt_before_ : 0;
+  const double ratio = has_history_ ? step.dt / dt_before_ : 0;
   WASH_PETSC(VecAXPBYPCZ(intermediate_, 1 + ratio, -ratio, 0.0, velocity_, velocity_before_));
   if (has_history_ && ratio != 1) WASH_PETSC(VecScale(phi_, ratio * ratio));
-  momentum_.set_step(dt, fields.density, fields.constraint);
-  counts_.momentum += static_cast<double>(momentum_.solve(rhs_, time_ + dt, intermediate_));
-  if (fields.constraint.fluid_fraction) momentum_.constraint_force(rhs_, time_ + dt, intermediate_, constraint_force_);
-  poisson_.set_density(fields.density, fields.constraint.in_projection ? fields.constraint.fluid_fraction : nullptr);
+  momentum_.set_step(step.dt, fields.liquid, fields.constraint);
+  counts_.momentum += static_cast<double>(momentum_.solve(rhs_, step.end(), intermediate_));
+  if (fields.constraint.fluid_fraction) momentum_.constraint_force(rhs_, step.end(), intermediate_, constraint_force_);
+  poisson_.set_density(fields.liquid.density,
+                       fields.constraint.in_projection ? fields.constraint.fluid_fraction : nullptr);
 }
 
 template <int Dim>
-void FractionalStep<Dim>::explicit_terms(double dt, const StepFields<Dim>& fields) {
-  const GhostedVelocity<Dim> local_u(boundary_, flow_dm_, velocity_, time_);
+void FractionalStep<Dim>::explicit_terms() {
+  const double dt = step_.dt;
+  const GhostedVelocity<Dim> local_u(boundary_, flow_dm_, velocity_, step_.start);
   const petsc::LocalVector local_p(grid_.cell_dm(), pressure_);
-  boundary_.advance_outflow(local_u, time_, dt);
-  advect(local_u, fields.density);
+  boundary_.advance_outflow(local_u, step_.start, dt);
+  advect(local_u, fields_.liquid.density);
   // Adams-Bashforth for steps of different length: 3/2 and -1/2 when they are equal
   const double weight_before = has_history_ ? -0.5 * dt / dt_before_ : 0, weight = 1 - weight_before;
   const Spacing<Dim> h(grid_.spacing());
-  const ConstFaceView<Dim> u(flow_dm_, local_u), f(grid_.face_dm(), fields.force);
-  const ConstFaceView<Dim> rho(grid_.face_dm(), fields.density);
+  const ConstFaceView<Dim> u(flow_dm_, local_u), f(grid_.face_dm(), fields_.force);
+  const ConstFaceView<Dim> rho(grid_.face_dm(), fields_.liquid.density);
   const ConstFaceView<Dim> now(grid_.face_dm(), advection_), before(grid_.face_dm(), advection_before_);
   const ConstCellView<Dim> p(grid_.cell_dm(), local_p);
   const FaceView<Dim> b(grid_.face_dm(), rhs_);
-  const double half_viscosity = 0.5 * viscosity_;
-  grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
-    const double stress = half_viscosity * laplacian<Dim>(u, face, c, h) - gradient<Dim>(p, face, c, h);
-    const double advected = weight * now(face, c) + weight_before * before(face, c);
-    b(face, c) = u(face, c) + dt * ((stress + f(face, c)) / rho(face, c) - advected);
+  with_viscosity<Dim>(grid_, fields_.liquid.viscosity, [&](const auto& viscosity) {
+    const double half_viscosity = 0.5 * viscosity.scale;
+    grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
+      const double stress = half_viscosity * viscosity.force(u, face, c) - gradient<Dim>(p, face, c, h);
+      const double advected = weight * now(face, c) + weight_before * before(face, c);
+      b(face, c) = u(face, c) + dt * ((stress + f(face, c)) / rho(face, c) - advected);
+    });
   });
 }
 
@@ -122,8 +111,8 @@ void FractionalStep<Dim>::advect(Vec local_velocity, Vec density) {
     });
     numerical_dissipation_ = ordered_sum(grid_.comm(), dissipated * grid_.cell_volume());
   };
-  if (advection_scheme_ == "upwind") replace_by(UpwindFlux<Dim>{});
-  if (advection_scheme_ == "wide_central") replace_by(CentralFlux<Dim, WideMean>{});
+  if (advection_scheme_ == Advection::upwind) replace_by(UpwindFlux<Dim>{});
+  if (advection_scheme_ == Advection::wide_central) replace_by(CentralFlux<Dim, WideMean>{});
 }
 
 template <int Dim>
@@ -131,7 +120,20 @@ void FractionalStep<Dim>::project() {
   if (!projects_) return;
   const petsc::LogPart part("pressure");
   solve_pressure(phi_);
-  WASH_PETSC(VecAXPY(pressure_, 0.5 * viscosity_ / grid_.cell_volume(), minus_divergence_));
+  add_viscous_pressure();
+}
+
+// What the viscous force of the correction makes of the pressure.
+template <int Dim>
+void FractionalStep<Dim>::add_viscous_pressure() {
+  const Viscosity& viscosity = fields_.liquid.viscosity;
+  if (!viscosity.in_cells) {
+    WASH_PETSC(VecAXPY(pressure_, 0.5 * viscosity.everywhere / grid_.cell_volume(), minus_divergence_));
+    return;
+  }
+  const ConstCellView<Dim> mu(grid_.cell_dm(), viscosity.in_cells), r(grid_.cell_dm(), minus_divergence_);
+  const CellView<Dim> p(grid_.cell_dm(), pressure_);
+  for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) { p(cell) += mu(cell) * r(cell) / grid_.cell_volume(); });
 }
 
 // phi and the pressure that make the intermediate velocity divergence free; phi holds a guess. Leaves minus the
@@ -139,7 +141,7 @@ void FractionalStep<Dim>::project() {
 template <int Dim>
 void FractionalStep<Dim>::solve_pressure(Vec phi) {
   {
-    const GhostedVelocity<Dim> local(boundary_, grid_.face_dm(), intermediate_, time_ + dt_);
+    const GhostedVelocity<Dim> local(boundary_, grid_.face_dm(), intermediate_, step_.end());
     const ConstFaceView<Dim> u(grid_.face_dm(), local);
     const CellView<Dim> r(grid_.cell_dm(), minus_divergence_);
     const Spacing<Dim> h(grid_.spacing());
@@ -148,28 +150,28 @@ void FractionalStep<Dim>::solve_pressure(Vec phi) {
   const double tolerance = pressure_tolerance_ * largest_speed() / grid_.spacing().minCoeff();
   counts_.pressure += static_cast<double>(poisson_.solve(minus_divergence_, tolerance, phi));
   poisson_.correct(phi, intermediate_);
-  WASH_PETSC(VecAXPY(pressure_, density_ / dt_, phi));  // p += q
+  WASH_PETSC(VecAXPY(pressure_, density_ / step_.dt, phi));  // p += q
 }
 
 template <int Dim>
 double FractionalStep<Dim>::largest_speed() const {
   double speed = 0;
   WASH_PETSC(VecNorm(intermediate_, NORM_INFINITY, &speed));
-  return std::max(speed, boundary_.largest_speed(time_ + dt_));
+  return std::max(speed, boundary_.largest_speed(step_.end()));
 }
 
 template <int Dim>
 void FractionalStep<Dim>::add_force(Vec force) {
   const petsc::LogPart part("pressure");
   {
-    const Vec fraction = fields_.constraint.fluid_fraction;
+    const Vec fluid_fraction = fields_.constraint.fluid_fraction;
     const FaceView<Dim> u(grid_.face_dm(), intermediate_), held(grid_.face_dm(), constraint_force_);
-    const ConstFaceView<Dim> f(grid_.face_dm(), force), rho(grid_.face_dm(), fields_.density),
-        share(grid_.face_dm(), fraction ? fraction : force);
+    const ConstFaceView<Dim> f(grid_.face_dm(), force), rho(grid_.face_dm(), fields_.liquid.density),
+        fraction(grid_.face_dm(), fluid_fraction ? fluid_fraction : force);
     grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
-      const double in_water = fraction ? share(face, c) : 1;
-      u(face, c) += dt_ * in_water * f(face, c) / rho(face, c);
-      if (fraction) held(face, c) -= (1 - in_water) * f(face, c);
+      const double H = fluid_fraction ? fraction(face, c) : 1;
+      u(face, c) += step_.dt * H * f(face, c) / rho(face, c);
+      if (fluid_fraction) held(face, c) -= (1 - H) * f(face, c);
     });
   }
   if (!projects_) return;
@@ -190,21 +192,12 @@ void FractionalStep<Dim>::restore_pressure() {
 }
 
 template <int Dim>
-void FractionalStep<Dim>::pass(double dt) {
-  dt_before_ = dt_ = dt;
-  set_time(time_ + dt);
-  ++counts_.steps;
-}
-
-template <int Dim>
 void FractionalStep<Dim>::finish() {
   velocity_before_ = std::exchange(velocity_, std::exchange(intermediate_, std::move(velocity_before_)));
   std::swap(advection_before_, advection_);
   has_history_ = true;
-  dt_before_ = dt_;
-  time_ += dt_;
+  dt_before_ = step_.dt;
   boundary_.accept_outflow();
-  ++counts_.steps;
 }
 
 template <int Dim>

@@ -9,41 +9,50 @@
 //                      p^(n+1/2) = p^(n-1/2) + q - (mu/2) div u*
 //   3b. add_force      (couplings only) u += (dt/rho) H f, projected again: p += q without the viscous term
 //   4. finish          n becomes n + 1
-// The first step takes (u.grad u)^0 alone (forward Euler).
+// The first step takes (u.grad u)^0 alone (forward Euler). Where the viscosity varies, div tau (`viscous_stress.hpp`)
+// takes the place of mu lap u, and mu div u* that of (mu/2) div u*.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "washfsi/fluid/momentum.hpp"
 #include "washfsi/fluid/options.hpp"
 #include "washfsi/fluid/pressure.hpp"
+#include "washfsi/support/clock.hpp"
 
 namespace washfsi {
 
 /// Iterations spent so far.
 struct SolverCounts {
   double momentum = 0, pressure = 0;
-  double steps = 0;
 };
 
-/// What a step is given, as fields on faces: density [kg/m3], force density [N/m3] and solids.
+/// What a step is given, as fields: the liquid, the force density on faces [N/m3] and the solids.
 template <int Dim>
 struct StepFields {
-  Vec density = nullptr;
+  LiquidFields liquid;
   Vec force = nullptr;
   Constraint<Dim> constraint;
 };
 
+/// A velocity's component c at a place [m/s].
+template <int Dim>
+using VelocityAt = std::function<double(const Point<Dim>& place, int c)>;
+
 template <int Dim>
 class FractionalStep {
  public:
+  /// The water rests. Collective.
   FractionalStep(const Grid<Dim>& grid, Boundary<Dim>& boundary, const FluidOptions<Dim>& options);
+  /// Sets the velocity at the start. Collective.
+  void start(const VelocityAt<Dim>& velocity);
 
   /// One whole step: predict, project, finish. Collective. Errors: DivergedError.
-  void advance(double dt, const StepFields<Dim>& fields);
+  void advance(const TimeStep& step, const StepFields<Dim>& fields);
 
   /// Phases 1 and 2: u* from u^n. Collective.
-  void predict(double dt, const StepFields<Dim>& fields);
+  void predict(const TimeStep& step, const StepFields<Dim>& fields);
   /// Phase 3: makes the intermediate velocity divergence free and updates the pressure. Collective.
   void project();
   /// Phase 3b: adds a further force density (faces) to the projected velocity and projects it again. What falls on
@@ -59,11 +68,6 @@ class FractionalStep {
   Vec velocity_before() const { return velocity_before_; }  ///< u^(n-1); u^n before the first step
   Vec next_velocity() const { return intermediate_; }       ///< u* or u^(n+1) before `finish` [m/s]
   Vec pressure() const { return pressure_; }                ///< p^(n-1/2) [Pa]
-  double viscosity() const { return viscosity_; }           ///< [Pa s]
-  double time() const { return time_; }                     ///< t^n [s]
-  void set_time(double time);
-  /// Lets the time of a step go by without any flow.
-  void pass(double dt);
   /// Length of the last step [s]; 0 before the first, which advects by forward Euler: u^(n-1) is not known then.
   double last_step() const { return has_history_ ? dt_before_ : 0; }
   void set_last_step(double dt) {
@@ -72,7 +76,7 @@ class FractionalStep {
   }
   /// Whether advection is other than central, and then the power that it took out of the flow in the last step beyond
   /// central advection, which takes none [W; W/m in the plane].
-  bool departs_from_central() const { return advection_scheme_ != "central"; }
+  bool departs_from_central() const { return advection_scheme_ != Advection::central; }
   double numerical_dissipation() const { return numerical_dissipation_; }
 
   /// Force density [N/m3] by which solids held the water in the last `predict`; zero in fluid.
@@ -86,17 +90,17 @@ class FractionalStep {
   void set_counts(const SolverCounts& counts) { counts_ = counts; }
 
  private:
-  void explicit_terms(double dt, const StepFields<Dim>& fields);
+  void explicit_terms();
   void advect(Vec local_velocity, Vec density);
   double largest_speed() const;
   void solve_pressure(Vec phi);
-  void set_initial_velocity(const FluidOptions<Dim>& options);
+  void add_viscous_pressure();
 
   const Grid<Dim>& grid_;
   Boundary<Dim>& boundary_;  ///< its open sides take part in the step
-  double density_, viscosity_, pressure_tolerance_;
+  double density_, pressure_tolerance_;
   bool projects_;
-  std::string advection_scheme_;
+  Advection advection_scheme_;
   DM flow_dm_;  ///< with the ghosts that advection and open sides need
   MomentumSolver<Dim> momentum_;
   PressureSolver<Dim> poisson_;
@@ -110,8 +114,9 @@ class FractionalStep {
   petsc::Vector phi_;       ///< dt q / rho_f of the last projection: the next one's guess
   petsc::Vector minus_divergence_;
   petsc::Vector phi_of_force_, kept_pressure_;  ///< for `add_force` and `keep_pressure`; made when first used
-  StepFields<Dim> fields_;                      ///< of the step under way
-  double time_ = 0, dt_ = 0, dt_before_ = 0;
+  TimeStep step_;                               ///< under way
+  StepFields<Dim> fields_;                      ///< of it
+  double dt_before_ = 0;
   double numerical_dissipation_ = 0;
   bool has_history_ = false;
   SolverCounts counts_;

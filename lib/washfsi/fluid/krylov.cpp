@@ -28,9 +28,7 @@ bool set_up_from_options(KSP solver) {
   } catch (const petsc::Error&) {
     throw InputError(options_with_prefix(prefix) + ": the solver cannot be set up with this (" + muted.message() + ")");
   }
-  PetscBool given = PETSC_FALSE;
-  WASH_PETSC(PetscOptionsHasName(nullptr, prefix, "-ksp_atol", &given));
-  return given == PETSC_TRUE;
+  return petsc::option_given(prefix, "-ksp_atol");
 }
 
 PetscInt solve_to(KSP solver, double tolerance, Vec rhs, Vec solution, const std::string& what) {

@@ -5,16 +5,13 @@
 #include <cmath>
 
 #include "washfsi/fluid/krylov.hpp"
-#include "washfsi/fluid/stencils.hpp"
 
 namespace washfsi {
 
 template <int Dim>
-MomentumSolver<Dim>::MomentumSolver(const Grid<Dim>& grid, const Boundary<Dim>& boundary, double viscosity,
-                                    double tolerance)
+MomentumSolver<Dim>::MomentumSolver(const Grid<Dim>& grid, const Boundary<Dim>& boundary, double tolerance)
     : grid_(grid),
       boundary_(boundary),
-      viscosity_(viscosity),
       tolerance_(tolerance),
       residual_(grid.face_vector()),
       correction_(grid.face_vector()) {
@@ -35,17 +32,18 @@ MomentumSolver<Dim>::MomentumSolver(const Grid<Dim>& grid, const Boundary<Dim>& 
   WASH_PETSC(KSPSetTolerances(solver_, 1e-50, PETSC_DEFAULT, PETSC_DEFAULT, 1000));
   const petsc::Vector unit_density = petsc::zeros_like(residual_);
   WASH_PETSC(VecSet(unit_density, 1.0));
-  set_step(1.0, unit_density, {});  // a first set of coefficients, for setting up only
+  set_step(1.0, {unit_density, {}}, {});  // a first set of coefficients, for setting up only
   user_sets_atol_ = set_up_from_options(solver_);
-  density_ = nullptr;
+  liquid_ = {};
 }
 
 template <int Dim>
-void MomentumSolver<Dim>::set_step(double dt, Vec density, const Constraint<Dim>& constraint) {
-  const std::array versions{petsc::Version(density), petsc::Version(constraint.fluid_fraction)};
-  const bool same = dt == dt_ && versions == versions_;
+void MomentumSolver<Dim>::set_step(double dt, const LiquidFields& liquid, const Constraint<Dim>& constraint) {
+  const std::array versions{petsc::Version(liquid.density), petsc::Version(constraint.fluid_fraction),
+                            petsc::Version(liquid.viscosity.in_cells)};
+  const bool same = dt == dt_ && versions == versions_ && liquid.viscosity.everywhere == liquid_.viscosity.everywhere;
   dt_ = dt;
-  density_ = density;
+  liquid_ = liquid;
   constraint_ = constraint;
   versions_ = versions;
   if (same) return;
@@ -70,30 +68,22 @@ PetscErrorCode MomentumSolver<Dim>::get_diagonal(Mat matrix, Vec result) {
     const auto& self = *static_cast<MomentumSolver*>(context);
     WASH_PETSC(VecSet(result, 1.0));  // boundary faces: identity rows
     const FaceView<Dim> diagonal(self.grid_.face_dm(), result);
-    const ConstFaceView<Dim> rho(self.grid_.face_dm(), self.density_);
-    self.grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
-      diagonal(face, c) = self.diagonal(face, c, self.viscosity_ * self.dt_ / (2 * rho(face, c)));
-    });
-    self.visit_cuts([&](const CutFace<Dim>& cut, double weight) {
-      diagonal(cut.face, cut.component) += weight * (2 / (cut.lower.length * cut.upper.length) - 2);
+    const ConstFaceView<Dim> rho(self.grid_.face_dm(), self.liquid_.density);
+    with_viscosity<Dim>(self.grid_, self.liquid_.viscosity, [&](const auto& viscosity) {
+      self.grid_.for_each_inner_face(
+          [&](const Index<Dim>& face, auto c) { diagonal(face, c) = self.diagonal(viscosity, face, c, rho(face, c)); });
+      self.visit_cuts(viscosity, [&](const CutFace<Dim>& cut, double weight) {
+        diagonal(cut.face, cut.component) += weight * (2 / (cut.lower.length * cut.upper.length) - 2);
+      });
     });
   });
 }
 
-// 1 - a (diagonal of the Laplacian), with the reflections at walls and slip sides folded in.
+// 1 - (dt / 2 rho) (diagonal of the viscous force)
 template <int Dim>
-double MomentumSolver<Dim>::diagonal(const Index<Dim>& face, int c, double diffusivity) const {
-  double sum = 0;
-  for (int d = 0; d < Dim; ++d) {
-    const auto axis = static_cast<std::size_t>(d);
-    double weight = 2;
-    if (d != c && !grid_.periodic(d)) {
-      if (face[axis] == 0) weight -= boundary_.mirror_sign(d, End::lower, c);
-      if (face[axis] == grid_.cells()[axis] - 1) weight -= boundary_.mirror_sign(d, End::upper, c);
-    }
-    sum += weight / (grid_.spacing()[d] * grid_.spacing()[d]);
-  }
-  return 1 + diffusivity * sum;
+template <class Form>
+double MomentumSolver<Dim>::diagonal(const Form& viscosity, const Index<Dim>& face, int c, double rho) const {
+  return 1 + viscosity.scale * dt_ / (2 * rho) * viscous_diagonal<Dim>(grid_, boundary_, viscosity, face, c);
 }
 
 /// The second difference of a component along a cut axis, times 1/h^2 of the stencil that ends at the walls, less that
@@ -111,62 +101,65 @@ double cut_correction(const Velocity& u, const CutFace<Dim>& cut, double wall_fa
 
 // Calls visit(cut, mu dt / (rho h^2)) for each cut face.
 template <int Dim>
-template <class Visit>
-void MomentumSolver<Dim>::visit_cuts(Visit&& visit) const {
+template <class Form, class Visit>
+void MomentumSolver<Dim>::visit_cuts(const Form& viscosity, Visit&& visit) const {
   if (!constraint_.cuts) return;
-  const ConstFaceView<Dim> rho(grid_.face_dm(), density_);
+  const ConstFaceView<Dim> rho(grid_.face_dm(), liquid_.density);
   const Spacing<Dim> h(grid_.spacing());
   for (const CutFace<Dim>& cut : *constraint_.cuts)
-    visit(cut, viscosity_ * dt_ * h.inverse_square[cut.axis] / rho(cut.face, cut.component));
+    visit(cut, viscosity.scale * viscosity.on_face(cut.face, cut.component) * dt_ * h.inverse_square[cut.axis] /
+                   rho(cut.face, cut.component));
 }
 
 template <int Dim>
 void MomentumSolver<Dim>::apply(Vec x, Vec y) const {
   const petsc::LocalVector local(grid_.face_dm(), x);
   boundary_.fill_homogeneous(local);
-  const ConstFaceView<Dim> global(grid_.face_dm(), x), u(grid_.face_dm(), local), rho(grid_.face_dm(), density_);
+  const ConstFaceView<Dim> global(grid_.face_dm(), x), u(grid_.face_dm(), local), rho(grid_.face_dm(), liquid_.density);
   const FaceView<Dim> result(grid_.face_dm(), y);
-  const Spacing<Dim> h(grid_.spacing());
-  const double half_impulse = 0.5 * viscosity_ * dt_;
   grid_.for_each_lower_boundary_face([&](const Index<Dim>& face, int c) { result(face, c) = global(face, c); });
-  grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
-    result(face, c) = u(face, c) - half_impulse / rho(face, c) * laplacian<Dim>(u, face, c, h);
-  });
-  if (!constraint_.fluid_fraction) return;
-  const ConstFaceView<Dim> fraction(grid_.face_dm(), constraint_.fluid_fraction);
-  grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
-    const double H = fraction(face, c);
-    if (H == 1) return;
-    const double solid_row = diagonal(face, c, half_impulse / rho(face, c)) * u(face, c);
-    result(face, c) = H * result(face, c) + (1 - H) * solid_row;
-  });
-  visit_cuts([&](const CutFace<Dim>& cut, double weight) {
-    result(cut.face, cut.component) -= weight * cut_correction<Dim>(u, cut, 0);
+  with_viscosity<Dim>(grid_, liquid_.viscosity, [&](const auto& viscosity) {
+    const double half_impulse = 0.5 * viscosity.scale * dt_;
+    grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
+      result(face, c) = u(face, c) - half_impulse / rho(face, c) * viscosity.force(u, face, c);
+    });
+    if (!constraint_.fluid_fraction) return;
+    const ConstFaceView<Dim> fraction(grid_.face_dm(), constraint_.fluid_fraction);
+    grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
+      const double H = fraction(face, c);
+      if (H == 1) return;
+      const double solid_row = diagonal(viscosity, face, c, rho(face, c)) * u(face, c);
+      result(face, c) = H * result(face, c) + (1 - H) * solid_row;
+    });
+    visit_cuts(viscosity, [&](const CutFace<Dim>& cut, double weight) {
+      result(cut.face, cut.component) -= weight * cut_correction<Dim>(u, cut, 0);
+    });
   });
 }
 
 template <int Dim>
 void MomentumSolver<Dim>::residual(Vec rhs, double time, Vec velocity, Vec result) const {
   const GhostedVelocity<Dim> local(boundary_, grid_.face_dm(), velocity, time);
-  const ConstFaceView<Dim> u(grid_.face_dm(), local), rho(grid_.face_dm(), density_), b(grid_.face_dm(), rhs);
+  const ConstFaceView<Dim> u(grid_.face_dm(), local), rho(grid_.face_dm(), liquid_.density), b(grid_.face_dm(), rhs);
   const FaceView<Dim> r(grid_.face_dm(), result);
-  const Spacing<Dim> h(grid_.spacing());
-  const double half_impulse = 0.5 * viscosity_ * dt_;
   grid_.for_each_lower_boundary_face([&](const Index<Dim>& face, int c) { r(face, c) = 0; });
-  grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
-    r(face, c) = b(face, c) - u(face, c) + half_impulse / rho(face, c) * laplacian<Dim>(u, face, c, h);
-  });
-  if (!constraint_.fluid_fraction) return;
-  const ConstFaceView<Dim> fraction(grid_.face_dm(), constraint_.fluid_fraction);
-  const ConstFaceView<Dim> solid(grid_.face_dm(), constraint_.solid_velocity);
-  grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
-    const double H = fraction(face, c);
-    if (H == 1) return;
-    const double solid_row = diagonal(face, c, half_impulse / rho(face, c)) * (solid(face, c) - u(face, c));
-    r(face, c) = H * r(face, c) + (1 - H) * solid_row;
-  });
-  visit_cuts([&](const CutFace<Dim>& cut, double weight) {
-    r(cut.face, cut.component) += weight * cut_correction<Dim>(u, cut, 1);
+  with_viscosity<Dim>(grid_, liquid_.viscosity, [&](const auto& viscosity) {
+    const double half_impulse = 0.5 * viscosity.scale * dt_;
+    grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
+      r(face, c) = b(face, c) - u(face, c) + half_impulse / rho(face, c) * viscosity.force(u, face, c);
+    });
+    if (!constraint_.fluid_fraction) return;
+    const ConstFaceView<Dim> fraction(grid_.face_dm(), constraint_.fluid_fraction);
+    const ConstFaceView<Dim> solid(grid_.face_dm(), constraint_.solid_velocity);
+    grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
+      const double H = fraction(face, c);
+      if (H == 1) return;
+      const double solid_row = diagonal(viscosity, face, c, rho(face, c)) * (solid(face, c) - u(face, c));
+      r(face, c) = H * r(face, c) + (1 - H) * solid_row;
+    });
+    visit_cuts(viscosity, [&](const CutFace<Dim>& cut, double weight) {
+      r(cut.face, cut.component) += weight * cut_correction<Dim>(u, cut, 1);
+    });
   });
 }
 
@@ -196,18 +189,19 @@ template <int Dim>
 void MomentumSolver<Dim>::constraint_force(Vec rhs, double time, Vec velocity, Vec force) const {
   WASH_PETSC(VecZeroEntries(force));
   const GhostedVelocity<Dim> local(boundary_, grid_.face_dm(), velocity, time);
-  const ConstFaceView<Dim> u(grid_.face_dm(), local), rho(grid_.face_dm(), density_), b(grid_.face_dm(), rhs);
+  const ConstFaceView<Dim> u(grid_.face_dm(), local), rho(grid_.face_dm(), liquid_.density), b(grid_.face_dm(), rhs);
   const ConstFaceView<Dim> fraction(grid_.face_dm(), constraint_.fluid_fraction);
   const FaceView<Dim> f(grid_.face_dm(), force);
-  const Spacing<Dim> h(grid_.spacing());
-  const auto held = [&](const Index<Dim>& face, int c) {
-    const double viscous = 0.5 * viscosity_ * laplacian<Dim>(u, face, c, h);
-    f(face, c) = rho(face, c) * (u(face, c) - b(face, c)) / dt_ - viscous;
-  };
-  grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
-    if (fraction(face, c) != 1) held(face, c);
+  with_viscosity<Dim>(grid_, liquid_.viscosity, [&](const auto& viscosity) {
+    const auto held = [&](const Index<Dim>& face, int c) {
+      const double viscous = 0.5 * viscosity.scale * viscosity.force(u, face, c);
+      f(face, c) = rho(face, c) * (u(face, c) - b(face, c)) / dt_ - viscous;
+    };
+    grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
+      if (fraction(face, c) != 1) held(face, c);
+    });
+    visit_cuts(viscosity, [&](const CutFace<Dim>& cut, double) { held(cut.face, cut.component); });
   });
-  visit_cuts([&](const CutFace<Dim>& cut, double) { held(cut.face, cut.component); });
 }
 
 template class MomentumSolver<2>;

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "washfsi/fluid/liquid.hpp"
 #include "washfsi/grid/boundary.hpp"
 #include "washfsi/grid/constraint.hpp"
 #include "washfsi/support/petsc.hpp"
@@ -11,6 +12,7 @@ namespace washfsi {
 
 /// The implicit half of a step: u* - (mu dt / 2 rho) lap u* = b in fluid, u* = u_solid in solids (4.2-6, 4.2-7),
 ///   H (u* - (mu dt / 2 rho) lap u* - b) + (1 - H) D (u* - u_solid) = 0,   D = the diagonal of the fluid row,
+/// with (dt / 2 rho) div tau in place of (mu dt / 2 rho) lap u* where the viscosity varies (`viscous_stress.hpp`).
 /// On cut faces lap u* has its regular part at both times, and what the wall's true place adds to it (Shortley and
 /// Weller, J. Appl. Phys. 9 (1938) 334) at the new time with full weight:
 ///   u* - (mu dt / 2 rho) lap u* - (mu dt / rho) (lap_cut - lap) u* = b.
@@ -19,10 +21,10 @@ template <int Dim>
 class MomentumSolver {
  public:
   /// Collective. `tolerance`: rms residual over the largest speed.
-  MomentumSolver(const Grid<Dim>& grid, const Boundary<Dim>& boundary, double viscosity, double tolerance);
+  MomentumSolver(const Grid<Dim>& grid, const Boundary<Dim>& boundary, double tolerance);
 
   /// Fixes the coefficients of this step. The vectors must live until the next call. Collective.
-  void set_step(double dt, Vec density, const Constraint<Dim>& constraint);
+  void set_step(double dt, const LiquidFields& liquid, const Constraint<Dim>& constraint);
 
   /// Solves for u* at time `time`; `velocity` holds a guess and then u*. Returns the number of iterations.
   /// Collective. Errors: DivergedError.
@@ -37,18 +39,19 @@ class MomentumSolver {
   static PetscErrorCode get_diagonal(Mat matrix, Vec diagonal);
   void apply(Vec x, Vec y) const;
   void residual(Vec rhs, double time, Vec velocity, Vec result) const;
-  double diagonal(const Index<Dim>& face, int c, double diffusivity) const;
-  template <class Visit>
-  void visit_cuts(Visit&& visit) const;
+  template <class Form>
+  double diagonal(const Form& viscosity, const Index<Dim>& face, int c, double rho) const;
+  template <class Form, class Visit>
+  void visit_cuts(const Form& viscosity, Visit&& visit) const;
   double largest_speed(Vec rhs) const;
 
   const Grid<Dim>& grid_;
   const Boundary<Dim>& boundary_;
-  double viscosity_, tolerance_;
+  double tolerance_;
   double dt_ = 0;
-  Vec density_ = nullptr;
+  LiquidFields liquid_;
   Constraint<Dim> constraint_;
-  std::array<petsc::Version, 2> versions_;  ///< of density and fluid fraction
+  std::array<petsc::Version, 3> versions_;  ///< of density, fluid fraction and viscosity
   petsc::Matrix matrix_;
   petsc::Solver solver_;
   petsc::Vector residual_, correction_;

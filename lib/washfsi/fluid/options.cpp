@@ -1,7 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/fluid/options.hpp"
 
+#include "washfsi/fluid/viscosity_models.hpp"
+
 namespace washfsi {
+
+const ChoiceNames<Advection>& names_of(Advection) {
+  static const ChoiceNames<Advection> names{
+      {"central", Advection::central}, {"wide_central", Advection::wide_central}, {"upwind", Advection::upwind}};
+  return names;
+}
 
 template <int Dim>
 FluidOptions<Dim> FluidOptions<Dim>::from_options(Options& options) {
@@ -10,12 +18,8 @@ FluidOptions<Dim> FluidOptions<Dim>::from_options(Options& options) {
   options.block("", "Fluid", [&](OptionBlock& block) {
     block.real("fluid_density", fluid.density, "kg/m3", positive, "density of the water");
     block.real("fluid_viscosity", fluid.viscosity, "Pa s", non_negative, "dynamic viscosity of the water");
-    block.choice("fluid_initial", fluid.initial, {"rest", "taylor_green", "couette", "uniform"},
-                 "velocity at the start; couette: steady flow between a turning drum and a turning cylinder in it");
-    block.template point<Dim>("fluid_initial_velocity", fluid.initial_velocity, "m/s",
-                              "velocity of -fluid_initial uniform");
     block.boolean("fluid_projection", fluid.projection, "make the velocity divergence free");
-    block.choice("advection", fluid.advection, {"central", "wide_central", "upwind"},
+    block.choice("advection", fluid.advection,
                  "scheme of the advection term; wide_central has less error on a given grid; upwind is bounded (van "
                  "Leer), for grids too coarse for central");
     block.real("momentum_tolerance", fluid.momentum_tolerance, "-", tolerance,
@@ -23,6 +27,7 @@ FluidOptions<Dim> FluidOptions<Dim>::from_options(Options& options) {
     block.real("pressure_tolerance", fluid.pressure_tolerance, "-", tolerance,
                "divergence left after a step over (largest speed)/h");
   });
+  fluid.viscosity_models = viscosity_models_from_options<Dim>(options);
   return fluid;
 }
 

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "washfsi/fluid/krylov.hpp"
-#include "washfsi/fluid/stencils.hpp"
 #include "washfsi/fluid/transform_preconditioner.hpp"
+#include "washfsi/grid/stencils.hpp"
 #include "washfsi/support/collective.hpp"
 #include "washfsi/support/errors.hpp"
 
@@ -25,10 +25,10 @@ void assemble_laplacian(DM dm, const Point<Dim>& extent, Mat matrix, const Ratio
   const Index<3> start{info.xs, info.ys, info.zs}, count{info.xm, info.ym, info.zm}, cells{info.mx, info.my, info.mz};
   Box<Dim> owned;
   Point<Dim> h;
-  for (std::size_t d = 0; d < Dim; ++d) {
+  for (int d = 0; d < Dim; ++d) {
     owned.lower[d] = start[d];
     owned.upper[d] = start[d] + count[d];
-    h[static_cast<int>(d)] = extent[static_cast<int>(d)] / static_cast<double>(cells[d]);
+    h[d] = extent[d] / static_cast<double>(cells[d]);
   }
   const auto stencil_of = [](const Index<Dim>& cell) {
     MatStencil stencil{};
@@ -48,8 +48,8 @@ void assemble_laplacian(DM dm, const Point<Dim>& extent, Mat matrix, const Ratio
         const Index<Dim> neighbour = shifted<Dim>(cell, d, step);
         const double weight = h.prod() * ratio(step < 0 ? cell : neighbour, d) / (h[d] * h[d]);
         if (weight == 0) continue;
-        columns[static_cast<std::size_t>(used)] = stencil_of(neighbour);
-        values[static_cast<std::size_t>(used++)] = -weight;
+        columns[used] = stencil_of(neighbour);
+        values[used++] = -weight;
         values[0] += weight;
       }
     WASH_PETSC(MatSetValuesStencil(matrix, 1, &row, used, columns.data(), values.data(), ADD_VALUES));
@@ -101,9 +101,7 @@ PressureSolver<Dim>::PressureSolver(const Grid<Dim>& grid, double reference_dens
 // What hypre and PCMG take from the options database only.
 template <int Dim>
 void PressureSolver<Dim>::set_preconditioner_defaults() {
-  std::array<char, 64> type{};
-  WASH_PETSC(PetscOptionsGetString(nullptr, "pressure_", "-pc_type", type.data(), type.size(), nullptr));
-  const std::string chosen = type.data();
+  const std::string chosen = petsc::option_value("pressure_", "-pc_type", "");
   if (chosen == PCHYPRE) {
     petsc::set_default_option("-pressure_pc_hypre_type", "boomeramg");
     // its own choice, Gaussian elimination, fails on the singular matrix
@@ -145,12 +143,11 @@ PetscErrorCode PressureSolver<Dim>::assemble_coarse(KSP solver, Mat, Mat precond
     DMDALocalInfo info;
     WASH_PETSC(DMDAGetLocalInfo(dm, &info));
     const Index<3> cells{info.mx, info.my, info.mz};
-    assemble_laplacian<Dim>(
-        dm, self.grid_.upper() - self.grid_.lower(), preconditioner, [&](const Index<Dim>& face, int d) {
-          const auto axis = static_cast<std::size_t>(d);
-          const bool in_boundary = !self.grid_.periodic(d) && (face[axis] == 0 || face[axis] == cells[axis]);
-          return in_boundary ? 0.0 : 1.0;
-        });
+    assemble_laplacian<Dim>(dm, self.grid_.upper() - self.grid_.lower(), preconditioner,
+                            [&](const Index<Dim>& face, int d) {
+                              const bool in_boundary = !self.grid_.periodic(d) && (face[d] == 0 || face[d] == cells[d]);
+                              return in_boundary ? 0.0 : 1.0;
+                            });
     WASH_PETSC(MatSetNullSpace(preconditioner, self.constants_));
   });
 }
@@ -201,11 +198,10 @@ void PressureSolver<Dim>::close_boundary_faces() {
   const FaceView<Dim> ratio(grid_.face_dm(), ratio_);
   for (int d = 0; d < Dim; ++d) {
     if (grid_.periodic(d)) continue;
-    const auto axis = static_cast<std::size_t>(d);
     Box<Dim> faces = grid_.owned();
-    ++faces.upper[axis];  // the upper faces of the last owned cells
+    ++faces.upper[d];  // the upper faces of the last owned cells
     for_each<Dim>(faces, [&](const Index<Dim>& face) {
-      if (face[axis] == 0 || face[axis] == grid_.cells()[axis]) ratio(face, d) = 0;
+      if (face[d] == 0 || face[d] == grid_.cells()[d]) ratio(face, d) = 0;
     });
   }
 }

@@ -25,7 +25,7 @@ int owner_of(const std::vector<PetscInt>& starts, PetscInt layer) {
 template <int Dim>
 std::size_t volume(const Box<Dim>& box) {
   std::size_t count = 1;
-  for (std::size_t d = 0; d < Dim; ++d) count *= static_cast<std::size_t>(box.upper[d] - box.lower[d]);
+  for (int d = 0; d < Dim; ++d) count *= static_cast<std::size_t>(box.upper[d] - box.lower[d]);
   return count;
 }
 
@@ -33,7 +33,7 @@ std::size_t volume(const Box<Dim>& box) {
 template <int Dim>
 PetscInt offset_in(const Box<Dim>& box, const Index<Dim>& index) {
   PetscInt offset = 0;
-  for (std::size_t d = Dim; d-- > 0;) offset = offset * (box.upper[d] - box.lower[d]) + index[d] - box.lower[d];
+  for (int d = Dim; d-- > 0;) offset = offset * (box.upper[d] - box.lower[d]) + index[d] - box.lower[d];
   return offset;
 }
 
@@ -75,10 +75,10 @@ Index<Dim> TransformSolver<Dim>::column_index(std::size_t entry) const {
 template <int Dim>
 void TransformSolver<Dim>::build_exchanges() {
   Box<Dim> whole{};
-  for (std::size_t d = 0; d < Dim; ++d) whole.upper[d] = grid_.cells()[d];
+  for (int d = 0; d < Dim; ++d) whole.upper[d] = grid_.cells()[d];
   const auto slab_of = [&](int rank) {
     Box<Dim> box = whole;
-    box.lower[Dim - 1] = slab_starts_[static_cast<std::size_t>(rank)];
+    box.lower[Dim - 1] = slab_starts_[rank];
     box.upper[Dim - 1] = slab_starts_[static_cast<std::size_t>(rank) + 1];
     return box;
   };
@@ -130,17 +130,15 @@ void TransformSolver<Dim>::build_plans() {
 template <int Dim>
 void TransformSolver<Dim>::build_inverse_eigenvalues() {
   double scale = grid_.cell_volume();  // FFTW's transforms there and back multiply by 2 n (cosine) or n (Fourier)
-  for (std::size_t d = 0; d < Dim; ++d)
-    scale *= static_cast<double>(grid_.cells()[d]) * (grid_.periodic(static_cast<int>(d)) ? 1 : 2);
+  for (int d = 0; d < Dim; ++d) scale *= static_cast<double>(grid_.cells()[d]) * (grid_.periodic(d) ? 1 : 2);
   inverse_eigenvalues_.resize(column_size_);
   for (std::size_t entry = 0; entry < column_size_; ++entry) {
     const Index<Dim> mode = column_index(entry);
     double eigenvalue = 0;
-    for (std::size_t d = 0; d < Dim; ++d) {
-      const int axis = static_cast<int>(d);
-      const double turns = (grid_.periodic(axis) ? 2.0 : 1.0) * static_cast<double>(mode[d]);
+    for (int d = 0; d < Dim; ++d) {
+      const double turns = (grid_.periodic(d) ? 2.0 : 1.0) * static_cast<double>(mode[d]);
       const double angle = std::numbers::pi * turns / static_cast<double>(grid_.cells()[d]);
-      eigenvalue += (2 - 2 * std::cos(angle)) / (grid_.spacing()[axis] * grid_.spacing()[axis]);
+      eigenvalue += (2 - 2 * std::cos(angle)) / (grid_.spacing()[d] * grid_.spacing()[d]);
     }
     const bool mean = std::all_of(mode.begin(), mode.end(), [](PetscInt k) { return k == 0; });
     inverse_eigenvalues_[entry] = mean ? 0 : 1 / (eigenvalue * scale);

@@ -27,7 +27,7 @@ Box<Dim> ghosted_box(Vec local) {
   WASH_PETSC(DMDAGetLocalInfo(dm_of(local), &info));
   const Index<3> start{info.gxs, info.gys, info.gzs}, count{info.gxm, info.gym, info.gzm};
   Box<Dim> box;
-  for (std::size_t d = 0; d < Dim; ++d) {
+  for (int d = 0; d < Dim; ++d) {
     box.lower[d] = start[d];
     box.upper[d] = start[d] + count[d];
   }
@@ -119,7 +119,7 @@ void Boundary<Dim>::accept_outflow() {
 
 template <int Dim>
 const Side<Dim>& Boundary<Dim>::side(int axis, End end) const {
-  return sides_[static_cast<std::size_t>(axis)][static_cast<std::size_t>(end)];
+  return sides_[axis][end == End::upper ? 1 : 0];
 }
 
 template <int Dim>
@@ -151,8 +151,7 @@ double Boundary<Dim>::largest_speed(double time) const {
 template <int Dim>
 bool Boundary<Dim>::touches(int axis, End end) const {
   if (grid_.periodic(axis)) return false;
-  const auto d = static_cast<std::size_t>(axis);
-  return end == End::lower ? grid_.owned().lower[d] == 0 : grid_.owned().upper[d] == grid_.cells()[d];
+  return end == End::lower ? grid_.owned().lower[axis] == 0 : grid_.owned().upper[axis] == grid_.cells()[axis];
 }
 
 // The velocity that holds on the side next to a face: in it, or half a cell from it.
@@ -206,10 +205,9 @@ Point<Dim> Boundary<Dim>::foot(const Index<Dim>& face, int component, int axis, 
 template <int Dim>
 template <class Visit>
 void Boundary<Dim>::visit_boundary_faces(int axis, End end, const Box<Dim>& part, Visit&& visit) const {
-  const auto d = static_cast<std::size_t>(axis);
   Box<Dim> plane = part;
-  plane.lower[d] = end == End::lower ? 0 : grid_.cells()[d];
-  plane.upper[d] = plane.lower[d] + 1;
+  plane.lower[axis] = end == End::lower ? 0 : grid_.cells()[axis];
+  plane.upper[axis] = plane.lower[axis] + 1;
   for_each<Dim>(plane, visit);
 }
 
@@ -217,18 +215,17 @@ void Boundary<Dim>::visit_boundary_faces(int axis, End end, const Box<Dim>& part
 template <int Dim>
 template <class Visit>
 void Boundary<Dim>::visit_ghosts(int axis, End end, int component, const Box<Dim>& part, Visit&& visit) const {
-  const auto d = static_cast<std::size_t>(axis);
   const bool normal = component == axis;  // faces lie in the boundary, not half a cell from it
-  const PetscInt n = grid_.cells()[d];
+  const PetscInt n = grid_.cells()[axis];
   Box<Dim> beyond = part;
   if (end == End::lower)
-    beyond.upper[d] = 0;
+    beyond.upper[axis] = 0;
   else
-    beyond.lower[d] = normal ? n + 1 : n;
+    beyond.lower[axis] = normal ? n + 1 : n;
   const PetscInt pivot = (end == End::lower ? 0 : 2 * n) - (normal ? 0 : 1);
   for_each<Dim>(beyond, [&](const Index<Dim>& ghost) {
     Index<Dim> mirror = ghost;
-    mirror[d] = pivot - ghost[d];
+    mirror[axis] = pivot - ghost[axis];
     visit(ghost, mirror);
   });
 }
@@ -267,6 +264,19 @@ void Boundary<Dim>::fill_homogeneous(Vec local_velocity) const {
         visit_ghosts(axis, end, c, part,
                      [&](const Index<Dim>& ghost, const Index<Dim>& mirror) { u(ghost, c) = sign * u(mirror, c); });
       }
+    }
+}
+
+template <int Dim>
+void Boundary<Dim>::fill_cells(Vec local_cells) const {
+  const CellView<Dim> values(dm_of(local_cells), local_cells);
+  const Box<Dim> part = ghosted_box<Dim>(local_cells);
+  for (int axis = 0; axis < Dim; ++axis)
+    for (const End end : both_ends) {
+      if (!touches(axis, end)) continue;
+      const int beside = (axis + 1) % Dim;  // cells lie half a spacing from the side, as the faces of the others do
+      visit_ghosts(axis, end, beside, part,
+                   [&](const Index<Dim>& ghost, const Index<Dim>& mirror) { values(ghost) = values(mirror); });
     }
 }
 

@@ -32,6 +32,9 @@ class Boundary {
   Point<Dim> fold(Vec local_force) const;
   /// Adds ghosts of a mass density back with their sign kept, so that mass beyond a wall is not lost.
   void fold_mass(Vec local_density) const;
+  /// Fills the ghosts of a local cell vector beyond the sides: with the values that they mirror, so that nothing
+  /// changes across a side.
+  void fill_cells(Vec local_cells) const;
   /// Sets the owned faces in the lower boundaries of a global velocity.
   void set_boundary_faces(Vec velocity, double time) const;
 

@@ -15,7 +15,7 @@ namespace {
 
 template <int Dim>
 void check_shape(const GridShape<Dim>& shape) {
-  for (std::size_t d = 0; d < Dim; ++d)
+  for (int d = 0; d < Dim; ++d)
     if (shape.cells[d] < shape.ghost_width)
       throw InputError("-grid_cells " + std::to_string(shape.cells[d]) + ": must be at least " +
                        std::to_string(shape.ghost_width) + " in each direction");
@@ -29,7 +29,7 @@ void check_shape(const GridShape<Dim>& shape) {
 template <int Dim>
 petsc::Dm create_stencil_dm(MPI_Comm comm, const GridShape<Dim>& shape) {
   std::array<DMBoundaryType, 3> ends{DM_BOUNDARY_NONE, DM_BOUNDARY_NONE, DM_BOUNDARY_NONE};
-  for (std::size_t d = 0; d < Dim; ++d) ends[d] = shape.periodic[d] ? DM_BOUNDARY_PERIODIC : DM_BOUNDARY_GHOSTED;
+  for (int d = 0; d < Dim; ++d) ends[d] = shape.periodic[d] ? DM_BOUNDARY_PERIODIC : DM_BOUNDARY_GHOSTED;
   petsc::Dm dm;
   const auto& n = shape.cells;
   if constexpr (Dim == 2)
@@ -85,7 +85,7 @@ Grid<Dim>::Grid(MPI_Comm comm, const GridShape<Dim>& shape) : comm_(comm), shape
   WASH_PETSC(DMDAGetLocalInfo(wide_face_dm_, &info));
   const Index<3> start{info.xs, info.ys, info.zs}, count{info.xm, info.ym, info.zm};
   const Index<3> ghost_start{info.gxs, info.gys, info.gzs}, ghost_count{info.gxm, info.gym, info.gzm};
-  for (std::size_t d = 0; d < Dim; ++d) {
+  for (int d = 0; d < Dim; ++d) {
     owned_.lower[d] = start[d];
     owned_.upper[d] = start[d] + count[d];
     local_.lower[d] = ghost_start[d];
@@ -111,7 +111,7 @@ void Grid<Dim>::create_partition() {
   WASH_PETSC(DMDAGetOwnershipRanges(stencil_dm_, &lengths[0], &lengths[1], &lengths[2]));
   WASH_PETSC(DMDAGetInfo(stencil_dm_, nullptr, nullptr, nullptr, nullptr, &parts[0], &parts[1], &parts[2], nullptr,
                          nullptr, nullptr, nullptr, nullptr, nullptr));
-  for (std::size_t d = 0; d < Dim; ++d) {
+  for (int d = 0; d < Dim; ++d) {
     if (*std::min_element(lengths[d], lengths[d] + parts[d]) < shape_.ghost_width)
       throw InputError(too_few + "each needs at least " + std::to_string(shape_.ghost_width) + " in each direction");
     part_ends_[d] = running_sum(lengths[d], parts[d]);
@@ -127,28 +127,25 @@ double Grid<Dim>::cell_count() const {
 
 template <int Dim>
 Box<Dim> Grid<Dim>::cells_beside(int axis, End end) const {
-  const auto d = static_cast<std::size_t>(axis);
   Box<Dim> cells = owned_;
   if (end == End::lower)
-    cells.upper[d] = std::min<PetscInt>(cells.upper[d], periodic(axis) ? 0 : 1);
+    cells.upper[axis] = std::min<PetscInt>(cells.upper[axis], periodic(axis) ? 0 : 1);
   else
-    cells.lower[d] = std::max(cells.lower[d], shape_.cells[d] - (periodic(axis) ? 0 : 1));
+    cells.lower[axis] = std::max(cells.lower[axis], shape_.cells[axis] - (periodic(axis) ? 0 : 1));
   return cells;
 }
 
 template <int Dim>
 Box<Dim> Grid<Dim>::inner_faces(int axis) const {
   Box<Dim> box = owned_;
-  const auto d = static_cast<std::size_t>(axis);
-  if (!shape_.periodic[d] && box.lower[d] == 0) box.lower[d] = 1;
+  if (!shape_.periodic[axis] && box.lower[axis] == 0) box.lower[axis] = 1;
   return box;
 }
 
 template <int Dim>
 Point<Dim> Grid<Dim>::cell_center(const Index<Dim>& cell) const {
   Point<Dim> center;
-  for (int d = 0; d < Dim; ++d)
-    center[d] = shape_.lower[d] + (static_cast<double>(cell[static_cast<std::size_t>(d)]) + 0.5) * spacing_[d];
+  for (int d = 0; d < Dim; ++d) center[d] = shape_.lower[d] + (static_cast<double>(cell[d]) + 0.5) * spacing_[d];
   return center;
 }
 
@@ -172,16 +169,15 @@ Point<Dim> Grid<Dim>::folded(Point<Dim> point) const {
 template <int Dim>
 Index<Dim> Grid<Dim>::cell_of(const Point<Dim>& point) const {
   Index<Dim> cell;
-  for (std::size_t d = 0; d < Dim; ++d) {
-    const int axis = static_cast<int>(d);
-    cell[d] = static_cast<PetscInt>(std::floor((point[axis] - shape_.lower[axis]) / spacing_[axis]));
+  for (int d = 0; d < Dim; ++d) {
+    cell[d] = static_cast<PetscInt>(std::floor((point[d] - shape_.lower[d]) / spacing_[d]));
   }
   return inside(cell);
 }
 
 template <int Dim>
 Index<Dim> Grid<Dim>::inside(Index<Dim> cell) const {
-  for (std::size_t d = 0; d < Dim; ++d) {
+  for (int d = 0; d < Dim; ++d) {
     const PetscInt n = shape_.cells[d];
     cell[d] = shape_.periodic[d] ? ((cell[d] % n) + n) % n : std::clamp<PetscInt>(cell[d], 0, n - 1);
   }
@@ -191,7 +187,7 @@ Index<Dim> Grid<Dim>::inside(Index<Dim> cell) const {
 template <int Dim>
 int Grid<Dim>::owner(const Index<Dim>& cell) const {
   std::ptrdiff_t rank = 0;
-  for (std::size_t d = Dim; d-- > 0;) {
+  for (int d = Dim; d-- > 0;) {
     const auto& ends = part_ends_[d];
     const auto part = std::upper_bound(ends.begin(), ends.end(), cell[d]) - ends.begin();
     rank = rank * static_cast<std::ptrdiff_t>(ends.size()) + part;
@@ -202,7 +198,7 @@ int Grid<Dim>::owner(const Index<Dim>& cell) const {
 template <int Dim>
 Box<Dim> Grid<Dim>::owned_by(int rank) const {
   Box<Dim> box;
-  for (std::size_t d = 0; d < Dim; ++d) {
+  for (int d = 0; d < Dim; ++d) {
     const auto& ends = part_ends_[d];
     const auto part = static_cast<std::size_t>(rank) % ends.size();
     rank /= static_cast<int>(ends.size());

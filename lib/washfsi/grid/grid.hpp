@@ -21,7 +21,7 @@ struct GridShape {
   std::array<bool, Dim> periodic{};
   Point<Dim> spacing() const {  ///< [m]
     Point<Dim> spacing = upper - lower;
-    for (int d = 0; d < Dim; ++d) spacing[d] /= static_cast<double>(cells[static_cast<std::size_t>(d)]);
+    for (int d = 0; d < Dim; ++d) spacing[d] /= static_cast<double>(cells[d]);
     return spacing;
   }
   PetscInt ghost_width = 3;  ///< layers of ghosts where they are wide: delta half width + 1, at least 2
@@ -42,7 +42,7 @@ class Grid {
   const Index<Dim>& cells() const { return shape_.cells; }
   const Point<Dim>& lower() const { return shape_.lower; }
   const Point<Dim>& upper() const { return shape_.upper; }
-  bool periodic(int axis) const { return shape_.periodic[static_cast<std::size_t>(axis)]; }
+  bool periodic(int axis) const { return shape_.periodic[axis]; }
   PetscInt ghost_width() const { return shape_.ghost_width; }
   const Point<Dim>& spacing() const { return spacing_; }  ///< [m]
   double cell_volume() const { return spacing_.prod(); }  ///< [m^Dim]
@@ -75,9 +75,8 @@ class Grid {
   template <class Kernel>
   void for_each_lower_boundary_face(Kernel&& kernel) const {
     for (int axis = 0; axis < Dim; ++axis) {
-      const auto d = static_cast<std::size_t>(axis);
       Box<Dim> plane = owned_;
-      plane.upper[d] = inner_faces(axis).lower[d];
+      plane.upper[axis] = inner_faces(axis).lower[axis];
       for_each<Dim>(plane, [&](const Index<Dim>& face) { kernel(face, axis); });
     }
   }

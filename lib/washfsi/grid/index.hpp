@@ -27,7 +27,7 @@ struct Box {
 
 template <int Dim>
 constexpr Index<Dim> shifted(Index<Dim> index, int axis, PetscInt by) noexcept {
-  index[static_cast<std::size_t>(axis)] += by;
+  index[axis] += by;
   return index;
 }
 

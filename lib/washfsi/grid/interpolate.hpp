@@ -16,7 +16,7 @@ double interpolate_linearly(const Grid<Dim>& grid, const Point<Dim>& place, cons
   for (int d = 0; d < Dim; ++d) {
     const double coordinate = (place[d] - grid.lower()[d]) / grid.spacing()[d] - offset[d];
     const double floor = std::floor(coordinate);
-    base[static_cast<std::size_t>(d)] = static_cast<PetscInt>(floor);
+    base[d] = static_cast<PetscInt>(floor);
     fraction[d] = coordinate - floor;
   }
   double sum = 0;
@@ -25,7 +25,7 @@ double interpolate_linearly(const Grid<Dim>& grid, const Point<Dim>& place, cons
     double weight = 1;
     for (int d = 0; d < Dim; ++d) {
       const bool upper = (corner >> d) & 1U;
-      if (upper) ++index[static_cast<std::size_t>(d)];
+      if (upper) ++index[d];
       weight *= upper ? fraction[d] : 1 - fraction[d];
     }
     if (weight != 0) sum += weight * value(index);

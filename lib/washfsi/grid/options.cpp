@@ -10,6 +10,21 @@
 
 namespace washfsi {
 
+const ChoiceNames<BoundaryKind>& names_of(BoundaryKind) {
+  static const ChoiceNames<BoundaryKind> names{{"wall", BoundaryKind::wall},
+                                               {"slip", BoundaryKind::slip},
+                                               {"inflow", BoundaryKind::inflow},
+                                               {"outflow", BoundaryKind::outflow},
+                                               {"periodic", BoundaryKind::periodic}};
+  return names;
+}
+
+const ChoiceNames<InflowProfile>& names_of(InflowProfile) {
+  static const ChoiceNames<InflowProfile> names{{"uniform", InflowProfile::uniform},
+                                                {"parabolic", InflowProfile::parabolic}};
+  return names;
+}
+
 namespace {
 
 std::vector<double> read_cells(OptionBlock& block) {
@@ -22,30 +37,20 @@ std::vector<double> read_cells(OptionBlock& block) {
   return cells;
 }
 
-constexpr std::array<std::pair<const char*, BoundaryKind>, 5> kinds{{{"wall", BoundaryKind::wall},
-                                                                     {"slip", BoundaryKind::slip},
-                                                                     {"inflow", BoundaryKind::inflow},
-                                                                     {"outflow", BoundaryKind::outflow},
-                                                                     {"periodic", BoundaryKind::periodic}}};
-
 template <int Dim>
 Side<Dim> read_side(OptionBlock& block, const std::string& name, int axis, End end) {
   Side<Dim> side;
-  std::string kind = "wall", profile = "uniform";
-  std::vector<std::string> names;
-  for (const auto& known : kinds) names.emplace_back(known.first);
-  block.choice(name, kind, names, "what holds on this side of the box");
+  block.choice(name, side.kind, "what holds on this side of the box");
   block.template point<Dim>(name + "_velocity", side.velocity, "m/s", "velocity of the wall or inflow on this side");
-  block.choice(name + "_profile", profile, {"uniform", "parabolic"},
+  block.choice(name + "_profile", side.profile,
                "of an inflow; parabolic: 0 at the walls beside it, the velocity given is its peak");
-  side.kind = std::find_if(kinds.begin(), kinds.end(), [&](const auto& k) { return k.first == kind; })->second;
-  if (profile == "parabolic") side.profile = InflowProfile::parabolic;
   const bool free = side.kind == BoundaryKind::periodic || side.kind == BoundaryKind::outflow;
   if (free && side.velocity != Point<Dim>::Zero())
-    throw InputError("-" + name + "_velocity " + list_text<Dim>(side.velocity) + ": the side is " + kind +
+    throw InputError("-" + name + "_velocity " + list_text<Dim>(side.velocity) + ": the side is " + name_of(side.kind) +
                      " and takes no velocity");
   if (side.kind != BoundaryKind::inflow && side.profile != InflowProfile::uniform)
-    throw InputError("-" + name + "_profile " + profile + ": only for a side that is inflow, this one is " + kind);
+    throw InputError("-" + name + "_profile " + name_of(side.profile) +
+                     ": only for a side that is inflow, this one is " + name_of(side.kind));
   const double inward = end == End::lower ? side.velocity[axis] : -side.velocity[axis];
   if (side.kind == BoundaryKind::inflow && inward < 0)
     throw InputError("-" + name + "_velocity " + list_text<Dim>(side.velocity) +
@@ -66,13 +71,13 @@ GridOptions<Dim> GridOptions<Dim>::from_options(Options& options) {
   GridOptions<Dim> grid;
   options.block("", "Grid and boundary", [&](OptionBlock& block) {
     const std::vector<double> cells = read_cells(block);
-    for (std::size_t d = 0; d < Dim; ++d) grid.shape.cells[d] = static_cast<PetscInt>(cells[d]);
+    for (int d = 0; d < Dim; ++d) grid.shape.cells[d] = static_cast<PetscInt>(cells[d]);
     block.template point<Dim>("grid_lower", grid.shape.lower, "m", "lower corner of the box");
     block.template point<Dim>("grid_upper", grid.shape.upper, "m", "upper corner of the box");
-    for (std::size_t d = 0; d < Dim; ++d) {
+    for (int d = 0; d < Dim; ++d) {
       const std::string name = std::string("bc_") + "xyz"[d];
-      grid.sides[d] = {read_side<Dim>(block, name + "_lower", static_cast<int>(d), End::lower),
-                       read_side<Dim>(block, name + "_upper", static_cast<int>(d), End::upper)};
+      grid.sides[d] = {read_side<Dim>(block, name + "_lower", d, End::lower),
+                       read_side<Dim>(block, name + "_upper", d, End::upper)};
       const bool lower = grid.sides[d][0].kind == BoundaryKind::periodic;
       if (lower != (grid.sides[d][1].kind == BoundaryKind::periodic))
         throw InputError("-" + name + "_lower, -" + name + "_upper: both sides must be periodic, or neither");

@@ -6,6 +6,9 @@
 
 namespace washfsi {
 
+const ChoiceNames<BoundaryKind>& names_of(BoundaryKind);
+const ChoiceNames<InflowProfile>& names_of(InflowProfile);
+
 /// The number of dimensions, from the number of values in -grid_cells. Errors: InputError.
 int dimension_from_options(Options& options);
 

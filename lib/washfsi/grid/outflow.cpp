@@ -10,7 +10,7 @@ namespace {
 // A box without cells, so that loops over it do nothing.
 template <int Dim>
 bool empty(const Box<Dim>& box) {
-  for (std::size_t d = 0; d < Dim; ++d)
+  for (int d = 0; d < Dim; ++d)
     if (box.lower[d] >= box.upper[d]) return true;
   return false;
 }
@@ -19,7 +19,7 @@ template <int Dim>
 std::size_t count(const Box<Dim>& box) {
   if (empty(box)) return 0;
   std::size_t cells = 1;
-  for (std::size_t d = 0; d < Dim; ++d) cells *= static_cast<std::size_t>(box.upper[d] - box.lower[d]);
+  for (int d = 0; d < Dim; ++d) cells *= static_cast<std::size_t>(box.upper[d] - box.lower[d]);
   return cells;
 }
 
@@ -28,10 +28,10 @@ std::size_t count(const Box<Dim>& box) {
 template <int Dim>
 OutflowLayer<Dim>::OutflowLayer(const Grid<Dim>& grid, int axis, End end)
     : grid_(grid), axis_(axis), end_(end), owned_(all_cells()), kept_(owned_) {
-  for (std::size_t d = 0; d < Dim; ++d) {
+  for (int d = 0; d < Dim; ++d) {
     owned_.lower[d] = std::max(owned_.lower[d], grid.owned().lower[d]);
     owned_.upper[d] = std::min(owned_.upper[d], grid.owned().upper[d]);
-    const bool wraps = grid.periodic(static_cast<int>(d));
+    const bool wraps = grid.periodic(d);
     kept_.lower[d] = wraps ? grid.local().lower[d] : std::max(kept_.lower[d], grid.local().lower[d]);
     kept_.upper[d] = wraps ? grid.local().upper[d] : std::min(kept_.upper[d], grid.local().upper[d]);
   }
@@ -44,15 +44,14 @@ template <int Dim>
 Box<Dim> OutflowLayer<Dim>::all_cells() const {
   Box<Dim> all{};
   all.upper = grid_.cells();
-  const auto d = static_cast<std::size_t>(axis_);
-  (end_ == End::lower ? all.upper[d] : all.lower[d]) = end_ == End::lower ? 1 : all.upper[d] - 1;
+  (end_ == End::lower ? all.upper[axis_] : all.lower[axis_]) = end_ == End::lower ? 1 : all.upper[axis_] - 1;
   return all;
 }
 
 template <int Dim>
 std::size_t OutflowLayer<Dim>::offset(const Box<Dim>& box, Index<Dim> cell, int component) const {
   std::size_t position = 0;
-  for (std::size_t d = Dim; d-- > 0;) {
+  for (int d = Dim; d-- > 0;) {
     const PetscInt inside = std::clamp(cell[d], box.lower[d], box.upper[d] - 1);
     position = position * static_cast<std::size_t>(box.upper[d] - box.lower[d]) +
                static_cast<std::size_t>(inside - box.lower[d]);

@@ -22,7 +22,7 @@ class View {
     const Index<3> start = global ? Index<3>{info.xs, info.ys, info.zs} : Index<3>{info.gxs, info.gys, info.gzs};
     const Index<3> count = global ? Index<3>{info.xm, info.ym, info.zm} : Index<3>{info.gxm, info.gym, info.gzm};
     PetscInt stride = Components;
-    for (std::size_t d = 0; d < Dim; ++d) {
+    for (int d = 0; d < Dim; ++d) {
       stride_[d] = std::exchange(stride, stride * count[d]);
       origin_ += start[d] * stride_[d];
     }

@@ -110,7 +110,7 @@ Points<2> bending_mode(const ClothGroup<2>& group, const ShapeOptions<2>& shape,
 }
 
 Points<3> bending_mode(const ClothGroup<3>& group, const ShapeOptions<3>& shape, const FlatCloth<3>& flat) {
-  const PlateMode mode(group.sheet, group.size[0], group.size[1], static_cast<int>(shape.mode));
+  const PlateMode mode(bending_of(group.sheet.fabric), group.size[0], group.size[1], static_cast<int>(shape.mode));
   double most = 0;
   (void)displaced(group, flat, [&](const auto& place) -> Point<3> {
     most = std::max(most, std::abs(mode(place[0], place[1])));
@@ -131,12 +131,17 @@ ShapeOptions<Dim> ShapeOptions<Dim>::from_options(Options& options, const std::s
   ShapeOptions shape;
   std::vector<double> axes{shape.semi_axes[0], shape.semi_axes[1]};
   constexpr Range one_to_forty{1.0, 40.0, false, "a whole number from 1 to 40"};
-  options.block(group + "_", "Shape of " + group, [&](OptionBlock& block) {
-    if (Dim == 2) block.reals("semi_axes", axes, 2, 2, "m", "of an ellipse, along and across the cloth's direction");
-    block.integer("mode", shape.mode, one_to_forty, "which bending mode of a free cloth");
-    block.real("amplitude", shape.amplitude, "m", any_number, "of the mode, where it is largest");
-    block.real("crumpling", shape.crumpling, "rad", non_negative, "largest turn from edge to edge of crumpled cloth");
-  });
+  options.block(
+      group + "_", "Shape of " + group,
+      [&](OptionBlock& block) {
+        if (Dim == 2)
+          block.reals("semi_axes", axes, 2, 2, "m", "of an ellipse, along and across the cloth's direction");
+        block.integer("mode", shape.mode, one_to_forty, "which bending mode of a free cloth");
+        block.real("amplitude", shape.amplitude, "m", any_number, "of the mode, where it is largest");
+        block.real("crumpling", shape.crumpling, "rad", non_negative,
+                   "largest turn from edge to edge of crumpled cloth");
+      },
+      "cloths_");
   if (!(axes[0] > 0 && axes[1] > 0))
     throw InputError("-" + group + "_semi_axes " + to_text(axes[0]) + "," + to_text(axes[1]) +
                      ": both must be above 0");
@@ -147,10 +152,10 @@ ShapeOptions<Dim> ShapeOptions<Dim>::from_options(Options& options, const std::s
 template <int Dim>
 Points<Dim> shaped_cloth(const ClothGroup<Dim>& group, const ShapeOptions<Dim>& shape, const FlatCloth<Dim>& flat,
                          Uniform& uniform) {
-  if (group.shape == "crumpled") return crumpled<Dim>(group, shape.crumpling, flat, uniform);
-  if (group.shape == "ellipse") return ellipse<Dim>(group, shape.semi_axes, flat);
-  if (group.shape == "mode") return bending_mode(group, shape, flat);
-  const double amplitude = group.shape == "bar_mode" ? shape.amplitude : 0;
+  if (group.shape == ClothShape::crumpled) return crumpled<Dim>(group, shape.crumpling, flat, uniform);
+  if (group.shape == ClothShape::ellipse) return ellipse<Dim>(group, shape.semi_axes, flat);
+  if (group.shape == ClothShape::mode) return bending_mode(group, shape, flat);
+  const double amplitude = group.shape == ClothShape::bar_mode ? shape.amplitude : 0;
   return displaced(group, flat, [&](const auto& place) -> Point<Dim> {
     return amplitude * std::sin(0.5 * std::numbers::pi * place[0]) * flat.along();
   });

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <span>
+
 #include "washfsi/cloth/cloths.hpp"
+#include "washfsi/geometry/near_search.hpp"
+#include "washfsi/geometry/nearest.hpp"
 
 namespace washfsi {
 
@@ -16,24 +20,23 @@ class ClothCrossings {
 
   /// Markers that went through a triangle of another cloth, so far.
   double crossings() const { return crossings_; }
-  void set_crossings(double crossings) { crossings_ = crossings; }
+  /// The same, for a restart to read and to set.
+  std::span<double> state() { return {&crossings_, 1}; }
   /// Least distance of a marker from another cloth now [m]; at most `reach()`, beyond which it is not known.
   double least_distance() const { return least_distance_; }
   double reach() const { return reach_; }
 
  private:
-  using Triangle = std::array<std::size_t, 3>;
-  using Bin = std::array<long, 3>;
-  void sort_into_bins(const Points<3>& places);
-  Bin bin_of(const Point<3>& place) const;
-  bool crosses(std::size_t marker, const Triangle& triangle, const Points<3>& now) const;
+  using Corners = std::array<std::size_t, 3>;  ///< of a triangle, by the numbers of their markers
+  bool crosses(std::size_t marker, const Corners& corners, const Points<3>& now) const;
+  static Triangle triangle_of(const Corners& corners, const Points<3>& places);
+  Bounds<3> way_of(std::size_t marker, const Points<3>& now) const;
 
   const Cloths<3>& cloths_;
-  std::vector<Triangle> triangles_;
+  std::vector<Corners> triangles_;
   std::vector<std::size_t> piece_of_triangle_;
   double reach_ = 0;
-  std::vector<std::pair<Bin, std::size_t>> bins_;  ///< triangles by the bins that they come near to, sorted
-  Points<3> before_;                               ///< of all markers
+  Points<3> before_;  ///< of all markers
   double crossings_ = 0, least_distance_ = 0;
 };
 

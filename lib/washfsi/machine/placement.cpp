@@ -11,6 +11,14 @@
 
 namespace washfsi {
 
+const ChoiceNames<PlacementRule>& names_of(PlacementRule) {
+  static const ChoiceNames<PlacementRule> names{{"line", PlacementRule::line},
+                                                {"stack", PlacementRule::stack},
+                                                {"radial", PlacementRule::radial},
+                                                {"random", PlacementRule::random}};
+  return names;
+}
+
 namespace {
 
 template <int Dim>
@@ -64,10 +72,10 @@ class Placer {
   FlatCloth<Dim> place(const ClothGroup<Dim>& group, const PlacementOptions<Dim>& options, PetscInt number,
                        Uniform& uniform) {
     FlatCloth<Dim> cloth;
-    for (int d = 0; d < Dim - 1; ++d) cloth.half[d] = 0.5 * group.size[static_cast<std::size_t>(d)];
-    if (options.rule == "random")
+    for (int d = 0; d < Dim - 1; ++d) cloth.half[d] = 0.5 * group.size[d];
+    if (options.rule == PlacementRule::random)
       cloth = draw(cloth, group, options, uniform);
-    else if (options.rule == "radial")
+    else if (options.rule == PlacementRule::radial)
       cloth = fin(cloth, options, static_cast<double>(number) / static_cast<double>(group.count), uniform);
     else
       cloth = in_a_row(cloth, options, static_cast<double>(number));
@@ -78,7 +86,7 @@ class Placer {
  private:
   static FlatCloth<Dim> in_a_row(FlatCloth<Dim> cloth, const PlacementOptions<Dim>& options, double number) {
     cloth.axes = axes_from(options.direction, options.across);
-    const bool stacked = options.rule == "stack";
+    const bool stacked = options.rule == PlacementRule::stack;
     const double pitch = stacked ? options.distance : 2 * cloth.half[0] + options.distance;
     cloth.middle = options.center + number * pitch * (stacked ? cloth.normal() : cloth.along());
     return cloth;
@@ -178,24 +186,30 @@ void check_start(const ClothGroup<Dim>& group, const std::vector<Body<Dim>>& bod
 template <int Dim>
 PlacementOptions<Dim> PlacementOptions<Dim>::from_options(Options& options, const std::string& group) {
   PlacementOptions<Dim> placement;
-  options.block(group + "_", "Placement of " + group, [&](OptionBlock& block) {
-    block.choice("placement", placement.rule, {"line", "stack", "radial", "random"},
-                 "rule by which the cloths are placed");
-    block.template point<Dim>("center", placement.center, "m",
-                              "centre of the first cloth (line, stack), of the fan (radial), of the disc (random)");
-    block.template point<Dim>("direction", placement.direction, "-", "direction of the cloths' s (line, stack)");
-    if (Dim == 3)
-      block.template point<Dim>("across", placement.across, "-", "direction of the cloths' r (line, stack)");
-    block.real("distance", placement.distance, "m", non_negative, "between neighbours (line, stack)");
-    block.real("inner_radius", placement.inner_radius, "m", non_negative, "where the cloths begin (radial)");
-    block.real("shift", placement.shift, "m", non_negative, "largest random shift of a cloth along each axis (radial)");
-    block.real("tilt", placement.tilt, "rad", non_negative, "largest random turn of a cloth about each axis (radial)");
-    block.real("radius", placement.radius, "m", positive, "of the disc that holds the cloths (random)");
-    if (Dim == 3) block.real("height", placement.height, "m", positive, "of the disc that holds the cloths (random)");
-    block.real("clearance", placement.clearance, "m", positive, "least distance from bodies and other cloths (random)");
-    block.integer("seed", placement.seed, non_negative_integer,
-                  "of the random placement, of shift and tilt and of crumpled cloth");
-  });
+  options.block(
+      group + "_", "Placement of " + group,
+      [&](OptionBlock& block) {
+        block.choice("placement", placement.rule, "rule by which the cloths are placed");
+        block.template point<Dim>("center", placement.center, "m",
+                                  "centre of the first cloth (line, stack), of the fan (radial), of the disc (random)");
+        block.template point<Dim>("direction", placement.direction, "-", "direction of the cloths' s (line, stack)");
+        if (Dim == 3)
+          block.template point<Dim>("across", placement.across, "-", "direction of the cloths' r (line, stack)");
+        block.real("distance", placement.distance, "m", non_negative, "between neighbours (line, stack)");
+        block.real("inner_radius", placement.inner_radius, "m", non_negative, "where the cloths begin (radial)");
+        block.real("shift", placement.shift, "m", non_negative,
+                   "largest random shift of a cloth along each axis (radial)");
+        block.real("tilt", placement.tilt, "rad", non_negative,
+                   "largest random turn of a cloth about each axis (radial)");
+        block.real("radius", placement.radius, "m", positive, "of the disc that holds the cloths (random)");
+        if (Dim == 3)
+          block.real("height", placement.height, "m", positive, "of the disc that holds the cloths (random)");
+        block.real("clearance", placement.clearance, "m", positive,
+                   "least distance from bodies and other cloths (random)");
+        block.integer("seed", placement.seed, non_negative_integer,
+                      "of the random placement, of shift and tilt and of crumpled cloth");
+      },
+      "cloths_");
   placement.shape = ShapeOptions<Dim>::from_options(options, group);
   if (placement.direction.norm() == 0) throw InputError("-" + group + "_direction: must not be zero");
   if (Dim == 3 && cross<Dim>(placement.direction, placement.across).norm() == 0)

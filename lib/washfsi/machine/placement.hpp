@@ -6,10 +6,14 @@
 
 namespace washfsi {
 
+/// The rule by which the cloths of a group are placed, see `place_cloths`.
+enum class PlacementRule { line, stack, radial, random };
+const ChoiceNames<PlacementRule>& names_of(PlacementRule);
+
 /// Where the cloths of one group start. All lengths in metres.
 template <int Dim>
 struct PlacementOptions {
-  std::string rule = "line";  ///< line | stack | radial | random
+  PlacementRule rule = PlacementRule::line;
   Point<Dim> center =
       Point<Dim>::Zero();  ///< of the first cloth (line, stack), of the fan (radial), of the disc (random)
   Point<Dim> direction = Point<Dim>::UnitX();  ///< of the cloths' s (line, stack)

@@ -39,16 +39,15 @@ Eigen::MatrixXd kronecker(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
 
 }  // namespace
 
-PlateMode::PlateMode(const Sheet& sheet, double length_s, double length_r, int mode) {
+PlateMode::PlateMode(const BendingModuli& bending, double length_s, double length_r, int mode) {
   const Eigen::MatrixXd ds = derivative(length_s), dr = derivative(length_r);
   const Eigen::MatrixXd dss = ds * ds, drr = dr * dr, one = Eigen::MatrixXd::Identity(terms, terms);
-  const double cross = sheet.poisson * std::sqrt(sheet.kb_s * sheet.kb_r);
   constexpr double preference = 1 + 1e-6;  // two modes of equal frequency are told apart by their direction
-  Eigen::MatrixXd stiffness = preference * sheet.kb_s * kronecker(dss.transpose() * dss, one) +
-                              sheet.kb_r * kronecker(one, drr.transpose() * drr) +
-                              2 * sheet.kt * kronecker(ds.transpose() * ds, dr.transpose() * dr);
+  Eigen::MatrixXd stiffness = preference * bending.s * kronecker(dss.transpose() * dss, one) +
+                              bending.r * kronecker(one, drr.transpose() * drr) +
+                              2 * bending.twist * kronecker(ds.transpose() * ds, dr.transpose() * dr);
   const Eigen::MatrixXd mixed = kronecker(dss.transpose(), drr);
-  stiffness += cross * (mixed + mixed.transpose());
+  stiffness += bending.cross * (mixed + mixed.transpose());
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(stiffness);
   constexpr int rigid_motions = 3;
   const Eigen::Index number = rigid_motions - 1 + mode;

@@ -29,15 +29,4 @@ std::vector<double> TumbleCounter::turns() const {
   return turns;
 }
 
-std::vector<double> TumbleCounter::state() const {
-  std::vector<double> state = angles_;
-  state.insert(state.end(), turned_.begin(), turned_.end());
-  return state;
-}
-
-void TumbleCounter::set_state(std::span<const double> state) {
-  std::copy_n(state.begin(), angles_.size(), angles_.begin());
-  std::copy_n(state.begin() + static_cast<long>(angles_.size()), turned_.size(), turned_.begin());
-}
-
 }  // namespace washfsi

@@ -20,10 +20,9 @@ class TumbleCounter {
   /// Turns of each cloth so far.
   std::vector<double> turns() const;
 
-  /// Numbers that a restart needs.
-  std::vector<double> state() const;
-  void set_state(std::span<const double> state);
-  std::size_t state_count() const { return 2 * angles_.size(); }
+  /// Numbers that a restart needs, to read and to set: where each cloth is on its way round, and what it has gone.
+  std::span<double> angles() { return angles_; }
+  std::span<double> turned() { return turned_; }
 
  private:
   Point<2> axis_, orbit_center_;

@@ -10,7 +10,7 @@ namespace washfsi {
 template <int Dim>
 Slab box_slab(const Box<Dim>& whole, const Box<Dim>& part, int components) {
   Slab slab;
-  for (std::size_t d = Dim; d-- > 0;) {
+  for (int d = Dim; d-- > 0;) {
     slab.shape.push_back(static_cast<hsize_t>(whole.upper[d] - whole.lower[d]));
     slab.offset.push_back(static_cast<hsize_t>(part.lower[d] - whole.lower[d]));
     slab.count.push_back(static_cast<hsize_t>(part.upper[d] - part.lower[d]));

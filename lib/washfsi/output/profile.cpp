@@ -32,8 +32,8 @@ void Profile<Dim>::write(const Grid<Dim>& grid, const Boundary<Dim>& boundary, V
     }
     samples[i * (Dim + 1) + Dim] =
         interpolate_linearly<Dim>(grid, place, Point<Dim>::Constant(0.5), [&](Index<Dim> index) {
-          for (std::size_t d = 0; d < Dim; ++d)  // no pressure beyond walls: the nearest cell's
-            if (!grid.periodic(static_cast<int>(d))) index[d] = std::clamp<PetscInt>(index[d], 0, grid.cells()[d] - 1);
+          for (int d = 0; d < Dim; ++d)  // no pressure beyond walls: the nearest cell's
+            if (!grid.periodic(d)) index[d] = std::clamp<PetscInt>(index[d], 0, grid.cells()[d] - 1);
           return p(index);
         });
   }
@@ -59,7 +59,7 @@ std::vector<Profile<Dim>> profiles_from_options(Options& options, const Point<Di
   std::vector<std::string> names;
   options.block("", "Profiles",
                 [&](OptionBlock& block) { block.names("profiles", names, "names of the lines sampled at the end"); });
-  if (options.help() && names.empty()) names = {"line"};
+  if (names.empty()) names = options.examples("line", "LINE");
   std::vector<Profile<Dim>> profiles;
   for (const auto& name : names) {
     options.claim_prefix(name, "-profiles");

@@ -27,7 +27,7 @@ template <int Dim>
 std::string xdmf_mesh(const Grid<Dim>& grid) {
   std::vector<std::string> nodes, origin, spacing;
   for (int d = 3; d-- > 0;) {
-    nodes.push_back(std::to_string(d < Dim ? grid.cells()[static_cast<std::size_t>(d)] + 1 : 1));
+    nodes.push_back(std::to_string(d < Dim ? grid.cells()[d] + 1 : 1));
     origin.push_back(d < Dim ? to_text(grid.lower()[d]) : "0");
     spacing.push_back(d < Dim ? to_text(grid.spacing()[d]) : "1");
   }
@@ -176,30 +176,31 @@ void ClothSeries<Dim>::write_topology() {
 }
 
 template <int Dim>
-void ClothSeries<Dim>::write(double time, long step, const Points<Dim>& positions, const Points<Dim>& velocities) {
+void ClothSeries<Dim>::write(double time, long step, const Points<Dim>& positions, const Points<Dim>& velocities,
+                             const std::vector<MarkerField>& fields) {
   const petsc::LogPart part("output");
   const Slab vector = marker_slab(cloths_.marker_count(), cloths_.begin(), cloths_.end(), 3);
   const Slab scalar = marker_slab(cloths_.marker_count(), cloths_.begin(), cloths_.end(), 1);
-  std::vector<double> stress;
-  for (const MarkerState& state : cloths_.marker_states(positions)) stress.push_back(surface_stress(state));
   file_.add(
       time, step,
       [&](Hdf5File& file, const std::string& group) {
         file.write(group + "/position", vector, flattened<Dim>(positions, 3));
         file.write(group + "/velocity", vector, flattened<Dim>(velocities, 3));
-        file.write(group + "/stress", scalar, stress);
+        for (const MarkerField& field : fields) file.write(group + "/" + field.name, scalar, field.values);
       },
       [&](const Frame& frame) {
         const auto item = [&](const std::string& dataset, const Slab& slab) {
           return xdmf_data_item("cloth", dataset, slab.shape);
         };
         const Topology mesh = topology();
+        std::string attributes;
+        for (const MarkerField& field : fields)
+          attributes += xdmf_attribute(field.name, "Scalar", "Node", item(frame.group + "/" + field.name, scalar));
         return "<Topology TopologyType=\"Mixed\" NumberOfElements=\"" + std::to_string(mesh.elements) + "\">\n" +
                xdmf_data_item("cloth", "/topology", {mesh.entries.size()}, "NumberType=\"Int\" Precision=\"8\"") +
                "</Topology>\n<Geometry GeometryType=\"XYZ\">\n" + item(frame.group + "/position", vector) +
                "</Geometry>\n" + xdmf_attribute("velocity", "Vector", "Node", item(frame.group + "/velocity", vector)) +
-               xdmf_attribute("stress", "Scalar", "Node", item(frame.group + "/stress", scalar)) +
-               xdmf_attribute("group", "Scalar", "Node", item("/group", scalar)) +
+               attributes + xdmf_attribute("group", "Scalar", "Node", item("/group", scalar)) +
                xdmf_attribute("cloth", "Scalar", "Node", item("/cloth", scalar));
       });
 }

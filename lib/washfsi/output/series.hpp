@@ -37,13 +37,20 @@ class BodySeries {
   FrameFile file_;
 };
 
-/// cloth.h5, cloth.xdmf: markers joined to cloths, with velocity, stress, group and cloth numbers.
+/// A number of each of this rank's markers, by name.
+struct MarkerField {
+  std::string name;
+  std::vector<double> values;
+};
+
+/// cloth.h5, cloth.xdmf: markers joined to cloths, with velocity, group and cloth numbers, and fields such as stress.
 template <int Dim>
 class ClothSeries {
  public:
   ClothSeries(MPI_Comm comm, const Cloths<Dim>& cloths, const std::string& folder, long restart_step);
   /// Collective.
-  void write(double time, long step, const Points<Dim>& positions, const Points<Dim>& velocities);
+  void write(double time, long step, const Points<Dim>& positions, const Points<Dim>& velocities,
+             const std::vector<MarkerField>& fields);
 
  private:
   struct Topology {

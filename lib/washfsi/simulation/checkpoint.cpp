@@ -35,6 +35,12 @@ Slab slab_of_markers(const Cloths<Dim>& cloths, int components) {
   return marker_slab(cloths.marker_count(), cloths.begin(), cloths.end(), components);
 }
 
+// The integrals over time of the quantities of each marker.
+template <int Dim>
+Slab slab_of_integrals(const Cloths<Dim>& cloths) {
+  return slab_of_markers(cloths, static_cast<int>(marker_quantities<Dim>().size()));
+}
+
 template <int Dim>
 Points<Dim> read_points(Hdf5File& file, const std::string& name, const Cloths<Dim>& cloths) {
   const std::vector<double> flat = file.read(name, slab_of_markers(cloths, Dim));
@@ -51,13 +57,13 @@ std::string dataset_of(const OutflowLayer<Dim>& layer) {
 
 template <int Dim>
 void write_outflow(Hdf5File& file, const System<Dim>& system) {
-  for (const auto& layer : system.boundary.outflows())
+  for (const auto& layer : system.model.boundary.outflows())
     file.write(dataset_of(layer), box_slab<Dim>(layer.all_cells(), layer.owned_cells(), Dim), layer.values());
 }
 
 template <int Dim>
 void read_outflow(Hdf5File& file, System<Dim>& system) {
-  for (auto& layer : system.boundary.outflows())
+  for (auto& layer : system.model.boundary.outflows())
     layer.set_values(file.read(dataset_of(layer), box_slab<Dim>(layer.all_cells(), layer.all_cells(), Dim)));
 }
 
@@ -65,10 +71,10 @@ void read_outflow(Hdf5File& file, System<Dim>& system) {
 template <int Dim>
 std::vector<double> identity(const System<Dim>& system) {
   std::vector<double> numbers;
-  for (int d = 0; d < Dim; ++d) numbers.push_back(system.grid.lower()[d]);
-  for (int d = 0; d < Dim; ++d) numbers.push_back(system.grid.upper()[d]);
-  for (const Piece& piece : system.cloths.pieces()) {
-    const Sheet& sheet = system.cloths.groups()[piece.group].sheet;
+  for (int d = 0; d < Dim; ++d) numbers.push_back(system.model.grid.lower()[d]);
+  for (int d = 0; d < Dim; ++d) numbers.push_back(system.model.grid.upper()[d]);
+  for (const Piece& piece : system.model.cloths.pieces()) {
+    const Sheet& sheet = system.model.cloths.groups()[piece.group].sheet;
     numbers.insert(numbers.end(),
                    {static_cast<double>(piece.count), static_cast<double>(sheet.width), sheet.ds, sheet.dr});
   }
@@ -88,34 +94,32 @@ void write_checkpoint(const std::string& folder, const System<Dim>& system, Meas
                       const RunState& state) {
   const petsc::LogPart part("output");
   const std::string path = folder + "/checkpoint.h5", temporary = path + ".part";
-  const MPI_Comm comm = system.grid.comm();
+  const MPI_Comm comm = system.model.grid.comm();
   Hdf5File file(comm, temporary, Hdf5File::Mode::create);
-  file.set_attribute("/", "step", static_cast<double>(state.step));
-  file.set_attribute("/", "time", system.fluid.time());
+  file.set_attribute("/", "step", static_cast<double>(system.state.clock.step));
+  file.set_attribute("/", "time", system.state.clock.time);
   file.set_attribute("/", "time_step", state.dt);
   file.set_attribute("/", "cloth_bound", state.cloth_bound);
   file.set_attribute("/", "steps_at_rest", state.steps_at_rest);
-  file.set_attribute("/", "last_step", system.fluid.last_step());
-  const SolverCounts& counts = system.fluid.counts();
+  file.set_attribute("/", "last_step", system.model.fluid.last_step());
+  const SolverCounts& counts = system.model.fluid.counts();
   file.set_attribute("/", "momentum_iterations", counts.momentum);
   file.set_attribute("/", "pressure_iterations", counts.pressure);
-  file.set_attribute("/", "solved_steps", counts.steps);
-  file.set_attribute("/", "cloth_iterations", system.cloth_iterations);
-  for (const auto& [name, vector] : system.fluid.face_state())
-    write_vector(file, "/fluid/" + name, field_slab(system.grid, Dim), vector);
-  for (const auto& [name, vector] : system.fluid.cell_state())
-    write_vector(file, "/fluid/" + name, field_slab(system.grid, 1), vector);
+  file.set_attribute("/", "cloth_iterations", system.step.cloth_iterations);
+  for (const auto& [name, vector] : system.model.fluid.face_state())
+    write_vector(file, "/fluid/" + name, field_slab(system.model.grid, Dim), vector);
+  for (const auto& [name, vector] : system.model.fluid.cell_state())
+    write_vector(file, "/fluid/" + name, field_slab(system.model.grid, 1), vector);
   write_outflow(file, system);
-  if (system.cloths.marker_count() > 0) {
-    file.write("/cloth/position", slab_of_markers(system.cloths, Dim), flattened<Dim>(system.positions));
-    file.write("/cloth/velocity", slab_of_markers(system.cloths, Dim), flattened<Dim>(system.velocities));
-    file.write("/cloth/time_integrals",
-               slab_of_markers(system.cloths, static_cast<int>(marker_quantities<Dim>().size())),
-               measures.cloth().time_integrals());
+  if (system.model.cloths.marker_count() > 0) {
+    file.write("/cloth/position", slab_of_markers(system.model.cloths, Dim), flattened<Dim>(system.state.positions));
+    file.write("/cloth/velocity", slab_of_markers(system.model.cloths, Dim), flattened<Dim>(system.state.velocities));
+    file.write("/cloth/time_integrals", slab_of_integrals(system.model.cloths), measures.cloth().time_integrals());
   }
   const std::vector<double> numbers = identity(system);
   file.write("/identity", shared_slab(comm, numbers.size(), true), numbers);
-  file.write("/totals", shared_slab(comm, measures.totals_count(), true), measures.totals());
+  for (const auto& [name, kept] : measures.quantities().kept())
+    file.write("/totals/" + name, shared_slab(comm, kept.size(), true), std::vector<double>(kept.begin(), kept.end()));
   file.close();
   bool renamed = true;
   if (rank_of(comm) == 0) {
@@ -128,34 +132,34 @@ void write_checkpoint(const std::string& folder, const System<Dim>& system, Meas
 
 template <int Dim>
 RunState read_checkpoint(const std::string& path, System<Dim>& system, Measures<Dim>& measures) {
-  const MPI_Comm comm = system.grid.comm();
+  const MPI_Comm comm = system.model.grid.comm();
   try {
     Hdf5File file(comm, path, Hdf5File::Mode::read);
     const std::vector<double> numbers = identity(system);
     if (file.read("/identity", shared_slab(comm, numbers.size(), false)) != numbers)
       throw InputError(path + ": the box or the cloths' markers are others");
-    for (const auto& [name, vector] : system.fluid.face_state())
-      read_vector(file, "/fluid/" + name, field_slab(system.grid, Dim), vector);
-    for (const auto& [name, vector] : system.fluid.cell_state())
-      read_vector(file, "/fluid/" + name, field_slab(system.grid, 1), vector);
+    for (const auto& [name, vector] : system.model.fluid.face_state())
+      read_vector(file, "/fluid/" + name, field_slab(system.model.grid, Dim), vector);
+    for (const auto& [name, vector] : system.model.fluid.cell_state())
+      read_vector(file, "/fluid/" + name, field_slab(system.model.grid, 1), vector);
     read_outflow(file, system);
-    if (system.cloths.marker_count() > 0) {
-      system.positions = read_points(file, "/cloth/position", system.cloths);
-      system.velocities = read_points(file, "/cloth/velocity", system.cloths);
-      measures.cloth().time_integrals() = file.read(
-          "/cloth/time_integrals", slab_of_markers(system.cloths, static_cast<int>(marker_quantities<Dim>().size())));
+    if (system.model.cloths.marker_count() > 0) {
+      system.state.positions = read_points(file, "/cloth/position", system.model.cloths);
+      system.state.velocities = read_points(file, "/cloth/velocity", system.model.cloths);
+      measures.cloth().time_integrals() = file.read("/cloth/time_integrals", slab_of_integrals(system.model.cloths));
     }
-    measures.set_totals(file.read("/totals", shared_slab(comm, measures.totals_count(), false)));
-    system.locate_cloth(system.positions);
-    system.fluid.set_time(file.attribute("/", "time"));
-    system.mask.update(system.fluid.time());
-    system.fluid.set_last_step(file.attribute("/", "last_step"));
-    system.cloth_iterations = file.attribute("/", "cloth_iterations");
-    system.fluid.set_counts({.momentum = file.attribute("/", "momentum_iterations"),
-                             .pressure = file.attribute("/", "pressure_iterations"),
-                             .steps = file.attribute("/", "solved_steps")});
-    return {static_cast<long>(file.attribute("/", "step")), file.attribute("/", "time_step"),
-            file.attribute("/", "cloth_bound"), static_cast<int>(file.attribute("/", "steps_at_rest"))};
+    for (const auto& [name, kept] : measures.quantities().kept())
+      std::ranges::copy(file.read("/totals/" + name, shared_slab(comm, kept.size(), false)), kept.begin());
+    system.model.locate_cloth(system.state.positions);
+    system.state.clock = {file.attribute("/", "time"), static_cast<long>(file.attribute("/", "step"))};
+    system.model.boundary.set_outflow_time(system.state.clock.time);
+    system.model.mask.update(system.state.clock.time);
+    system.model.fluid.set_last_step(file.attribute("/", "last_step"));
+    system.step.cloth_iterations = file.attribute("/", "cloth_iterations");
+    system.model.fluid.set_counts({.momentum = file.attribute("/", "momentum_iterations"),
+                                   .pressure = file.attribute("/", "pressure_iterations")});
+    return {file.attribute("/", "time_step"), file.attribute("/", "cloth_bound"),
+            static_cast<int>(file.attribute("/", "steps_at_rest"))};
   } catch (const InputError& error) {
     throw InputError(std::string("-restart ") + error.what() +
                      "; it must be a checkpoint of this grid and these cloths");

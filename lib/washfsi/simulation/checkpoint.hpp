@@ -3,13 +3,12 @@
 
 #include <string>
 
-#include "washfsi/simulation/measures.hpp"
+#include "washfsi/measure/measures.hpp"
 
 namespace washfsi {
 
-/// Where a run stands.
+/// Where a run stands, beside the clock.
 struct RunState {
-  long step = 0;
   double dt = 0;           ///< [s]
   double cloth_bound = 0;  ///< of the step, at the last step's places [s]; 0: not known
   int steps_at_rest = not_moved;

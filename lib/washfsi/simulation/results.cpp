@@ -26,9 +26,10 @@ Results<Dim>::Results(const System<Dim>& system, const Measures<Dim>& measures, 
       measures_(measures),
       profiles_(std::move(profiles)),
       folder_(std::move(folder)),
-      flow_(system.grid, system.boundary, folder_, restart_step) {
-  if (!system.bodies.empty()) bodies_.emplace(system.grid, system.bodies, folder_, restart_step);
-  if (system.cloths.marker_count() > 0) cloth_.emplace(system.grid.comm(), system.cloths, folder_, restart_step);
+      flow_(system.model.grid, system.model.boundary, folder_, restart_step) {
+  if (!system.model.bodies.empty()) bodies_.emplace(system.model.grid, system.model.bodies, folder_, restart_step);
+  if (system.model.cloths.marker_count() > 0)
+    cloth_.emplace(system.model.grid.comm(), system.model.cloths, folder_, restart_step);
   if (!flow_.is_new()) last_frame_ = restart_step;
 }
 
@@ -48,103 +49,82 @@ void Results<Dim>::remove_ends(MPI_Comm comm, const std::string& folder) {
   MPI_Barrier(comm);
 }
 
+namespace {
+
+std::vector<Column> history_columns(const QuantityList& quantities) {
+  std::vector<Column> columns{{"step", "-"}};
+  for (const Column& column : quantities.columns()) columns.push_back(column);
+  return columns;
+}
+
+}  // namespace
+
 template <int Dim>
 void Results<Dim>::open_history(long restart_step) {
-  history_.emplace(system_.grid.comm(), folder_ + "/history.csv", measures_.columns(), restart_step);
+  history_.emplace(system_.model.grid.comm(), folder_ + "/history.csv", history_columns(measures_.quantities()),
+                   restart_step);
   if (cloth_)
-    tracks_.emplace(system_.grid.comm(), folder_ + "/tracks.csv", measures_.cloth().track_columns(), restart_step);
+    tracks_.emplace(system_.model.grid.comm(), folder_ + "/tracks.csv", measures_.cloth().track_columns(),
+                    restart_step);
 }
 
 template <int Dim>
 void Results<Dim>::write_frame(long step) {
   if (step == last_frame_) return;
   last_frame_ = step;
-  const double time = system_.fluid.time();
-  flow_.write(time, step, system_.fluid.velocity(), system_.fluid.pressure());
+  const double time = system_.state.clock.time;
+  flow_.write(time, step, system_.model.fluid.velocity(), system_.model.fluid.pressure());
   if (bodies_) bodies_->write(time, step);
-  if (cloth_) cloth_->write(time, step, system_.positions, system_.velocities);
+  if (cloth_) cloth_->write(time, step, system_.state.positions, system_.state.velocities, measures_.cloth().fields());
 }
 
 template <int Dim>
-void Results<Dim>::write_row(long step, double dt) {
-  history_->append(step, measures_.row(dt));
+void Results<Dim>::write_row(long step) {
+  history_->append(step, measures_.quantities().row());
   if (tracks_) tracks_->append(step, measures_.cloth().track_row());
 }
 
 template <int Dim>
 void Results<Dim>::write_final() const {
   for (const auto& profile : profiles_)
-    profile.write(system_.grid, system_.boundary, system_.fluid.velocity(), system_.fluid.pressure(),
-                  system_.fluid.time(), folder_);
+    profile.write(system_.model.grid, system_.model.boundary, system_.model.fluid.velocity(),
+                  system_.model.fluid.pressure(), system_.state.clock.time, folder_);
   if (cloth_)
-    write_marker_table<Dim>(system_.grid.comm(), folder_ + "/cloth_final.csv", system_.cloths, system_.positions,
-                            system_.velocities);
+    write_marker_table<Dim>(system_.model.grid.comm(), folder_ + "/cloth_final.csv", system_.model.cloths,
+                            system_.state.positions, system_.state.velocities);
 }
-
-namespace {
-
-template <int Dim>
-nlohmann::ordered_json json_of(const Load<Dim>& load) {
-  nlohmann::ordered_json json;
-  json["force"] = std::vector<double>(load.force.data(), load.force.data() + Dim);
-  if (Dim == 2)
-    json["torque"] = load.torque[0];
-  else
-    json["torque"] = std::vector<double>(load.torque.data(), load.torque.data() + rotation_components<Dim>);
-  return json;
-}
-
-}  // namespace
 
 template <int Dim>
 void Results<Dim>::write_summary(const RunSummary& summary) const {
-  const SolverCounts& counts = system_.fluid.counts();
-  const double steps = counts.steps > 0 ? counts.steps : 1;
+  const SolverCounts& counts = system_.model.fluid.counts();
+  const double steps = std::max(1.0, static_cast<double>(system_.state.clock.step));
   nlohmann::ordered_json json;
   json["program"] = "washfsi";
   json["version"] = version_text;
   json["git"] = git_text;
   json["case"] = summary.case_name;
   json["status"] = summary.status;
-  json["ranks"] = ranks_of(system_.grid.comm());
+  json["ranks"] = ranks_of(system_.model.grid.comm());
   json["steps"] = summary.steps;
   json["time"] = summary.time;
   json["wall_seconds"] = summary.wall_seconds;
   json["seconds_per_step"] = summary.seconds_per_step;
   json["iterations"] = {{"momentum", counts.momentum / steps},
                         {"pressure", counts.pressure / steps},
-                        {"cloth", system_.cloth_iterations / steps}};
-  json["max_divergence"] = measures_.largest_divergence();
-  json["peak_memory_bytes"] = std::llround(peak_memory(system_.grid.comm()));
-  json["bodies"] = nlohmann::ordered_json::object();
-  for (std::size_t b = 0; b < system_.bodies.size(); ++b) {
-    auto& body = json["bodies"][system_.bodies[b].name];
-    body = json_of(measures_.loads()[b]);
-    body["power"] = measures_.powers()[b];
-    if (measures_.has_balance()) body["balance"] = json_of(measures_.balance_loads()[b]);
-  }
-  json["walls"] = nlohmann::ordered_json::object();
-  const auto walls = measures_.wall_names();
-  for (std::size_t w = 0; w < walls.size(); ++w) json["walls"][walls[w]] = json_of(measures_.loads_on_walls()[w]);
-  json["cloths"] = nlohmann::ordered_json::object();
-  for (std::size_t g = 0; g < measures_.cloth().groups().size(); ++g) {
-    const GroupMeasures& group = measures_.cloth().groups()[g];
-    auto& cloth = json["cloths"][system_.cloths.groups()[g].name];
-    const auto& quantities = marker_quantities<Dim>();
-    for (std::size_t n = 0; n < quantities.size(); ++n) {
-      cloth[quantities[n].name + "_mean"] = group.mean[n];
-      cloth[quantities[n].name + "_std"] = group.deviation[n];
-    }
-    cloth["max_stretch"] = group.max_stretch;
-    cloth["max_depth"] = group.max_depth;
-    if (Dim == 3)
-      cloth["tumbles"] = group.tumbles;
+                        {"cloth", system_.step.cloth_iterations / steps}};
+  json["max_divergence"] = measures_.quantities().summary_value("/max_divergence");
+  json["peak_memory_bytes"] = std::llround(peak_memory(system_.model.grid.comm()));
+  for (const char* part : {"bodies", "walls", "cloths"}) json[part] = nlohmann::ordered_json::object();
+  for (const auto& [pointer, value, is_count] : measures_.quantities().summary()) {
+    auto& entry = json[nlohmann::ordered_json::json_pointer(pointer)];
+    if (is_count)
+      entry = std::llround(value);
     else
-      cloth["tumbles"] = nullptr;  // a turn needs three dimensions
+      entry = value;
   }
-  if (const ClothCrossings* crossings = measures_.cloth().crossings())
-    json["cloth_crossings"] = std::llround(crossings->crossings());
-  write_text_file(system_.grid.comm(), folder_ + "/summary.json", json.dump(2) + "\n");
+  if (Dim == 2)  // a turn needs three dimensions
+    for (auto& cloth : json["cloths"]) cloth["tumbles"] = nullptr;
+  write_text_file(system_.model.grid.comm(), folder_ + "/summary.json", json.dump(2) + "\n");
 }
 
 template class Results<2>;

@@ -4,9 +4,9 @@
 #include <memory>
 #include <optional>
 
+#include "washfsi/measure/measures.hpp"
 #include "washfsi/output/profile.hpp"
 #include "washfsi/output/series.hpp"
-#include "washfsi/simulation/measures.hpp"
 
 namespace washfsi {
 
@@ -38,7 +38,7 @@ class Results {
   /// A frame of each series.
   void write_frame(long step);
   /// A row of history.csv and of tracks.csv.
-  void write_row(long step, double dt);
+  void write_row(long step);
   /// Profiles and the final marker table.
   void write_final() const;
   void write_summary(const RunSummary& summary) const;

@@ -23,18 +23,11 @@ std::string format(const char* pattern, Arguments... arguments) {
 template <int Dim>
 std::string grid_text(const Grid<Dim>& grid) {
   std::vector<std::string> counts, spacings;
-  for (std::size_t d = 0; d < Dim; ++d) {
+  for (int d = 0; d < Dim; ++d) {
     counts.push_back(std::to_string(grid.cells()[d]));
-    spacings.push_back(format("%.4g", grid.spacing()[static_cast<int>(d)]));
+    spacings.push_back(format("%.4g", grid.spacing()[d]));
   }
   return join(counts, " x ") + " cells of " + join(spacings, " x ") + " m";
-}
-
-std::string chosen_type(const char* option, const char* otherwise) {
-  std::array<char, 64> value{};
-  PetscBool given = PETSC_FALSE;
-  WASH_PETSC(PetscOptionsGetString(nullptr, nullptr, option, value.data(), value.size(), &given));
-  return given ? value.data() : otherwise;
 }
 
 }  // namespace
@@ -43,28 +36,28 @@ template <int Dim>
 Simulation<Dim>::Simulation(Options& options, std::string case_name)
     : case_name_(std::move(case_name)), progress_(options.comm()) {
   run_ = RunOptions::from_options(options);
-  const CouplingOptions coupling = CouplingOptions::from_options(options);
-  const SystemOptions<Dim> system = SystemOptions<Dim>::from_options(options);
-  std::vector<Body<Dim>> bodies = bodies_from_options<Dim>(options, system.grid.shape.spacing().minCoeff());
-  profiles_ = profiles_from_options<Dim>(options, system.grid.shape.lower, system.grid.shape.upper);
+  const auto chosen = CaseOptions<Dim>::from_options(options);
+  const GridShape<Dim>& shape = chosen.model.grid.shape;
+  std::vector<Body<Dim>> bodies = bodies_from_options<Dim>(options, shape.spacing().minCoeff());
+  profiles_ = profiles_from_options<Dim>(options, shape.lower, shape.upper);
   if (options.help()) return;
 
-  system_ = std::make_unique<System<Dim>>(options.comm(), system, std::move(bodies));
-  coupling_ = system_->has_fluid ? coupling.scheme : "to nothing";
-  scheme_ = make_coupling_scheme<Dim>(coupling, *system_);
-  body_speeds_ = std::make_unique<BodySpeeds<Dim>>(*system_);
-  measures_ = std::make_unique<Measures<Dim>>(*system_);
+  system_ = start_system<Dim>(options.comm(), chosen, std::move(bodies));
+  coupling_ = system_->model.has_fluid ? chosen.coupling.scheme : "to nothing";
+  scheme_ = make_coupling_scheme<Dim>(chosen.coupling, *system_);
+  body_speeds_ = std::make_unique<BodySpeeds<Dim>>(system_->model);
+  measures_ = std::make_unique<Measures<Dim>>(*system_, chosen.measure);
   if (!run_.restart.empty()) {
     state_ = read_checkpoint<Dim>(run_.restart, *system_, *measures_);
-    first_step_ = state_.step;
+    first_step_ = clock().step;
     if (finished())
       throw InputError("-time_end " + to_text(run_.time_end) +
-                       ": must be later than the checkpoint of -restart, which is at " +
-                       to_text(system_->fluid.time()) + " s");
+                       ": must be later than the checkpoint of -restart, which is at " + to_text(clock().time) + " s");
   }
   choose_time_step();
   if (run_.time_cfl == 0) options.record("time_step", state_.dt);
   options.reject_unread();
+  notes_ = options.notes();
   start_results(options);
 }
 
@@ -74,7 +67,7 @@ void Simulation<Dim>::choose_time_step() {
   if (state_.cloth_bound == 0) find_cloth_bound();
   if (state_.dt > 0) return;  // the user's, or that of the checkpoint
   const double courant = run_.time_cfl > 0 ? run_.time_cfl : 0.3;
-  state_.dt = std::min(longest_step(), courant * flow_time<Dim>(*system_, *body_speeds_));
+  state_.dt = std::min(longest_step(), courant * flow_time<Dim>(system_->model, *body_speeds_));
   if (!std::isfinite(state_.dt))
     throw InputError("-time_step is missing: nothing moves at the start from which it could be chosen");
 }
@@ -99,7 +92,7 @@ void Simulation<Dim>::adapt_time_step() {
   constexpr double most_growth = 1.05;
   const double for_flow = state_.dt * run_.time_cfl / measures_->flow().courant.value;  // infinite at rest
   state_.dt = std::min({most_growth * state_.dt, longest_step(), for_flow});
-  state_.dt = body_speeds_->longest_step(system_->fluid.time(), state_.dt, run_.time_cfl);
+  state_.dt = body_speeds_->longest_step(clock().time, state_.dt, run_.time_cfl);
 }
 
 template <int Dim>
@@ -110,12 +103,12 @@ void Simulation<Dim>::start_results(Options& options) {
     make_writable_folder(options.comm(), run_.output_dir);
   }
   write_text_file(options.comm(), run_.output_dir + "/resolved.opts", options.resolved());
-  const long continues_from = run_.restart.empty() || run_.check ? -1 : state_.step;
+  const long continues_from = run_.restart.empty() || run_.check ? -1 : clock().step;
   if (continues_from < 0 && !run_.check) Results<Dim>::remove_ends(options.comm(), run_.output_dir);
   results_ = std::make_unique<Results<Dim>>(*system_, *measures_, profiles_, run_.output_dir, continues_from);
   if (!run_.check) results_->open_history(continues_from);
   measures_->observe_start(state_.dt);
-  results_->write_frame(state_.step);
+  results_->write_frame(clock().step);
 }
 
 template <int Dim>
@@ -128,7 +121,7 @@ void Simulation<Dim>::run() {
     bool stopped = false;
     while (!finished() && !stopped) {
       step();
-      stopped = signals.requested(system_->grid.comm());
+      stopped = signals.requested(system_->model.grid.comm());
     }
     write_checkpoint<Dim>(run_.output_dir, *system_, *measures_, state_);
     end(stopped ? "stopped" : "finished");
@@ -142,29 +135,28 @@ void Simulation<Dim>::run() {
 
 template <int Dim>
 void Simulation<Dim>::step() {
-  if (state_.step > 0) adapt_time_step();
-  attempted_step_ = state_.step + 1;
-  attempt_start_ = system_->fluid.time();
+  if (clock().step > 0) adapt_time_step();
+  attempted_step_ = clock().step + 1;
+  attempt_start_ = clock().time;
   const bool all = measures_all(attempt_start_ + state_.dt);
   if (all) measures_->prepare();
   scheme_->advance(*system_, state_.dt);
-  state_.step = attempted_step_;
   check_markers();  // before anything is measured: crossings look at all space between a cloth's markers
   measures_->observe(state_.dt, all);
   check_velocity();
   watch_rest();
   if (run_.time_cfl > 0) find_cloth_bound();
-  const double time = system_->fluid.time();
-  if (all) results_->write_row(state_.step, state_.dt);
-  if (due(run_.output_interval, time)) results_->write_frame(state_.step);
+  const double time = clock().time;
+  if (all) results_->write_row(clock().step);
+  if (due(run_.output_interval, time)) results_->write_frame(clock().step);
   if (due(run_.checkpoint_interval, time)) write_checkpoint<Dim>(run_.output_dir, *system_, *measures_, state_);
-  if (state_.step % 50 == 0) watch_step_bound();
-  progress_.show({.step = state_.step,
+  if (clock().step % 50 == 0) watch_step_bound();
+  progress_.show({.step = clock().step,
                   .time = time,
                   .end = run_.time_end,
                   .courant = measures_->flow().courant.value,
-                  .momentum_iterations = system_->fluid.counts().momentum / system_->fluid.counts().steps,
-                  .pressure_iterations = system_->fluid.counts().pressure / system_->fluid.counts().steps});
+                  .momentum_iterations = system_->model.fluid.counts().momentum / static_cast<double>(clock().step),
+                  .pressure_iterations = system_->model.fluid.counts().pressure / static_cast<double>(clock().step)});
 }
 
 // Whether a multiple of the interval lies in the step that ends at a time.
@@ -178,7 +170,7 @@ bool Simulation<Dim>::due(double interval, double time) const {
 template <int Dim>
 bool Simulation<Dim>::measures_all(double time) const {
   return run_.history_interval == 0 || due(run_.history_interval, time) ||
-         ends(state_.step + 1, time, state_.steps_at_rest + 1);
+         ends(clock().step + 1, time, state_.steps_at_rest + 1);
 }
 
 template <int Dim>
@@ -193,9 +185,9 @@ void Simulation<Dim>::watch_rest() {
   if (run_.rest_speed == 0) return;
   int& steps = state_.steps_at_rest;
   double fastest = 0;
-  for (const auto& velocity : system_->velocities) fastest = std::max(fastest, velocity.norm());
-  fastest *= 1 + system_->cloth_slip;  // so that the water round them rests too
-  if (largest(system_->grid.comm(), fastest) >= run_.rest_speed)
+  for (const auto& velocity : system_->state.velocities) fastest = std::max(fastest, velocity.norm());
+  fastest *= 1 + system_->step.cloth_slip;  // so that the water round them rests too
+  if (largest(system_->model.grid.comm(), fastest) >= run_.rest_speed)
     steps = 0;
   else if (steps != RunState::not_moved)
     ++steps;
@@ -203,11 +195,11 @@ void Simulation<Dim>::watch_rest() {
 
 template <int Dim>
 void Simulation<Dim>::check_markers() const {
-  const Points<Dim>& positions = system_->positions;
-  if (system_->has_fluid) return system_->transfer.check_inside(positions);
+  const Points<Dim>& positions = system_->state.positions;
+  if (system_->model.has_fluid) return system_->model.transfer.check_inside(positions);
   const bool finite =
       std::all_of(positions.begin(), positions.end(), [](const Point<Dim>& place) { return place.allFinite(); });
-  if (any_rank(system_->grid.comm(), !finite)) throw DivergedError("cloth: a marker's place is not finite");
+  if (any_rank(system_->model.grid.comm(), !finite)) throw DivergedError("cloth: a marker's place is not finite");
 }
 
 template <int Dim>
@@ -236,12 +228,13 @@ void Simulation<Dim>::watch_step_bound() {
   progress_.note(
       format("warning: -time_step %.3g s exceeds the bound %.3g s of the coupling for the cloth as it"
              " lies at t = %.4g s",
-             state_.dt, bound, system_->fluid.time()));
+             state_.dt, bound, clock().time));
 }
 
 template <int Dim>
 void Simulation<Dim>::print_banner() {
-  const System<Dim>& system = *system_;
+  const Model<Dim>& system = system_->model;
+  for (const std::string& note : notes_) progress_.note(note);
   progress_.note(format("washfsi: case %s, %d rank%s", case_name_.c_str(), ranks_of(system.grid.comm()),
                         ranks_of(system.grid.comm()) == 1 ? "" : "s"));
   progress_.note("  grid      " + grid_text(system.grid));
@@ -254,10 +247,11 @@ void Simulation<Dim>::print_banner() {
   if (!groups.empty())
     progress_.note("  cloth     " + join(groups, ", ") + " (" + std::to_string(system.cloths.marker_count()) +
                    " markers), coupled " + coupling_);
-  progress_.note("  solvers   momentum " + chosen_type("-momentum_ksp_type", "gmres") + "/" +
-                 chosen_type("-momentum_pc_type", "jacobi") + ", pressure " + chosen_type("-pressure_ksp_type", "cg") +
-                 "/" + chosen_type("-pressure_pc_type", "transform"));
-  const double bound = scheme_->step_bound(system);
+  progress_.note("  solvers   momentum " + petsc::option_value("", "-momentum_ksp_type", "gmres") + "/" +
+                 petsc::option_value("", "-momentum_pc_type", "jacobi") + ", pressure " +
+                 petsc::option_value("", "-pressure_ksp_type", "cg") + "/" +
+                 petsc::option_value("", "-pressure_pc_type", "transform"));
+  const double bound = scheme_->step_bound(*system_);
   progress_.note(format("  time      step %.4g s, end %.4g s", state_.dt, run_.time_end) +
                  (std::isfinite(bound) ? format(", bound of the coupling %.4g s", bound)
                   : groups.empty()     ? ""
@@ -267,8 +261,8 @@ void Simulation<Dim>::print_banner() {
 
 template <int Dim>
 void Simulation<Dim>::check_only() {
-  const double memory = peak_memory(system_->grid.comm());
-  const double before = progress_.wall_seconds(), start = system_->fluid.time();
+  const double memory = peak_memory(system_->model.grid.comm());
+  const double before = progress_.wall_seconds(), start = clock().time;
   constexpr int trial_steps = 3;
   for (int n = 0; n < trial_steps; ++n) scheme_->advance(*system_, state_.dt);  // only to time them
   const double per_step = (progress_.wall_seconds() - before) / trial_steps;
@@ -284,12 +278,12 @@ void Simulation<Dim>::end(const std::string& status) {
   RunSummary summary;
   summary.case_name = case_name_;
   summary.status = status;
-  summary.steps = state_.step;
-  summary.time = system_->fluid.time();
+  summary.steps = clock().step;
+  summary.time = clock().time;
   summary.wall_seconds = progress_.wall_seconds();
-  summary.seconds_per_step = summary.wall_seconds / static_cast<double>(std::max(1L, state_.step - first_step_));
+  summary.seconds_per_step = summary.wall_seconds / static_cast<double>(std::max(1L, clock().step - first_step_));
   if (status != "failed") {
-    results_->write_frame(state_.step);
+    results_->write_frame(clock().step);
     results_->write_final();
   }
   results_->write_summary(summary);
@@ -298,24 +292,25 @@ void Simulation<Dim>::end(const std::string& status) {
 
 template <int Dim>
 void Simulation<Dim>::print_summary(const RunSummary& summary) {
-  const SolverCounts& counts = system_->fluid.counts();
-  const double steps = std::max(1.0, counts.steps);
+  const SolverCounts& counts = system_->model.fluid.counts();
+  const double steps = std::max(1.0, static_cast<double>(clock().step));
   progress_.note(summary.status + " after " + std::to_string(summary.steps) +
                  " steps at t = " + format("%.6g", summary.time) + " s");
   progress_.note(
       format("  wall time          %.2f s, %.3f ms a step", summary.wall_seconds, 1e3 * summary.seconds_per_step));
   progress_.note(
       format("  iterations a step  momentum %.2f, pressure %.2f", counts.momentum / steps, counts.pressure / steps));
-  progress_.note(format("  max divergence     %.3e 1/s", measures_->largest_divergence()));
-  for (std::size_t b = 0; b < system_->bodies.size(); ++b)
-    progress_.note(format("  %-18s torque %.4g", system_->bodies[b].name.c_str(),
+  const QuantityList& quantities = measures_->quantities();
+  progress_.note(format("  max divergence     %.3e 1/s", quantities.summary_value("/max_divergence")));
+  for (std::size_t b = 0; b < system_->model.bodies.size(); ++b)
+    progress_.note(format("  %-18s torque %.4g", system_->model.bodies[b].name.c_str(),
                           measures_->loads()[b].torque[rotation_components<Dim> - 1]) +
                    (Dim == 2 ? " N (per metre: N m/m)" : " N m"));
   for (std::size_t g = 0; g < measures_->cloth().groups().size(); ++g) {
-    const GroupMeasures& group = measures_->cloth().groups()[g];
-    progress_.note(format("  %-18s mean stress %.4g Pa (+- %.3g), largest stretch %.3g %%",
-                          system_->cloths.groups()[g].name.c_str(), group.mean[0], group.deviation[0],
-                          100 * group.max_stretch));
+    const std::string& name = system_->model.cloths.groups()[g].name;
+    const auto of_run = [&](const char* quantity) { return quantities.summary_value("/cloths/" + name + quantity); };
+    progress_.note(format("  %-18s mean stress %.4g Pa (+- %.3g), largest stretch %.3g %%", name.c_str(),
+                          of_run("/stress_mean"), of_run("/stress_std"), 100 * of_run("/max_stretch")));
   }
   progress_.note("  results            " + run_.output_dir);
 }

@@ -4,11 +4,10 @@
 #include <memory>
 
 #include "washfsi/output/progress.hpp"
+#include "washfsi/simulation/case.hpp"
 #include "washfsi/simulation/checkpoint.hpp"
-#include "washfsi/simulation/coupling_scheme.hpp"
 #include "washfsi/simulation/options.hpp"
 #include "washfsi/simulation/results.hpp"
-#include "washfsi/simulation/step_bound.hpp"
 #include "washfsi/simulation/stop_signals.hpp"
 
 namespace washfsi {
@@ -39,13 +38,15 @@ class Simulation {
   bool due(double interval, double time) const;
   bool measures_all(double time) const;
   bool ends(long step, double time, int steps_at_rest) const;
-  bool finished() const { return ends(state_.step, system_->fluid.time(), state_.steps_at_rest); }
+  bool finished() const { return ends(clock().step, clock().time, state_.steps_at_rest); }
+  const Clock& clock() const { return system_->state.clock; }
   void watch_rest();
   void end(const std::string& status);
   void print_summary(const RunSummary& summary);
 
   RunOptions run_;
   std::string case_name_, coupling_;
+  std::vector<std::string> notes_;  ///< on the options
   std::vector<Profile<Dim>> profiles_;
   std::unique_ptr<System<Dim>> system_;
   std::unique_ptr<CouplingScheme<Dim>> scheme_;

@@ -66,6 +66,13 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
   return row[b.size()];
 }
 
+bool is_on_command_line(const std::string& option) {
+  int count = 0;
+  char** words = nullptr;
+  WASH_PETSC(PetscGetArgs(&count, &words));
+  return std::find(words, words + count, option) != words + count;
+}
+
 // Options that PETSc itself reads, some of them only when it finalizes.
 bool belongs_to_petsc(const std::string& name) {
   static constexpr std::array<std::string_view, 40> starts{
@@ -89,18 +96,23 @@ bool is_read_after_solving(const std::string& name) {
 
 }  // namespace
 
-Options::Options(MPI_Comm comm) : comm_(comm) {
+Options::Options(MPI_Comm comm, bool documents) : comm_(comm), documents_(documents) {
   PetscBool asked = PETSC_FALSE;
   WASH_PETSC(PetscOptionsHasHelp(nullptr, &asked));
-  help_ = asked == PETSC_TRUE;
+  help_ = asked == PETSC_TRUE || documents;
+}
+
+std::vector<std::string> Options::examples(const char* name, const char* placeholder) const {
+  if (!help_) return {};
+  return {documents_ ? placeholder : name};
 }
 
 void Options::block(const std::string& prefix, const std::string& title,
-                    const std::function<void(OptionBlock&)>& declare) {
+                    const std::function<void(OptionBlock&)>& declare, const std::string& fallback) {
   std::exception_ptr failure;  // an exception must not leave PETSc's block half open
   WASH_PETSC(open_block(comm_, prefix.c_str(), title.c_str(), [&](PetscOptionItems* items) {
     try {
-      OptionBlock block(*this, items, prefix);
+      OptionBlock block(*this, items, title, prefix, fallback);
       declare(block);
     } catch (...) {
       failure = std::current_exception();
@@ -110,12 +122,31 @@ void Options::block(const std::string& prefix, const std::string& title,
 }
 
 void Options::claim_prefix(const std::string& name, const std::string& option) {
-  static constexpr std::array<std::string_view, 15> ours{"grid",     "bc",       "fluid",  "body",   "bodies",
-                                                         "machine",  "cloth",    "cloths", "delta",  "contact",
-                                                         "momentum", "pressure", "time",   "output", "checkpoint"};
+  static constexpr std::array<std::string_view, 16> ours{
+      "grid",  "bc",      "fluid",    "body",     "bodies", "machine", "cloth",      "cloths",
+      "delta", "contact", "momentum", "pressure", "time",   "output",  "checkpoint", "coupling"};
   const bool reserved = std::find(ours.begin(), ours.end(), name) != ours.end() || belongs_to_petsc(name + "_");
   if (reserved || !claimed_.insert(name).second)
     throw InputError(option + " " + name + ": this name is taken by another part of the run; choose another");
+}
+
+void Options::alias(const std::string& old_name, const std::string& name) {
+  if (!petsc::option_given("", "-" + old_name)) return;
+  const bool both = petsc::option_given("", "-" + name);
+  const bool old_on_line = is_on_command_line("-" + old_name), new_on_line = is_on_command_line("-" + name);
+  if (both && old_on_line == new_on_line)
+    throw InputError("-" + old_name + ": is the old name of -" + name + ", which is given too; leave one out");
+  const std::string value = database().at(old_name);
+  WASH_PETSC(PetscOptionsClearValue(nullptr, ("-" + old_name).c_str()));
+  if (both && new_on_line) return;  // it overrides the file
+  WASH_PETSC(PetscOptionsSetValue(nullptr, ("-" + name).c_str(), value.empty() ? nullptr : value.c_str()));
+  old_names_[name] = old_name;
+  notes_.push_back("note: -" + old_name + " is the old name of -" + name);
+}
+
+std::string Options::as_given(const std::string& name) const {
+  const auto old = old_names_.find(name);
+  return old == old_names_.end() ? name : old->second;
 }
 
 void Options::record(const std::string& name, double value) {
@@ -174,18 +205,27 @@ std::string Options::resolved() const {
 }
 
 std::optional<std::string> OptionBlock::ask(const std::string& name, const std::string& current,
-                                            const std::string& help) {
+                                            const Description& description) {
+  const std::string brackets = description.unit.empty() ? description.allowed : description.unit;
+  const std::string help = description.meaning + (brackets.empty() ? "" : " [" + brackets + "]");
   std::vector<char> buffer(1 << 20);  // lists of corners may be long
   PetscBool given = PETSC_FALSE;
   WASH_PETSC(
       ask_string(items_, ("-" + name).c_str(), help.c_str(), current.c_str(), buffer.data(), buffer.size(), &given));
-  options_.values_[prefix_ + name] = given ? buffer.data() : current;
+  std::string value = given ? buffer.data() : current;
+  if (!given && !fallback_.empty() && petsc::option_given("", "-" + fallback_ + name)) {
+    given = PETSC_TRUE;
+    value = Options::database().at(fallback_ + name);
+  }
+  options_.values_[prefix_ + name] = value;
+  options_.declared_.push_back(
+      {title_, prefix_ + name, value, description.unit, description.meaning, description.allowed});
   if (!given) return std::nullopt;
-  return std::string(buffer.data());
+  return value;
 }
 
 void OptionBlock::refuse(const std::string& name, const std::string& value, const std::string& allowed) const {
-  throw InputError("-" + prefix_ + name + " " + value + ": must be " + allowed);
+  throw InputError("-" + as_given(name) + " " + value + ": must be " + allowed);
 }
 
 double OptionBlock::number(const std::string& name, const std::string& word, const Range& range) const {
@@ -197,12 +237,12 @@ double OptionBlock::number(const std::string& name, const std::string& word, con
 }
 
 void OptionBlock::real(const std::string& name, double& value, const char* unit, const Range& range, const char* help) {
-  const auto given = ask(name, to_text(value), std::string(help) + " [" + unit + "]");
+  const auto given = ask(name, to_text(value), {help, unit, range.text});
   if (given) value = number(name, *given, range);
 }
 
 void OptionBlock::integer(const std::string& name, PetscInt& value, const Range& range, const char* help) {
-  const auto given = ask(name, std::to_string(value), std::string(help) + " [-]");
+  const auto given = ask(name, std::to_string(value), {help, "-", range.text});
   if (!given) return;
   const double result = number(name, *given, range);
   if (result != std::floor(result)) refuse(name, *given, range.text);
@@ -210,7 +250,7 @@ void OptionBlock::integer(const std::string& name, PetscInt& value, const Range&
 }
 
 void OptionBlock::boolean(const std::string& name, bool& value, const char* help) {
-  const auto given = ask(name, value ? "true" : "false", std::string(help) + " [true|false]");
+  const auto given = ask(name, value ? "true" : "false", {help, "", "true|false"});
   if (!given) return;
   const std::string& word = *given;
   const bool yes = word.empty() || word == "true" || word == "1" || word == "yes";
@@ -220,7 +260,7 @@ void OptionBlock::boolean(const std::string& name, bool& value, const char* help
 }
 
 void OptionBlock::text(const std::string& name, std::string& value, const char* help) {
-  const auto given = ask(name, value, help);
+  const auto given = ask(name, value, {help, "", ""});
   if (!given) return;
   const bool blank = std::any_of(given->begin(), given->end(), [](unsigned char c) { return std::isspace(c); });
   if (given->empty() || blank) refuse(name, *given, "a text without blanks");
@@ -230,14 +270,14 @@ void OptionBlock::text(const std::string& name, std::string& value, const char* 
 void OptionBlock::choice(const std::string& name, std::string& value, const std::vector<std::string>& allowed,
                          const char* help) {
   const std::string list = join(allowed, "|");
-  const auto given = ask(name, value, std::string(help) + " [" + list + "]");
+  const auto given = ask(name, value, {help, "", list});
   if (!given) return;
   if (std::find(allowed.begin(), allowed.end(), *given) == allowed.end()) refuse(name, *given, "one of " + list);
   value = *given;
 }
 
 void OptionBlock::names(const std::string& name, std::vector<std::string>& value, const char* help) {
-  const auto given = ask(name, join(value, ","), std::string(help) + " [names]");
+  const auto given = ask(name, join(value, ","), {help, "", "names"});
   if (!given) return;
   value = split(*given, ',');
   for (std::size_t i = 0; i < value.size(); ++i) {
@@ -254,11 +294,11 @@ void OptionBlock::reals(const std::string& name, std::vector<double>& value, std
                         const char* unit, const char* help) {
   std::vector<std::string> words;
   for (const double v : value) words.push_back(to_text(v));
-  const auto given = ask(name, join(words, ","), std::string(help) + " [" + unit + "]");
+  const std::string count = std::to_string(fewest) + (most > fewest && most < 1000 ? " or " + std::to_string(most) : "");
+  const auto given = ask(name, join(words, ","), {help, unit, (most < 1000 ? count : "any") + " numbers"});
   if (!given) return;
   words = split(*given, ',');
   if (words.size() < fewest || words.size() > most) {
-    const std::string count = std::to_string(fewest) + (most > fewest ? " or " + std::to_string(most) : "");
     refuse(name, *given, count + " numbers separated by commas (" + std::to_string(words.size()) + " given)");
   }
   if (std::find(words.begin(), words.end(), "") != words.end()) refuse(name, *given, "numbers separated by commas");
@@ -267,9 +307,14 @@ void OptionBlock::reals(const std::string& name, std::vector<double>& value, std
 }
 
 bool OptionBlock::given(const std::string& name) const {
-  PetscBool set = PETSC_FALSE;
-  WASH_PETSC(PetscOptionsHasName(nullptr, nullptr, ("-" + prefix_ + name).c_str(), &set));
-  return set == PETSC_TRUE;
+  return petsc::option_given("", "-" + prefix_ + name) ||
+         (!fallback_.empty() && petsc::option_given("", "-" + fallback_ + name));
+}
+
+// As the user wrote it, with the prefix for all or an old name.
+std::string OptionBlock::as_given(const std::string& name) const {
+  const bool is_for_all = !petsc::option_given("", "-" + prefix_ + name) && given(name);
+  return options_.as_given((is_for_all ? fallback_ : prefix_) + name);
 }
 
 void OptionBlock::require(const std::string& name, const char* meaning) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <map>
@@ -29,20 +30,54 @@ inline constexpr Range non_negative{0.0, std::numeric_limits<double>::infinity()
 inline constexpr Range at_least_one{1.0, 1e9, false, "a whole number >= 1"};
 inline constexpr Range non_negative_integer{0.0, 2e9, false, "a whole number >= 0"};
 
+/// The values of an enumeration with the names that users give them, in the order in which they are told. For each
+/// enumeration that is an option there is a function `names_of(Enum)` beside it.
+template <class Enum>
+using ChoiceNames = std::vector<std::pair<std::string, Enum>>;
+
+/// The name of a value, as users write it.
+template <class Enum>
+std::string name_of(Enum value) {
+  for (const auto& [name, named] : names_of(value))
+    if (named == value) return name;
+  return {};
+}
+
 class Options;
+
+/// An option as it was declared.
+struct DeclaredOption {
+  std::string block, name, value;      ///< title of its block; the value used, or the default
+  std::string unit, meaning, allowed;  ///< what it may be
+};
 
 /// The options of one part of the program: each call declares one (for -help), reads it from PETSc's database
 /// and checks it. Errors: InputError naming option, value and what is allowed. Collective.
 class OptionBlock {
  public:
-  OptionBlock(Options& options, PetscOptionItems* items, std::string prefix)
-      : options_(options), items_(items), prefix_(std::move(prefix)) {}
+  OptionBlock(Options& options, PetscOptionItems* items, std::string title, std::string prefix, std::string fallback)
+      : options_(options),
+        items_(items),
+        title_(std::move(title)),
+        prefix_(std::move(prefix)),
+        fallback_(std::move(fallback)) {}
 
   void real(const std::string& name, double& value, const char* unit, const Range& range, const char* help);
   void integer(const std::string& name, PetscInt& value, const Range& range, const char* help);
   void boolean(const std::string& name, bool& value, const char* help);
   void text(const std::string& name, std::string& value, const char* help);
   void choice(const std::string& name, std::string& value, const std::vector<std::string>& allowed, const char* help);
+  /// One of the values of an enumeration, by its name (see `ChoiceNames`); of those in `allowed` if that is not empty.
+  template <class Enum>
+  void choice(const std::string& name, Enum& value, const char* help, const std::vector<Enum>& allowed = {}) {
+    std::vector<std::string> names;
+    for (const auto& [known, of] : names_of(value))
+      if (allowed.empty() || std::find(allowed.begin(), allowed.end(), of) != allowed.end()) names.push_back(known);
+    std::string chosen = name_of(value);
+    choice(name, chosen, names, help);
+    for (const auto& [known, of] : names_of(value))
+      if (known == chosen) value = of;
+  }
   void names(const std::string& name, std::vector<std::string>& value, const char* help);
   /// A list whose length must be from `fewest` to `most`.
   void reals(const std::string& name, std::vector<double>& value, std::size_t fewest, std::size_t most,
@@ -53,31 +88,48 @@ class OptionBlock {
   void point(const std::string& name, Point<Dim>& value, const char* unit, const char* help) {
     std::vector<double> list(value.data(), value.data() + Dim);
     reals(name, list, Dim, Dim, unit, help);
-    for (int d = 0; d < Dim; ++d) value[d] = list[static_cast<std::size_t>(d)];
+    for (int d = 0; d < Dim; ++d) value[d] = list[d];
   }
 
-  /// Whether the user gave this option.
+  /// Whether the user gave this option, or the one for all.
   bool given(const std::string& name) const;
   /// Stops with one line unless the user gave this option.
   void require(const std::string& name, const char* meaning) const;
+  /// Stops with one line: the option, its value, "must be" and what is allowed.
+  [[noreturn]] void refuse(const std::string& name, const std::string& value, const std::string& allowed) const;
 
  private:
-  std::optional<std::string> ask(const std::string& name, const std::string& current, const std::string& help);
-  [[noreturn]] void refuse(const std::string& name, const std::string& value, const std::string& allowed) const;
+  struct Description {
+    std::string meaning, unit, allowed;
+  };
+  std::optional<std::string> ask(const std::string& name, const std::string& current, const Description& description);
   double number(const std::string& name, const std::string& word, const Range& range) const;
+  std::string as_given(const std::string& name) const;
 
   Options& options_;
   PetscOptionItems* items_;
-  std::string prefix_;
+  std::string title_, prefix_, fallback_;
 };
 
 /// Every option the program knows, as it is declared: for the resolved options file and for spelling help.
 class Options {
  public:
-  explicit Options(MPI_Comm comm);
+  /// `documents`: only to tell what options there are.
+  explicit Options(MPI_Comm comm, bool documents = false);
 
-  /// Opens a block of options that share a prefix (may be empty). Collective.
-  void block(const std::string& prefix, const std::string& title, const std::function<void(OptionBlock&)>& declare);
+  /// Opens a block of options that share a prefix (may be empty). Where the user gives none, one with the prefix
+  /// `fallback` counts: -cloths_ke for the -NAME_ke of each group of cloths. Collective.
+  void block(const std::string& prefix, const std::string& title, const std::function<void(OptionBlock&)>& declare,
+             const std::string& fallback = "");
+
+  /// Lets an old name stand for the present one, to be called before that is read; `notes` say so. What is on the
+  /// command line counts more than what is in a file, by either name. Errors: InputError if the user gave both in one
+  /// place.
+  void alias(const std::string& old_name, const std::string& name);
+  /// A name as the user gave it: the old one, perhaps.
+  std::string as_given(const std::string& name) const;
+  /// A line for each old name that the user gave.
+  const std::vector<std::string>& notes() const { return notes_; }
 
   /// Replaces the recorded value of an option that the program has worked out itself.
   void record(const std::string& name, const std::string& value) { values_[name] = value; }
@@ -96,16 +148,24 @@ class Options {
   static std::map<std::string, std::string> database();
 
   MPI_Comm comm() const { return comm_; }
-  /// True if the user asked for -help: required options are then not required.
+  /// True if the user asked for -help or a document: required options are then not required, and nothing is built.
   bool help() const { return help_; }
+  /// Names for lists of names that the user leaves empty, so that help and document show the options of one: the first
+  /// for help. None otherwise.
+  std::vector<std::string> examples(const char* name, const char* placeholder) const;
+  /// All options in the order in which they were declared.
+  const std::vector<DeclaredOption>& declared() const { return declared_; }
 
  private:
   friend class OptionBlock;
   std::string nearest(const std::string& name) const;
 
   MPI_Comm comm_;
-  bool help_ = false;
+  bool help_ = false, documents_ = false;
+  std::vector<DeclaredOption> declared_;
   std::map<std::string, std::string> values_;
+  std::map<std::string, std::string> old_names_;  ///< that the user gave, by the present ones
+  std::vector<std::string> notes_;
   std::set<std::string> claimed_;  ///< prefixes chosen by the user
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/support/petsc.hpp"
 
+#include <array>
+
 #include <petsc/private/petscimpl.h>  // PetscObjectStateGet is documented for users but declared here
 
 namespace washfsi::petsc {
@@ -35,10 +37,22 @@ PetscErrorCode MutedErrors::remember(MPI_Comm, int, const char*, const char*, Pe
   return code;
 }
 
-void set_default_option(const std::string& name, const std::string& value) {
+bool option_given(const std::string& prefix, const std::string& name) {
   PetscBool given = PETSC_FALSE;
-  WASH_PETSC(PetscOptionsHasName(nullptr, nullptr, name.c_str(), &given));
-  if (!given) WASH_PETSC(PetscOptionsSetValue(nullptr, name.c_str(), value.c_str()));
+  WASH_PETSC(PetscOptionsHasName(nullptr, prefix.empty() ? nullptr : prefix.c_str(), name.c_str(), &given));
+  return given == PETSC_TRUE;
+}
+
+std::string option_value(const std::string& prefix, const std::string& name, const std::string& otherwise) {
+  std::array<char, 256> value{};
+  PetscBool given = PETSC_FALSE;
+  WASH_PETSC(PetscOptionsGetString(nullptr, prefix.empty() ? nullptr : prefix.c_str(), name.c_str(), value.data(),
+                                   value.size(), &given));
+  return given ? value.data() : otherwise;
+}
+
+void set_default_option(const std::string& name, const std::string& value) {
+  if (!option_given("", name)) WASH_PETSC(PetscOptionsSetValue(nullptr, name.c_str(), value.c_str()));
 }
 
 LogPart::LogPart(const char* name) {

@@ -148,6 +148,10 @@ class MutedErrors {
   std::string message_;
 };
 
+/// Whether an option is in the database, set by the user or as a default of ours. Names begin with a dash.
+bool option_given(const std::string& prefix, const std::string& name);
+/// Its value there, or another.
+std::string option_value(const std::string& prefix, const std::string& name, const std::string& otherwise);
 /// Sets an option in the database unless the user has: how our solver defaults reach options-only settings.
 void set_default_option(const std::string& name, const std::string& value);
 

@@ -17,21 +17,37 @@ using Point = Eigen::Matrix<double, Dim, 1>;
 template <int Dim>
 using Points = std::vector<Point<Dim>>;
 
+// Marker by marker, so that formulas over all markers read as such: x + dt * v.
+
+template <int Dim>
+Points<Dim>& operator+=(Points<Dim>& a, const Points<Dim>& b) {
+  for (std::size_t m = 0; m < a.size(); ++m) a[m] += b[m];
+  return a;
+}
+
+template <int Dim>
+Points<Dim> operator+(Points<Dim> a, const Points<Dim>& b) {
+  return std::move(a += b);
+}
+
+template <int Dim>
+Points<Dim> operator-(Points<Dim> a, const Points<Dim>& b) {
+  for (std::size_t m = 0; m < a.size(); ++m) a[m] -= b[m];
+  return a;
+}
+
+template <int Dim>
+Points<Dim> operator*(double factor, Points<Dim> a) {
+  for (auto& value : a) value *= factor;
+  return a;
+}
+
 /// A vector turned by a right angle about z.
 template <int Dim>
 Point<Dim> turned_left(const Point<Dim>& v) {
   Point<Dim> result = Point<Dim>::Zero();
   result.template head<2>() << -v[1], v[0];
   return result;
-}
-
-/// The way to a place from the nearest point of a segment, which may be a point.
-template <int Dim>
-Point<Dim> way_from_segment(const Point<Dim>& from, const Point<Dim>& along, const Point<Dim>& place) {
-  const Point<Dim> arm = place - from;
-  const double length2 = along.squaredNorm();
-  const double part = length2 > 0 ? std::clamp(arm.dot(along) / length2, 0.0, 1.0) : 0;
-  return arm - part * along;
 }
 
 /// Components of a rotation vector: 1 in the plane (about z), 3 in space.

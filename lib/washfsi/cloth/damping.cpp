@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/cloth/damping.hpp"
+
+#include <algorithm>
+
+namespace washfsi {
+
+template <int Dim>
+Damping<Dim>::Damping(const Cloths<Dim>& cloths)
+    : cloths_(cloths), any_(std::any_of(cloths.groups().begin(), cloths.groups().end(), [](const auto& group) {
+        return group.sheet.damping > 0;
+      })) {}
+
+template <int Dim>
+void Damping<Dim>::add_force(const Points<Dim>& positions, const Points<Dim>& velocities, Points<Dim>& forces) const {
+  if (!any_) return;
+  const Points<Dim> x = cloths_.with_halo(positions), u = cloths_.with_halo(velocities);
+  cloths_.add_by_patch(cloths_.patches(), forces, [&](const Patch& patch, std::span<Point<Dim>> of_patch) {
+    add_damping_forces<Dim>(cloths_.group_of(patch).sheet, cloths_.seen(x, patch), cloths_.seen(u, patch), of_patch);
+  });
+}
+
+template <int Dim>
+void Damping<Dim>::add_bound(std::span<StiffnessBound> bounds) const {
+  for (std::size_t m = 0; m < bounds.size(); ++m) bounds[m].damping += cloths_.group_of(m).sheet.damping;
+}
+
+template class Damping<2>;
+template class Damping<3>;
+
+}  // namespace washfsi

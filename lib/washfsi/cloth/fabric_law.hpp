@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a law of fabric offers to the lattice of a sheet (cloth/sheet.hpp). The energy of the membrane lies partly on
+// the lattice's edges, partly on its quads, each per undeformed area:
+//   sum over s-edges  ds dr warp(E11, bare)  +  sum over r-edges  ds dr weft(E22, bare)
+//     +  sum over quads  ds dr quad(E11 of two edges, E22 of two edges, 2 E12)
+// E are the Green-Lagrange strains. Half of an edge's area is on either side of it; `bare` = 0, 1/2 or 1 is the share
+// that has no quad, at the border of the cloth, where the stress across the edge is zero. A law whose energy is a
+// function of all three strains at a point has it all on the quads (cloth/pointwise_quad.hpp), and on the edges only
+// that of their bare share.
+//
+// To add a law: a class of this kind in two new files, and its name in the list of cloth/fabric.hpp.
+#pragma once
+
+#include <array>
+#include <concepts>
+
+#include "washfsi/support/options.hpp"
+
+namespace washfsi {
+
+/// The energy per area of an edge [J/m2] at a strain E; its derivative, the resultant N [N/m]; and that one's, the
+/// tangent modulus dN/dE [N/m].
+struct EdgeResponse {
+  double energy = 0, resultant = 0, tangent = 0;
+};
+
+/// Strains of a quad, in this order: E11 of its first and second edge along s, E22 of its first and second edge along
+/// r, and 2 E12; or their rates; or the resultants that do work on them, the derivatives of its energy per area [N/m].
+using QuadVector = Eigen::Matrix<double, 5, 1>;
+/// Second derivatives of a quad's energy per area [N/m].
+using QuadMatrix = Eigen::Matrix<double, 5, 5>;
+
+/// Which of a quad's strains are those at its corner p = 0..3, in the order of its markers: row by row.
+constexpr std::array<int, 3> strains_at_corner(int p) {
+  return {p % 2, 2 + p / 2, 4};
+}
+
+/// Second derivatives of an energy per area that couples no more than the means of a quad's edges,
+///   coupling <E11> <E22> + 1/2 shear (2 E12)^2    [N/m]
+struct MeanTangent {
+  double coupling = 0, shear = 0;
+
+  QuadVector operator*(const QuadVector& rates) const {
+    const double from_s = 0.25 * coupling * (rates[0] + rates[1]), from_r = 0.25 * coupling * (rates[2] + rates[3]);
+    return {from_r, from_r, from_s, from_s, shear * rates[4]};
+  }
+};
+
+/// Bending, linear in the curvature vectors D_s and D_r and in the twist vector D_q: per area
+///   1/2 f s |D_s|^2 + 1/2 f r |D_r|^2 + cross D_s . D_r + twist |D_q|^2,
+/// f = alone where only one of D_s and D_r exists, else 1; moduli in [N m].
+struct BendingModuli {
+  double s = 0, r = 0, cross = 0, twist = 0;
+  double alone = 1;
+};
+
+/// Bounds of the membrane's tangent moduli at all strains that are meant: of dN11/dE11, dN22/dE22 and dN12/d(2 E12)
+/// [N/m]; and of dN11/dE22 over the root of the first two.
+struct LargestModuli {
+  double s = 0, r = 0, shear = 0, poisson = 0;
+};
+
+/// The energy per area of a quad at its strains, and its derivatives.
+template <class Response>
+concept QuadResponse = requires(const Response& response, const QuadVector& rates) {
+  { response.energy() } -> std::convertible_to<double>;
+  { response.resultants() } -> std::convertible_to<QuadVector>;
+  { response.tangent() * rates } -> std::convertible_to<QuadVector>;  ///< a MeanTangent or a QuadMatrix
+};
+
+/// A law of fabric, a value. Without strain there are no resultants.
+template <class Law>
+concept FabricLaw = std::copyable<Law> && requires(const Law& law, OptionBlock& block, std::size_t directions,
+                                                   double strain, double bare, const QuadVector& strains) {
+  /// What users call it (-NAME_fabric).
+  { Law::name } -> std::convertible_to<std::string>;
+  /// Declares, reads and checks its options, along warp alone (1) or along warp and weft (2). Errors: InputError.
+  { Law::from_options(block, directions) } -> std::same_as<Law>;
+  /// An edge along warp or weft.
+  { law.warp(strain, bare) } -> std::same_as<EdgeResponse>;
+  { law.weft(strain, bare) } -> std::same_as<EdgeResponse>;
+  { law.quad(strains) } -> QuadResponse;
+  /// Tangent modulus of stretching along warp or weft alone [N/m], which the damping of an edge is proportional to.
+  { law.warp_modulus(strain) } -> std::convertible_to<double>;
+  { law.weft_modulus(strain) } -> std::convertible_to<double>;
+  { law.bending() } -> std::convertible_to<BendingModuli>;
+  { law.largest_moduli() } -> std::convertible_to<LargestModuli>;
+};
+
+}  // namespace washfsi

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "washfsi/cloth/cloths.hpp"
+#include "washfsi/cloth/marker_force.hpp"
+
+namespace washfsi {
+
+/// All forces on the markers, as one. Sums are taken in the order in which the forces were added. Arrays hold this
+/// rank's markers; forces in [N; per unit depth in the plane]. All members are collective unless said.
+template <int Dim>
+class Forces {
+ public:
+  /// The cloths must outlive it.
+  explicit Forces(const Cloths<Dim>& cloths) : cloths_(cloths) {}
+
+  /// No communication.
+  void add(std::unique_ptr<MarkerForce<Dim>> force) { forces_.push_back(std::move(force)); }
+  const std::vector<std::unique_ptr<MarkerForce<Dim>>>& list() const { return forces_; }
+  /// The first force without the Jacobian that an implicit treatment needs; null if there is none. No communication.
+  const MarkerForce<Dim>* without_jacobian() const;
+
+  void begin_step(const StepStart<Dim>& start);
+
+  /// The forces that depend on places alone.
+  Points<Dim> of_places(const Points<Dim>& positions) const;
+  /// Those that depend on velocities too.
+  Points<Dim> of_velocities(const Points<Dim>& positions, const Points<Dim>& velocities) const;
+  /// Those that are constant over a step.
+  Points<Dim> constant() const;
+  Points<Dim> all(const Points<Dim>& positions, const Points<Dim>& velocities) const;
+
+  /// Energy of each group of cloths [J; per unit depth in the plane]: of all forces of places; of what is stored in the
+  /// cloth alone.
+  std::vector<double> energies(const Points<Dim>& positions) const;
+  std::vector<double> elastic_energies(const Points<Dim>& positions) const;
+  /// 2-norm over all markers of the round-off that `of_places` may have.
+  double round_off(const Points<Dim>& positions) const;
+
+  /// K d, with K minus the Jacobian of `of_places`.
+  Points<Dim> stiffness_product(const Points<Dim>& positions, const Points<Dim>& direction) const;
+  /// Gives a matrix with a row for each coordinate of each marker the places of K's entries; to be done anew when
+  /// `pattern` has changed.
+  void lay_out_stiffness(petsc::Matrix& matrix) const;
+  std::vector<long> pattern() const;
+  /// Sets a matrix, laid out, to factor times K.
+  void set_stiffness(const Points<Dim>& positions, GeometricStiffness geometric, double factor, Mat matrix) const;
+
+  /// What bounds the explicit step, for each marker.
+  std::vector<StiffnessBound> bounds() const;
+
+ private:
+  bool is_of_places(const MarkerForce<Dim>& force) const;
+  template <class Select>
+  Points<Dim> sum_of(const Select& select, const Points<Dim>& positions, const Points<Dim>& velocities) const;
+  template <class Select>
+  std::vector<double> energies_of(const Select& select, const Points<Dim>& positions) const;
+
+  const Cloths<Dim>& cloths_;
+  std::vector<std::unique_ptr<MarkerForce<Dim>>> forces_;
+};
+
+extern template class Forces<2>;
+extern template class Forces<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/cloth/holding_springs.hpp"
+
+#include <algorithm>
+
+namespace washfsi {
+
+template <int Dim>
+HoldingSprings<Dim>::HoldingSprings(const Cloths<Dim>& cloths, const Points<Dim>& positions) : cloths_(cloths) {
+  for (const Patch& patch : cloths.patches()) {
+    const ClothGroup<Dim>& group = cloths.group_of(patch);
+    const std::vector<PetscInt> held = group.held_markers();
+    for (std::size_t i = patch.own_begin; i < patch.own_end; ++i) {
+      const std::size_t marker = patch.own_first + i - patch.own_begin;
+      if (std::binary_search(held.begin(), held.end(), patch.markers[i] - cloths.pieces()[patch.piece].first))
+        springs_.push_back({marker, group.hold_stiffness, positions[marker]});
+    }
+  }
+}
+
+template <int Dim>
+void HoldingSprings<Dim>::add_force(const Points<Dim>& positions, const Points<Dim>&, Points<Dim>& forces) const {
+  for (const Spring& spring : springs_)
+    forces[spring.marker] -= spring.stiffness * (positions[spring.marker] - spring.anchor);
+}
+
+template <int Dim>
+void HoldingSprings<Dim>::add_energy(const Points<Dim>& positions, std::span<double> of_groups) const {
+  for (const Spring& spring : springs_)
+    of_groups[cloths_.pieces()[cloths_.piece_of_marker()[spring.marker]].group] +=
+        0.5 * spring.stiffness * (positions[spring.marker] - spring.anchor).squaredNorm();
+}
+
+template <int Dim>
+void HoldingSprings<Dim>::add_force_rates(const Points<Dim>&, const Points<Dim>& direction, Points<Dim>& rates) const {
+  for (const Spring& spring : springs_) rates[spring.marker] -= spring.stiffness * direction[spring.marker];
+}
+
+template <int Dim>
+void HoldingSprings<Dim>::visit_stiffness(const Points<Dim>&, GeometricStiffness,
+                                          const AddMarkerBlock<Dim>& add) const {
+  for (const Spring& spring : springs_) {
+    const PetscInt marker = cloths_.begin() + static_cast<PetscInt>(spring.marker);
+    add(marker, marker, spring.stiffness * StiffnessBlock<Dim>::Identity());
+  }
+}
+
+template <int Dim>
+void HoldingSprings<Dim>::add_cancelling_size(const Points<Dim>& positions, std::span<double> sizes) const {
+  for (const Spring& spring : springs_) sizes[spring.marker] += spring.stiffness * positions[spring.marker].norm();
+}
+
+// All markers of a cloth that is held may take part in the oscillation of those that are.
+template <int Dim>
+void HoldingSprings<Dim>::add_bound(std::span<StiffnessBound> bounds) const {
+  for (std::size_t m = 0; m < bounds.size(); ++m) {
+    const ClothGroup<Dim>& group = cloths_.group_of(m);
+    if (!group.held_markers().empty()) bounds[m].stiffness += 0.25 * group.hold_stiffness / group.sheet.marker_area();
+  }
+}
+
+template class HoldingSprings<2>;
+template class HoldingSprings<3>;
+
+}  // namespace washfsi

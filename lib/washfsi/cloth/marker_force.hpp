@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "washfsi/cloth/sheet.hpp"
+
+namespace washfsi {
+
+/// What a force depends on, and so what a coupling scheme may do with it.
+enum class Dependence {
+  none,        ///< neither places nor velocities: constant over a step
+  potential,   ///< on places alone: minus the gradient of its energy, with its Jacobian
+  places,      ///< on places alone, without an energy of its own; its Jacobian is only near the true one
+  velocities,  ///< on velocities too: takes energy out of the cloth
+};
+
+/// The markers when a step begins, and the end of that step, at which a force is to act.
+template <int Dim>
+struct StepStart {
+  const Points<Dim>&positions, &velocities;  ///< of this rank's markers [m, m/s]
+  double time;                               ///< at which the forces act [s]
+  double dt;                                 ///< for which the markers move until then [s]; 0: not at all
+};
+
+/// What the longest explicit step needs of a marker.
+struct StiffnessBound {
+  double stiffness = 0;  ///< a quarter of the largest eigenvalue of the stiffness per undeformed area [N/m3]
+  double damping = 0;    ///< Kelvin-Voigt time [s]
+};
+
+/// Takes the block of K = d2E/dX2 between two markers, given by their numbers among those of all ranks.
+template <int Dim>
+using AddMarkerBlock = std::function<void(PetscInt row, PetscInt column, const StiffnessBlock<Dim>& block)>;
+
+/// Something that pushes on markers. Arrays hold this rank's markers; forces are per marker [N; per unit depth in the
+/// plane]. All members are collective.
+template <int Dim>
+class MarkerForce {
+ public:
+  MarkerForce() = default;
+  MarkerForce(const MarkerForce&) = delete;
+  MarkerForce& operator=(const MarkerForce&) = delete;
+  virtual ~MarkerForce() = default;
+
+  virtual Dependence dependence() const = 0;
+  /// The option that asked for it, for messages.
+  virtual std::string origin() const = 0;
+  /// Whether its energy is stored in the cloth itself.
+  virtual bool is_elastic() const { return false; }
+
+  /// Called once before a step: looks at what is near, and keeps it until the next call.
+  virtual void begin_step(const StepStart<Dim>&) {}
+
+  /// Adds the force.
+  virtual void add_force(const Points<Dim>& positions, const Points<Dim>& velocities, Points<Dim>& forces) const = 0;
+  /// Adds this rank's part of the energy of each group of cloths [J; per unit depth in the plane].
+  virtual void add_energy(const Points<Dim>&, std::span<double>) const {}
+  /// Adds -K d: the rate of change of the force as the markers move along a direction d.
+  virtual void add_force_rates(const Points<Dim>&, const Points<Dim>&, Points<Dim>&) const {}
+  /// Gives the blocks of K in the rows of this rank's markers, always the same ones in the same order as long as
+  /// `pattern` returns the same number.
+  virtual void visit_stiffness(const Points<Dim>&, GeometricStiffness, const AddMarkerBlock<Dim>&) const {}
+  virtual long pattern() const { return 0; }
+  /// Adds a size of the parts that the force of each marker is the difference of: its round-off over the machine's.
+  virtual void add_cancelling_size(const Points<Dim>&, std::span<double>) const {}
+  /// Adds to the bound of each marker.
+  virtual void add_bound(std::span<StiffnessBound>) const {}
+};
+
+}  // namespace washfsi

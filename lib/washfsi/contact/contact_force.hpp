@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+
+#include "washfsi/body/body.hpp"
+#include "washfsi/body/load.hpp"
+#include "washfsi/cloth/forces.hpp"
+#include "washfsi/grid/boundary.hpp"
+
+namespace washfsi {
+
+/// What is round the cloths, for forces to look at. All must outlive the forces.
+template <int Dim>
+struct Surroundings {
+  const Grid<Dim>& grid;
+  const Boundary<Dim>& boundary;
+  const std::vector<Body<Dim>>& bodies;
+  const Cloths<Dim>& cloths;
+};
+
+/// Makes a force on the markers; null if it was not asked for.
+template <int Dim>
+using MakeForce = std::function<std::unique_ptr<MarkerForce<Dim>>(const Surroundings<Dim>&)>;
+
+/// Loads of contact: on each body, about its centre, and on the lower and upper side of the box along each axis, about
+/// the box's middle.
+template <int Dim>
+struct ContactLoads {
+  Loads<Dim> bodies;
+  std::array<std::array<Load<Dim>, 2>, Dim> sides{};
+};
+
+/// A force between the markers and the bodies or the walls of the box.
+template <int Dim>
+class ContactForce : public MarkerForce<Dim> {
+ public:
+  /// Adds what this rank's markers do to the bodies and walls where they are. No communication.
+  virtual void add_reactions(const Points<Dim>& positions, ContactLoads<Dim>& loads) const = 0;
+};
+
+/// The reactions of all contact forces of this rank's markers at these places, as the last step saw the surroundings.
+/// No communication.
+template <int Dim>
+ContactLoads<Dim> contact_loads(const Forces<Dim>& forces, const Points<Dim>& positions, std::size_t bodies) {
+  ContactLoads<Dim> loads{Loads<Dim>(bodies), {}};
+  for (const auto& force : forces.list())
+    if (const auto* contact = dynamic_cast<const ContactForce<Dim>*>(force.get()))
+      contact->add_reactions(positions, loads);
+  return loads;
+}
+
+}  // namespace washfsi

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/contact/contact_force.hpp"
+
+namespace washfsi {
+
+/// -contact_pressure and -contact_distance.
+struct CushionOptions {
+  double pressure = 0;     ///< P0, at the surface [Pa]; 0: no contact force
+  double distance = 0.01;  ///< d0 [m]
+
+  static CushionOptions from_options(Options& options);
+};
+
+/// A soft cushion on bodies and on the walls of the box that keeps cloth out of them: a marker nearer than d0 is pushed
+/// along the outward normal with the force per undeformed area
+///   P0 s^2,  s = (d0 - Phi)/d0 > 0,      energy P0 d0/3 s^3,      stiffness 2 P0/d0 s n n^T
+/// No-slip alone lets markers drift into the staircase of the sharp mask. In a step Phi is linear about where the
+/// marker starts, with the bodies at the step's end: so the energy is convex, and its stiffness exact and never
+/// negative.
+template <int Dim>
+class Cushion : public ContactForce<Dim> {
+ public:
+  Cushion(const CushionOptions& options, const Surroundings<Dim>& surroundings);
+  /// Reads the options; makes nothing if there is no pressure.
+  static MakeForce<Dim> from_options(Options& options);
+  static MakeForce<Dim> maker(const CushionOptions& options);
+
+  Dependence dependence() const override { return Dependence::potential; }
+  std::string origin() const override { return "-contact_pressure"; }
+  void begin_step(const StepStart<Dim>& start) override;
+  void add_force(const Points<Dim>& positions, const Points<Dim>& velocities, Points<Dim>& forces) const override;
+  void add_energy(const Points<Dim>& positions, std::span<double> of_groups) const override;
+  void add_force_rates(const Points<Dim>& positions, const Points<Dim>& direction, Points<Dim>& rates) const override;
+  void visit_stiffness(const Points<Dim>& positions, GeometricStiffness geometric,
+                       const AddMarkerBlock<Dim>& add) const override;
+  void add_bound(std::span<StiffnessBound> bounds) const override;
+  void add_reactions(const Points<Dim>& positions, ContactLoads<Dim>& loads) const override;
+
+ private:
+  /// The tangent plane of a surface near a marker: of a body, or of a side of the box.
+  struct Plane {
+    std::size_t marker;
+    Point<Dim> start, normal;  ///< where the marker starts [m]; out of the body
+    double distance;           ///< there, at the step's end [m]
+    std::size_t body;          ///< its number; that of the bodies for a side
+    int axis = 0;
+    End end = End::lower;
+  };
+  void find_bodies(const PosedBodies<Dim>& posed, std::size_t marker, const Point<Dim>& start, double reach);
+  void find_sides(std::size_t marker, const Point<Dim>& start, double reach);
+  double nearness(const Plane& plane, const Points<Dim>& positions) const;
+  Point<Dim> push(const Plane& plane, const Points<Dim>& positions) const;
+  double stiffness(const Plane& plane, const Points<Dim>& positions) const;
+
+  CushionOptions options_;
+  Surroundings<Dim> around_;
+  double time_ = 0;  ///< the step's end [s]
+  std::vector<Plane> planes_;
+};
+
+extern template class Cushion<2>;
+extern template class Cushion<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/fluid/liquid.hpp"
+
+namespace washfsi {
+
+template <int Dim>
+Liquid<Dim>::Liquid(const Grid<Dim>& grid, const Boundary<Dim>& boundary, double density, double viscosity,
+                    ViscosityModels<Dim> models)
+    : grid_(grid),
+      boundary_(boundary),
+      pure_density_(density),
+      pure_viscosity_(viscosity),
+      models_(std::move(models)),
+      density_(grid.face_vector()),
+      viscosity_{viscosity} {
+  reset_density();
+  if (models_.empty()) return;
+  global_viscosity_ = grid.cell_vector();
+  WASH_PETSC(DMCreateLocalVector(grid.cell_dm(), local_viscosity_.put()));
+  WASH_PETSC(VecSet(local_viscosity_, viscosity));
+  viscosity_.in_cells = local_viscosity_;
+}
+
+template <int Dim>
+void Liquid<Dim>::reset_density() {
+  WASH_PETSC(VecSet(density_, pure_density_));
+}
+
+template <int Dim>
+void Liquid<Dim>::update_viscosity(Vec velocity, double time) {
+  if (models_.empty()) return;
+  const petsc::LogPart part("viscosity");
+  WASH_PETSC(VecSet(global_viscosity_, pure_viscosity_));
+  {
+    const GhostedVelocity<Dim> local(boundary_, grid_.face_dm(), velocity, time);
+    const ConstFaceView<Dim> u(grid_.face_dm(), local);
+    const CellView<Dim> mu(grid_.cell_dm(), global_viscosity_);
+    for (const auto& model : models_) model->add(grid_, u, pure_density_, mu);
+  }
+  WASH_PETSC(DMGlobalToLocal(grid_.cell_dm(), global_viscosity_, INSERT_VALUES, local_viscosity_));
+  boundary_.fill_cells(local_viscosity_);
+}
+
+template class Liquid<2>;
+template class Liquid<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "washfsi/grid/viscous_stress.hpp"
+
+namespace washfsi {
+
+/// A contribution to the viscosity that depends on the flow, such as an eddy viscosity.
+template <int Dim>
+class ViscosityModel {
+ public:
+  ViscosityModel() = default;
+  ViscosityModel(const ViscosityModel&) = delete;
+  ViscosityModel& operator=(const ViscosityModel&) = delete;
+  virtual ~ViscosityModel() = default;
+
+  /// Adds to the dynamic viscosity [Pa s] of this rank's cells, in a liquid of this density [kg/m3]. The velocity [m/s]
+  /// has a layer of ghosts, filled. Collective.
+  virtual void add(const Grid<Dim>& grid, const ConstFaceView<Dim>& velocity, double density,
+                   const CellView<Dim>& viscosity) const = 0;
+};
+
+/// None of them may be null.
+template <int Dim>
+using ViscosityModels = std::vector<std::shared_ptr<const ViscosityModel<Dim>>>;
+
+/// What the fluid's equations need of a liquid.
+struct LiquidFields {
+  Vec density = nullptr;  ///< on faces [kg/m3]
+  Viscosity viscosity;
+};
+
+/// What flows: its density and viscosity as fields.
+template <int Dim>
+class Liquid {
+ public:
+  /// Everywhere of this density [kg/m3], and of this viscosity [Pa s] and what the models add to it.
+  Liquid(const Grid<Dim>& grid, const Boundary<Dim>& boundary, double density, double viscosity,
+         ViscosityModels<Dim> models = {});
+
+  double pure_density() const { return pure_density_; }      ///< of the liquid without what is in it [kg/m3]
+  double pure_viscosity() const { return pure_viscosity_; }  ///< without what the models add [Pa s]
+
+  /// On faces [kg/m3].
+  Vec density() const { return density_; }
+  /// Everywhere that of the pure liquid; what is in it is to be added anew.
+  void reset_density();
+
+  const Viscosity& viscosity() const { return viscosity_; }
+  /// Lets the models work on the flow at a time. Collective.
+  void update_viscosity(Vec velocity, double time);
+
+  LiquidFields fields() const { return {density_, viscosity_}; }
+
+ private:
+  const Grid<Dim>& grid_;
+  const Boundary<Dim>& boundary_;
+  double pure_density_, pure_viscosity_;
+  ViscosityModels<Dim> models_;
+  petsc::Vector density_, global_viscosity_, local_viscosity_;
+  Viscosity viscosity_;
+};
+
+extern template class Liquid<2>;
+extern template class Liquid<3>;
+
+}  // namespace washfsi

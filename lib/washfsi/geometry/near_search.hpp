@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "washfsi/support/point.hpp"
+
+namespace washfsi {
+
+/// A box with sides along the axes; of a point, without extent.
+template <int Dim>
+struct Bounds {
+  Point<Dim> lower, upper;  ///< [m]
+
+  static Bounds round(const Point<Dim>& place, const Point<Dim>& margin) { return {place - margin, place + margin}; }
+  void include(const Bounds& other) {
+    lower = lower.cwiseMin(other.lower);
+    upper = upper.cwiseMax(other.upper);
+  }
+};
+
+/// The bounds of several boxes; of none, a point.
+template <int Dim>
+Bounds<Dim> hull(const std::vector<Bounds<Dim>>& boxes) {
+  if (boxes.empty()) return {Point<Dim>::Zero(), Point<Dim>::Zero()};
+  Bounds<Dim> all = boxes.front();
+  for (const Bounds<Dim>& box : boxes) all.include(box);
+  return all;
+}
+
+/// A space that repeats itself along some axes.
+template <int Dim>
+struct PeriodicSpace {
+  Point<Dim> lower = Point<Dim>::Zero(), length = Point<Dim>::Zero();  ///< of a period [m]; where not periodic: any
+  std::array<bool, Dim> periodic{};
+};
+
+/// Tells which of many things come near to a place: their boxes are sorted into bins of equal size. Along periodic axes
+/// all images count.
+template <int Dim>
+class NearSearch {
+ public:
+  /// `bin`: the least lengths of a bin [m]; about the size of the boxes and of the bounds asked for is best. Only boxes
+  /// that come near to `asked`, which holds all bounds that will be asked for, are kept.
+  NearSearch(std::vector<Bounds<Dim>> boxes, const Point<Dim>& bin, const Bounds<Dim>& asked,
+             const PeriodicSpace<Dim>& space = {});
+
+  /// The numbers of the boxes that overlap these bounds, in ascending order; along a periodic axis others may be among
+  /// them.
+  std::vector<std::size_t> near(const Bounds<Dim>& bounds) const;
+
+ private:
+  using Bin = std::array<long, Dim>;
+  struct Range {
+    Bin first, last;
+  };
+  void choose_bins(const Point<Dim>& bin, const Bounds<Dim>& asked);
+  Range range_of(const Bounds<Dim>& bounds) const;
+  bool overlap(const Bounds<Dim>& a, const Bounds<Dim>& b) const;
+  template <class Visit>
+  void visit_bins(const Range& range, const Visit& visit) const;
+
+  std::vector<Bounds<Dim>> boxes_;
+  PeriodicSpace<Dim> space_;
+  Point<Dim> origin_, length_;       ///< of the first bin: its corner, its sides [m]
+  Bin count_;                        ///< of bins along each axis
+  std::vector<std::size_t> starts_;  ///< of each bin's numbers, and their end
+  std::vector<std::size_t> numbers_;
+};
+
+extern template class NearSearch<2>;
+extern template class NearSearch<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/measure/body_measure.hpp"
+
+namespace washfsi {
+
+template <int Dim>
+BodyMeasure<Dim>::BodyMeasure(const System<Dim>& system, bool balance)
+    : system_(system),
+      loads_(system.model.bodies.size()),
+      balance_loads_(system.model.bodies.size()),
+      powers_(system.model.bodies.size(), 0.0) {
+  const Model<Dim>& model = system.model;
+  if (balance && !loads_.empty()) control_volumes_.emplace(model.grid, model.boundary, model.bodies);
+}
+
+template <int Dim>
+void BodyMeasure<Dim>::declare(QuantityList& quantities) {
+  if (!system_.model.mask.empty())
+    quantities.add({"mask_dissipation", Units<Dim>::power,
+                    "energy that the water lost where a moving mask took it along, an effect of the staircase",
+                    [this] { return mask_dissipation_; }});
+  for (std::size_t b = 0; b < loads_.size(); ++b) {
+    const std::string name = system_.model.bodies[b].name, pointer = "/bodies/" + name;
+    declare_load<Dim>(quantities, name, pointer, "of water and cloth on the body, about its centre", loads_, b);
+    quantities.add({name + "_power", Units<Dim>::power, "that the body puts into the water and cloth",
+                    [this, b] { return powers_[b]; }, Accumulation::none, pointer + "/power"});
+    if (control_volumes_)
+      declare_load<Dim>(quantities, name + "_balance", pointer + "/balance",
+                        "the same by the balance of momentum round the body", balance_loads_, b);
+  }
+}
+
+template <int Dim>
+void BodyMeasure<Dim>::observe(const Observation<Dim>& seen) {
+  if (loads_.empty()) return;
+  const Model<Dim>& model = system_.model;
+  const FractionalStep<Dim>& fluid = model.fluid;
+  const Vec density = model.liquid.density();
+  const double time = system_.state.clock.time, middle = time - 0.5 * seen.dt;
+  loads_ = model.mask.loads(fluid.constraint_force(), density, fluid.pressure(), middle);
+  const Loads<Dim> beneath =
+      model.mask.hidden_wall_shear(model.boundary, seen.velocity, model.liquid.viscosity(), time);
+  for (std::size_t b = 0; b < loads_.size(); ++b) loads_[b] += beneath[b];
+  if (control_volumes_)
+    balance_loads_ = control_volumes_->loads({fluid.velocity_before(), fluid.velocity(), fluid.pressure(), density,
+                                              system_.step.force, model.mask.fluid_fraction(), model.liquid.viscosity(),
+                                              time, seen.dt});
+  for (std::size_t b = 0; b < loads_.size(); ++b)
+    for (Load<Dim>* load : {&loads_[b], &balance_loads_[b]}) *load += seen.contact.bodies[b];
+  mask_dissipation_ = model.mask.dissipation(fluid.velocity_before(), density, seen.dt);
+  for (std::size_t b = 0; b < loads_.size(); ++b) powers_[b] = power(model.bodies[b].motion, loads_[b], middle);
+}
+
+template class BodyMeasure<2>;
+template class BodyMeasure<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/measure/cloth_measure.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "washfsi/support/collective.hpp"
+
+namespace washfsi {
+
+template <int Dim>
+ClothMeasure<Dim>::ClothMeasure(const System<Dim>& system, const MachineAxis& machine)
+    : system_(system),
+      groups_(system.model.cloths.groups().size()),
+      centers_(system.model.cloths.pieces().size(), Point<Dim>::Zero()),
+      time_integrals_(marker_quantities<Dim>().size() * system.model.cloths.owned(), 0.0) {
+  const Cloths<Dim>& cloths = system.model.cloths;
+  for (const std::size_t piece : cloths.piece_of_marker()) group_of_.push_back(cloths.pieces()[piece].group);
+  counts_ = sums_by(group_of_, groups_.size(), std::vector<double>(group_of_.size(), 1.0));
+  if constexpr (Dim == 3) {
+    if (groups_.empty()) return;
+    tumbles_.emplace(machine.axis, machine.orbit_center, centers_.size());
+    crossings_.emplace(cloths);
+  }
+}
+
+template <int Dim>
+void ClothMeasure<Dim>::declare(QuantityList& quantities) {
+  if (groups_.empty()) return;
+  declare_all(quantities);
+  for (std::size_t g = 0; g < groups_.size(); ++g) declare_group(quantities, g);
+}
+
+template <int Dim>
+void ClothMeasure<Dim>::declare_all(QuantityList& quantities) {
+  quantities.add({"cloth_slip", "-",
+                  "rms difference of the velocities of cloth and water over the rms speed of the cloth",
+                  [this] { return system_.step.cloth_slip; }});
+  quantities.keep("averaged_time", {&averaged_time_, 1});
+  if (!crossings_) return;
+  quantities.add({"cloth_distance", "m", "least distance of a marker from another cloth, at most half a spacing",
+                  [this] { return crossings_->least_distance(); }});
+  quantities.add({"cloth_crossings", "-", "markers that went through another cloth so far",
+                  [this] { return crossings_->crossings(); }, Accumulation::none, "/cloth_crossings", true});
+  quantities.keep("crossings", crossings_->state());
+  quantities.keep("tumbling_angles", tumbles_->angles());
+  quantities.keep("tumbling_turned", tumbles_->turned());
+}
+
+template <int Dim>
+void ClothMeasure<Dim>::declare_group(QuantityList& quantities, std::size_t g) {
+  const std::string& name = system_.model.cloths.groups()[g].name;
+  const std::string pointer = "/cloths/" + name;
+  const GroupMeasures<Dim>& group = groups_[g];
+  quantities.add({name + "_elastic_energy", Units<Dim>::energy, "energy of elasticity and of the holding springs",
+                  [&group] { return group.elastic_energy; }});
+  declare_markers(quantities, g);
+  quantities.add({name + "_max_stretch", "-", "largest \\|X_s\\| - 1 of any edge so far",
+                  [&group] { return group.stretch; }, Accumulation::largest_so_far, pointer + "/max_stretch"});
+  quantities.add({name + "_depth", "m", "of the deepest marker in a body; 0 if none is inside",
+                  [&group] { return group.depth; }, Accumulation::largest, pointer + "/max_depth"});
+  if (tumbles_)
+    quantities.add({name + "_tumbles", "-", "turns of a cloth in the plane of radius and height so far, mean",
+                    [&group] { return group.tumbles; }, Accumulation::none, pointer + "/tumbles"});
+  for (int d = 0; d < Dim; ++d)
+    quantities.add(
+        {name + "_center_" + "xyz"[d], "m", "mean over its cloths", [&group, d] { return group.center[d]; }});
+}
+
+// The means over the markers now, and over the run.
+template <int Dim>
+void ClothMeasure<Dim>::declare_markers(QuantityList& quantities, std::size_t g) {
+  const std::string& name = system_.model.cloths.groups()[g].name;
+  const GroupMeasures<Dim>& group = groups_[g];
+  const auto& all = marker_quantities<Dim>();
+  for (std::size_t n = 0; n < all.size(); ++n) {
+    const std::string pointer = "/cloths/" + name + "/" + all[n].name;
+    quantities.add({name + "_" + all[n].name + "_mean", all[n].unit,
+                    std::string("mean over the markers: ") + all[n].meaning, [&group, n] { return group.now[n]; }});
+    quantities.add({"", all[n].unit, "mean over time and markers", [&group, n] { return group.mean[n]; },
+                    Accumulation::none, pointer + "_mean"});
+    quantities.add({"", all[n].unit, "standard deviation over the markers of the mean over time",
+                    [&group, n] { return group.deviation[n]; }, Accumulation::none, pointer + "_std"});
+  }
+}
+
+template <int Dim>
+double ClothMeasure<Dim>::elastic_energy() const {
+  double energy = 0;
+  for (const auto& group : groups_) energy += group.elastic_energy;
+  return energy;
+}
+
+// Sums over the markers by the number that each has, of its group or cloth.
+template <int Dim>
+std::vector<double> ClothMeasure<Dim>::sums_by(const std::vector<std::size_t>& number_of, std::size_t count,
+                                               const std::vector<double>& marker_values) const {
+  std::vector<double> sums(count, 0.0);
+  for (std::size_t m = 0; m < marker_values.size(); ++m) sums[number_of[m]] += marker_values[m];
+  return ordered_sum(system_.model.grid.comm(), sums);
+}
+
+// Means over the markers of each group of each of the values that every marker has.
+template <int Dim>
+std::vector<std::vector<double>> ClothMeasure<Dim>::means_of(const std::vector<double>& values) const {
+  const std::size_t each = marker_quantities<Dim>().size();
+  std::vector<double> sums(groups_.size() * each, 0.0);
+  for (std::size_t n = 0; n < values.size(); ++n) sums[group_of_[n / each] * each + n % each] += values[n];
+  sums = ordered_sum(system_.model.grid.comm(), sums);
+  std::vector<std::vector<double>> means;
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    means.emplace_back(sums.begin() + static_cast<long>(g * each), sums.begin() + static_cast<long>((g + 1) * each));
+    for (double& mean : means.back()) mean /= counts_[g];
+  }
+  return means;
+}
+
+template <int Dim>
+void ClothMeasure<Dim>::observe(const Observation<Dim>& seen) {
+  if (groups_.empty()) return;
+  measure_markers(seen.interval);
+  const Points<Dim>& positions = system_.state.positions;
+  const std::vector<double> energies = system_.model.forces.elastic_energies(positions);
+  const std::vector<double> stretches = system_.model.cloths.largest_stretches(positions);
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    groups_[g].elastic_energy = energies[g];
+    groups_[g].stretch = stretches[g];
+  }
+  measure_places();
+  measure_depths();
+  if constexpr (Dim == 3) measure_laundry();
+}
+
+template <int Dim>
+void ClothMeasure<Dim>::measure_markers(double interval) {
+  averaged_time_ += interval;
+  const double time = averaged_time_ > 0 ? averaged_time_ : 1;
+  std::vector<double> values, averages, squares;
+  const std::vector<MarkerState> states = system_.model.cloths.marker_states(system_.state.positions);
+  const std::vector<WashingAction> actions = washing_action();
+  for (std::size_t m = 0; m < states.size(); ++m)
+    for (const auto& quantity : marker_quantities<Dim>()) values.push_back(quantity.value({states[m], actions[m]}));
+  for (std::size_t n = 0; n < values.size(); ++n) {
+    time_integrals_[n] += interval * values[n];
+    averages.push_back(time_integrals_[n] / time);
+    squares.push_back(averages[n] * averages[n]);
+  }
+  const auto now = means_of(values), means = means_of(averages), mean_squares = means_of(squares);
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    groups_[g].now = now[g];
+    groups_[g].mean = means[g];
+    groups_[g].deviation.clear();
+    for (std::size_t n = 0; n < means[g].size(); ++n)
+      groups_[g].deviation.push_back(std::sqrt(std::max(0.0, mean_squares[g][n] - means[g][n] * means[g][n])));
+  }
+}
+
+template <int Dim>
+std::vector<WashingAction> ClothMeasure<Dim>::washing_action() const {
+  std::vector<WashingAction> actions(system_.state.positions.size());
+  if (!system_.model.has_fluid) return actions;
+  const Points<Dim> normals = system_.model.cloths.normals(system_.state.positions);
+  const GhostedVelocity<Dim> local(system_.model.boundary, system_.model.grid.wide_face_dm(),
+                                   system_.model.fluid.velocity(), system_.state.clock.time);
+  // within `sample_reach` along each axis, cells being flat or not; 0 where there is no normal
+  const auto distance = [&](const Point<Dim>& normal) {
+    const double cells = normal.cwiseQuotient(system_.model.grid.spacing()).norm();
+    return cells > 0 ? Transfer<Dim>::sample_reach / cells : 0.0;
+  };
+  for (const double side : {-1.0, 1.0}) {
+    Points<Dim> offsets;
+    for (const auto& normal : normals) offsets.push_back(side * distance(normal) * normal);
+    const Points<Dim> water = system_.model.transfer.sample(local, offsets);
+    for (std::size_t m = 0; m < normals.size(); ++m) {
+      const Point<Dim> relative = water[m] - system_.state.velocities[m];
+      actions[m].relative_speed += 0.5 * (relative - relative.dot(normals[m]) * normals[m]).norm();
+    }
+  }
+  for (std::size_t m = 0; m < normals.size(); ++m)
+    if (distance(normals[m]) > 0)
+      actions[m].shear = system_.model.liquid.pure_viscosity() * actions[m].relative_speed / distance(normals[m]);
+  return actions;
+}
+
+template <int Dim>
+void ClothMeasure<Dim>::measure_laundry() {
+  if constexpr (Dim == 3) {
+    tumbles_->observe(centers_);
+    const std::vector<double> turns = tumbles_->turns();
+    for (std::size_t g = 0; g < groups_.size(); ++g) groups_[g].tumbles = mean_over_cloths(g, turns, 0.0);
+    crossings_->observe(system_.state.positions);
+  }
+}
+
+// All cloths of a group are equal. `sum` is the zero to begin with.
+template <int Dim>
+template <class Value>
+Value ClothMeasure<Dim>::mean_over_cloths(std::size_t group, const std::vector<Value>& values, Value sum) const {
+  for (std::size_t p = 0; p < values.size(); ++p)
+    if (system_.model.cloths.pieces()[p].group == group) sum += values[p];
+  return sum / static_cast<double>(system_.model.cloths.groups()[group].count);
+}
+
+template <int Dim>
+void ClothMeasure<Dim>::measure_places() {
+  const std::vector<Piece>& pieces = system_.model.cloths.pieces();
+  for (int d = 0; d < Dim; ++d) {
+    std::vector<double> coordinate;
+    for (const auto& position : system_.state.positions) coordinate.push_back(position[d]);
+    const std::vector<double> sums = sums_by(system_.model.cloths.piece_of_marker(), pieces.size(), coordinate);
+    for (std::size_t p = 0; p < pieces.size(); ++p) centers_[p][d] = sums[p] / static_cast<double>(pieces[p].count);
+  }
+  for (std::size_t g = 0; g < groups_.size(); ++g)
+    groups_[g].center = mean_over_cloths<Point<Dim>>(g, centers_, Point<Dim>::Zero());
+}
+
+template <int Dim>
+void ClothMeasure<Dim>::measure_depths() {
+  const Model<Dim>& model = system_.model;
+  std::vector<double> depths(groups_.size(), 0.0);
+  for (std::size_t m = 0; m < system_.state.positions.size(); ++m) {
+    const Point<Dim> place = model.grid.folded(system_.state.positions[m]);
+    const double distance = nearest_distance<Dim>(model.bodies, place, system_.state.clock.time);
+    depths[group_of_[m]] = std::max(depths[group_of_[m]], -distance);
+  }
+  for (std::size_t g = 0; g < groups_.size(); ++g) groups_[g].depth = largest(model.grid.comm(), depths[g]);
+}
+
+template <int Dim>
+std::vector<MarkerField> ClothMeasure<Dim>::fields() const {
+  const std::vector<MarkerState> states = system_.model.cloths.marker_states(system_.state.positions);
+  std::vector<MarkerField> fields;
+  for (const MarkerQuantity& quantity : marker_quantities<Dim>()) {
+    if (!quantity.in_series) continue;
+    MarkerField& field = fields.emplace_back(MarkerField{quantity.name, {}});
+    for (const MarkerState& state : states) field.values.push_back(quantity.value({state, {}}));
+  }
+  return fields;
+}
+
+template <int Dim>
+std::vector<Column> ClothMeasure<Dim>::track_columns() const {
+  std::vector<Column> columns{{"step", "-"}, {"time", "s"}};
+  for (const auto& group : system_.model.cloths.groups())
+    for (PetscInt cloth = 0; cloth < group.count; ++cloth)
+      for (int d = 0; d < Dim; ++d) columns.push_back({group.name + "_" + std::to_string(cloth) + "_" + "xyz"[d], "m"});
+  return columns;
+}
+
+template <int Dim>
+std::vector<double> ClothMeasure<Dim>::track_row() const {
+  std::vector<double> row{system_.state.clock.time};
+  for (const auto& center : centers_) row.insert(row.end(), center.data(), center.data() + Dim);
+  return row;
+}
+
+template class ClothMeasure<2>;
+template class ClothMeasure<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "washfsi/machine/crossings.hpp"
+#include "washfsi/machine/machine_axis.hpp"
+#include "washfsi/machine/tumbling.hpp"
+#include "washfsi/measure/marker_quantities.hpp"
+#include "washfsi/measure/measure.hpp"
+#include "washfsi/output/series.hpp"
+
+namespace washfsi {
+
+/// Numbers of one group of cloths. The vectors have a value for each of `marker_quantities`.
+template <int Dim>
+struct GroupMeasures {
+  double elastic_energy = 0;               ///< now [J; per unit depth in the plane]
+  std::vector<double> now;                 ///< means over the markers
+  std::vector<double> mean;                ///< (5.2-5): means over the markers of the averages over the run so far
+  std::vector<double> deviation;           ///< standard deviations of these over the markers
+  double stretch = 0;                      ///< largest |X_s| - 1 now
+  double depth = 0;                        ///< of the deepest marker in any body now [m]; 0 if none is inside
+  double tumbles = 0;                      ///< mean turns of its cloths in the (r, z) plane so far; in space
+  Point<Dim> center = Point<Dim>::Zero();  ///< mean of its cloths' [m]
+};
+
+/// Stress, deformation and place of the cloths.
+template <int Dim>
+class ClothMeasure : public Measure<Dim> {
+ public:
+  ClothMeasure(const System<Dim>& system, const MachineAxis& machine);
+
+  void declare(QuantityList& quantities) override;
+  void observe(const Observation<Dim>& seen) override;
+  void observe_start(const Observation<Dim>& seen) override { observe(seen); }
+
+  const std::vector<GroupMeasures<Dim>>& groups() const { return groups_; }
+  double elastic_energy() const;  ///< of all [J; per unit depth in the plane]
+
+  /// The columns of tracks.csv, the centre of each cloth, and their present values.
+  std::vector<Column> track_columns() const;
+  std::vector<double> track_row() const;
+
+  /// What cloth.h5 has of each of this rank's markers, now. Collective.
+  std::vector<MarkerField> fields() const;
+
+  /// Integrals over time of each quantity of each of this rank's markers: a restart needs them.
+  std::vector<double>& time_integrals() { return time_integrals_; }
+
+ private:
+  void declare_all(QuantityList& quantities);
+  void declare_group(QuantityList& quantities, std::size_t group);
+  void declare_markers(QuantityList& quantities, std::size_t group);
+  void measure_markers(double interval);
+  void measure_places();
+  void measure_depths();
+  void measure_laundry();
+  std::vector<WashingAction> washing_action() const;
+  std::vector<double> sums_by(const std::vector<std::size_t>& number_of, std::size_t count,
+                              const std::vector<double>& marker_values) const;
+  std::vector<std::vector<double>> means_of(const std::vector<double>& values) const;
+  template <class Value>
+  Value mean_over_cloths(std::size_t group, const std::vector<Value>& values, Value sum) const;
+
+  const System<Dim>& system_;
+  std::vector<GroupMeasures<Dim>> groups_;
+  std::vector<std::size_t> group_of_;   ///< of each of this rank's markers
+  std::vector<double> counts_;          ///< markers of each group
+  std::vector<Point<Dim>> centers_;     ///< of each cloth [m]
+  std::vector<double> time_integrals_;  ///< of the quantities of each marker
+  double averaged_time_ = 0;            ///< [s]
+  std::optional<TumbleCounter> tumbles_;
+  std::optional<ClothCrossings> crossings_;
+};
+
+extern template class ClothMeasure<2>;
+extern template class ClothMeasure<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/measure/coupling_measure.hpp"
+
+#include <numeric>
+
+#include "washfsi/measure/body_measure.hpp"
+#include "washfsi/support/collective.hpp"
+
+namespace washfsi {
+
+template <int Dim>
+void CouplingMeasure<Dim>::declare(QuantityList& quantities) {
+  if (couples())
+    quantities.add({"cloth_dissipation", Units<Dim>::power, "energy that the cloth's damping and the coupling take out",
+                    [this] { return dissipation_; }});
+}
+
+template <int Dim>
+void CouplingMeasure<Dim>::prepare() {
+  const std::vector<double> energies = system_.model.forces.elastic_energies(system_.state.positions);
+  elastic_energy_ = std::accumulate(energies.begin(), energies.end(), 0.0);
+}
+
+template <int Dim>
+void CouplingMeasure<Dim>::observe(const Observation<Dim>& seen) {
+  if (!couples()) return;
+  const Model<Dim>& model = system_.model;
+  double before = 0, after = 0;
+  WASH_PETSC(VecDot(system_.step.force, model.fluid.velocity_before(), &before));
+  WASH_PETSC(VecDot(system_.step.force, model.fluid.velocity(), &after));
+  const double given = 0.5 * (before + after) * model.grid.cell_volume();
+  double got = 0;
+  const Points<Dim> constant = model.forces.constant();
+  for (std::size_t m = 0; m < constant.size(); ++m) got += system_.state.velocities[m].dot(constant[m]);
+  got = ordered_sum(model.grid.comm(), got);
+  const double middle = system_.state.clock.time - 0.5 * seen.dt;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    got += power(model.bodies[b].motion, seen.contact.bodies[b], middle);
+  const double energy = cloth_.elastic_energy();
+  dissipation_ = got - given - (energy - elastic_energy_) / seen.dt;
+  elastic_energy_ = energy;
+}
+
+template class CouplingMeasure<2>;
+template class CouplingMeasure<3>;
+
+}  // namespace washfsi

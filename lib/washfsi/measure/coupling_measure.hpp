@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/measure/cloth_measure.hpp"
+
+namespace washfsi {
+
+/// The energy that cloth and coupling take out: what the cloths got (from bodies that push them, weight, loads, and out
+/// of their elastic energy) and did not give to the water.
+template <int Dim>
+class CouplingMeasure : public Measure<Dim> {
+ public:
+  /// `cloth` must have observed before.
+  CouplingMeasure(const System<Dim>& system, const ClothMeasure<Dim>& cloth) : system_(system), cloth_(cloth) {}
+
+  void declare(QuantityList& quantities) override;
+  void prepare() override;
+  void observe(const Observation<Dim>& seen) override;
+  void observe_start(const Observation<Dim>&) override { elastic_energy_ = cloth_.elastic_energy(); }
+
+ private:
+  bool couples() const { return system_.model.has_fluid && !cloth_.groups().empty(); }
+
+  const System<Dim>& system_;
+  const ClothMeasure<Dim>& cloth_;
+  double dissipation_ = 0;     ///< [W; W/m in the plane]
+  double elastic_energy_ = 0;  ///< of all cloths before the step [J; J/m in the plane]
+};
+
+extern template class CouplingMeasure<2>;
+extern template class CouplingMeasure<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/measure/flow_measure.hpp"
+
+namespace washfsi {
+
+template <int Dim>
+void FlowMeasure<Dim>::declare(QuantityList& quantities) {
+  using U = Units<Dim>;
+  const FractionalStep<Dim>& fluid = system_.model.fluid;
+  quantities.add({"time", "s", "at the end of the step", [this] { return system_.state.clock.time; }});
+  quantities.add({"dt", "s", "length of the step", [this] { return dt_; }});
+  quantities.add({"cfl", "-", "largest dt sum_d \\|u_d\\|/h_d over all cells", [this] { return flow_.courant.value; }});
+  quantities.add({"kinetic_energy", U::energy, "1/2 sum rho \\|u\\|² over the faces in fluid, added mass included",
+                  [this] { return flow_.kinetic_energy; }});
+  quantities.add({"max_divergence", "1/s", "largest divergence of a cell; what the pressure solver left",
+                  [this] { return flow_.max_divergence; }, Accumulation::largest, "/max_divergence"});
+  quantities.add({"angular_momentum", U::angular_momentum,
+                  "sum rho (x v - y u) over the faces in fluid, about the vertical in the box's middle",
+                  [this] { return flow_.angular_momentum; }});
+  quantities.add(
+      {"dissipation", U::power, "2 mu e:e over the fluid, e the rate of strain", [this] { return flow_.dissipation; }});
+  if (fluid.departs_from_central())
+    quantities.add({"numerical_dissipation", U::power,
+                    "power that the advection scheme took out of the flow beyond central differences",
+                    [&fluid] { return fluid.numerical_dissipation(); }});
+}
+
+template <int Dim>
+void FlowMeasure<Dim>::observe(const Observation<Dim>& seen) {
+  const Model<Dim>& model = system_.model;
+  dt_ = seen.dt;
+  flow_ = FlowDiagnostics<Dim>::of(model.grid, {seen.velocity, model.liquid.fields(), model.fluid_fraction()}, dt_);
+}
+
+template <int Dim>
+void FlowMeasure<Dim>::observe_start(const Observation<Dim>& seen) {
+  observe(seen);
+  flow_.max_divergence = 0;
+}
+
+template class FlowMeasure<2>;
+template class FlowMeasure<3>;
+
+}  // namespace washfsi

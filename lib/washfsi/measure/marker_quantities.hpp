@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/cloth/sheet.hpp"
+
+namespace washfsi {
+
+/// The washing action of the water at a marker, on the mean of both sides: its relative speed along the cloth one and a
+/// half cells away, near the edge of the delta, and viscosity times that over the distance.
+struct WashingAction {
+  double relative_speed = 0, shear = 0;  ///< [m/s], [Pa]
+};
+
+/// What is known of a marker after a step.
+struct MarkerSample {
+  MarkerState state;
+  WashingAction action;
+};
+
+/// One number of each marker: its mean over the markers of a group is a column, its average over time at each marker is
+/// in the summary by mean and standard deviation.
+struct MarkerQuantity {
+  const char *name, *unit, *meaning;
+  double (*value)(const MarkerSample& sample);
+  bool in_series = false;  ///< whether it is in cloth.h5 too
+};
+
+/// All of them, in the plane or in space.
+template <int Dim>
+const std::vector<MarkerQuantity>& marker_quantities();
+
+}  // namespace washfsi

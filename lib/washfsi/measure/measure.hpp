@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/measure/quantity.hpp"
+#include "washfsi/scheme/system.hpp"
+
+namespace washfsi {
+
+/// What measures are given after a step, beside the system.
+template <int Dim>
+struct Observation {
+  double dt = 0;              ///< of the step [s]
+  double interval = 0;        ///< since all was measured last [s]; 0 at the start
+  Vec velocity = nullptr;     ///< of the water, local, of face_dm, its ghosts filled [m/s]
+  ContactLoads<Dim> contact;  ///< of all ranks' markers
+};
+
+/// Something that measures a few numbers that belong together.
+template <int Dim>
+class Measure {
+ public:
+  Measure() = default;
+  Measure(const Measure&) = delete;
+  Measure& operator=(const Measure&) = delete;
+  virtual ~Measure() = default;
+
+  /// Names the numbers, with how each is had after `observe`. Called once.
+  virtual void declare(QuantityList& quantities) = 0;
+  /// Before a step after which it will observe, if it did not observe after the one before. Collective.
+  virtual void prepare() {}
+  /// After a step. Collective.
+  virtual void observe(const Observation<Dim>& seen) = 0;
+  /// At the start, or at that of a restarted run. Collective.
+  virtual void observe_start(const Observation<Dim>&) {}
+};
+
+/// What is extensive has these units, per unit depth in the plane.
+template <int Dim>
+struct Units {
+  static constexpr const char* force = Dim == 2 ? "N/m" : "N";
+  static constexpr const char* torque = Dim == 2 ? "N m/m" : "N m";
+  static constexpr const char* energy = Dim == 2 ? "J/m" : "J";
+  static constexpr const char* power = Dim == 2 ? "W/m" : "W";
+  static constexpr const char* angular_momentum = Dim == 2 ? "J s/m" : "J s";
+};
+
+/// Declares the components of the load with a number among others, which must outlive the list: its force and its torque,
+/// columns PREFIX_force_x ... and entries under a pointer.
+template <int Dim>
+void declare_load(QuantityList& quantities, const std::string& prefix, const std::string& pointer,
+                  const std::string& meaning, const Loads<Dim>& loads, std::size_t number) {
+  for (int d = 0; d < Dim; ++d)
+    quantities.add({prefix + "_force_" + "xyz"[d], Units<Dim>::force, "force " + meaning,
+                    [&loads, number, d] { return loads[number].force[d]; }, Accumulation::none,
+                    pointer + "/force/" + std::to_string(d)});
+  for (int d = 0; d < rotation_components<Dim>; ++d)
+    quantities.add({prefix + "_torque" + (Dim == 3 ? std::string("_") + "xyz"[d] : ""), Units<Dim>::torque,
+                    "torque " + meaning, [&loads, number, d] { return loads[number].torque[d]; }, Accumulation::none,
+                    pointer + "/torque" + (Dim == 3 ? "/" + std::to_string(d) : "")});
+}
+
+}  // namespace washfsi

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/measure/measures.hpp"
+
+#include <utility>
+
+namespace washfsi {
+
+namespace {
+
+// Every further measure that there is. Their columns come last.
+template <int Dim>
+std::vector<std::unique_ptr<Measure<Dim>>> further_measures([[maybe_unused]] const System<Dim>& system) {
+  std::vector<std::unique_ptr<Measure<Dim>>> measures;
+  return measures;
+}
+
+}  // namespace
+
+template <int Dim>
+MeasureOptions MeasureOptions::from_options(Options& options, const Point<Dim>& lower, const Point<Dim>& upper) {
+  MeasureOptions measure;
+  options.block("", "Loads", [&](OptionBlock& block) {
+    block.boolean("body_balance", measure.balance_loads,
+                  "measure the loads on bodies by the balance of momentum round them too: a check");
+  });
+  if constexpr (Dim == 3) measure.machine = MachineAxis::from_options(options, lower, upper);
+  return measure;
+}
+
+template <int Dim>
+Measures<Dim>::Measures(const System<Dim>& system, const MeasureOptions& options)
+    : system_(system),
+      flow_(system),
+      bodies_(system, options.balance_loads),
+      walls_(system),
+      cloth_(system, options.machine),
+      coupling_(system, cloth_),
+      further_(further_measures(system)) {
+  flow_.declare(quantities_);
+  bodies_.declare(quantities_);
+  walls_.declare(quantities_);
+  coupling_.declare(quantities_);
+  cloth_.declare(quantities_);
+  for (const auto& measure : further_) measure->declare(quantities_);
+  quantities_.keep("unmeasured_time", {&unmeasured_time_, 1});
+}
+
+template <int Dim>
+ContactLoads<Dim> Measures<Dim>::contact() const {
+  const Model<Dim>& model = system_.model;
+  ContactLoads<Dim> loads = contact_loads<Dim>(model.forces, system_.step.pushed_at, model.bodies.size());
+  loads.bodies = ordered_sum<Dim>(model.grid.comm(), loads.bodies);
+  Loads<Dim> sides;
+  for (const auto& ends : loads.sides) sides.insert(sides.end(), ends.begin(), ends.end());
+  sides = ordered_sum<Dim>(model.grid.comm(), sides);
+  for (std::size_t s = 0; s < sides.size(); ++s) loads.sides[s / 2][s % 2] = sides[s];
+  return loads;
+}
+
+template <int Dim>
+void Measures<Dim>::observe_start(double dt) {
+  const Model<Dim>& model = system_.model;
+  const GhostedVelocity<Dim> velocity(model.boundary, model.grid.face_dm(), model.fluid.velocity(),
+                                      system_.state.clock.time);
+  const Observation<Dim> seen{dt, 0, velocity, {Loads<Dim>(model.bodies.size()), {}}};
+  flow_.observe_start(seen);
+  cloth_.observe_start(seen);
+  coupling_.observe_start(seen);
+  for (const auto& measure : further_) measure->observe_start(seen);
+  quantities_.accumulate();
+}
+
+template <int Dim>
+void Measures<Dim>::prepare() {
+  if (unmeasured_time_ == 0) return;
+  coupling_.prepare();
+  for (const auto& measure : further_) measure->prepare();
+}
+
+template <int Dim>
+void Measures<Dim>::observe(double dt, bool all) {
+  const petsc::LogPart part("measures");
+  const Model<Dim>& model = system_.model;
+  const GhostedVelocity<Dim> velocity(model.boundary, model.grid.face_dm(), model.fluid.velocity(),
+                                      system_.state.clock.time);
+  Observation<Dim> seen{dt, 0, velocity, {}};
+  unmeasured_time_ += dt;
+  flow_.observe(seen);
+  if (all) {
+    seen.interval = std::exchange(unmeasured_time_, 0.0);
+    seen.contact = contact();
+    bodies_.observe(seen);
+    walls_.observe(seen);
+    cloth_.observe(seen);
+    coupling_.observe(seen);
+    for (const auto& measure : further_) measure->observe(seen);
+  }
+  quantities_.accumulate();
+}
+
+template MeasureOptions MeasureOptions::from_options<2>(Options&, const Point<2>&, const Point<2>&);
+template MeasureOptions MeasureOptions::from_options<3>(Options&, const Point<3>&, const Point<3>&);
+template class Measures<2>;
+template class Measures<3>;
+
+}  // namespace washfsi

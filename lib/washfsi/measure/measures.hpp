@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "washfsi/measure/body_measure.hpp"
+#include "washfsi/measure/cloth_measure.hpp"
+#include "washfsi/measure/coupling_measure.hpp"
+#include "washfsi/measure/flow_measure.hpp"
+#include "washfsi/measure/wall_measure.hpp"
+
+namespace washfsi {
+
+/// What is measured that is a choice.
+struct MeasureOptions {
+  bool balance_loads = false;  ///< loads on bodies by the balance of momentum too
+  MachineAxis machine;         ///< in space
+
+  /// In a box with these corners [m].
+  template <int Dim>
+  static MeasureOptions from_options(Options& options, const Point<Dim>& lower, const Point<Dim>& upper);
+};
+
+/// All that is measured after each step, or after some.
+template <int Dim>
+class Measures {
+ public:
+  /// Collective. The system must outlive it.
+  Measures(const System<Dim>& system, const MeasureOptions& options);
+  Measures(const Measures&) = delete;
+  Measures& operator=(const Measures&) = delete;
+
+  /// Before a step of which `observe` will take all. Collective.
+  void prepare();
+  /// Takes the state after a step: all of it, or only the flow's. Averages weigh it with the time since all was taken
+  /// last. Collective.
+  void observe(double dt, bool all);
+  /// Takes the state without adding it to the averages. Collective.
+  void observe_start(double dt);
+
+  QuantityList& quantities() { return quantities_; }
+  const QuantityList& quantities() const { return quantities_; }
+  const FlowDiagnostics<Dim>& flow() const { return flow_.flow(); }
+  const Loads<Dim>& loads() const { return bodies_.loads(); }
+  ClothMeasure<Dim>& cloth() { return cloth_; }
+  const ClothMeasure<Dim>& cloth() const { return cloth_; }
+
+ private:
+  ContactLoads<Dim> contact() const;
+
+  const System<Dim>& system_;
+  FlowMeasure<Dim> flow_;
+  BodyMeasure<Dim> bodies_;
+  WallMeasure<Dim> walls_;
+  ClothMeasure<Dim> cloth_;
+  CouplingMeasure<Dim> coupling_;
+  std::vector<std::unique_ptr<Measure<Dim>>> further_;
+  QuantityList quantities_;
+  double unmeasured_time_ = 0;  ///< since all was taken last [s]
+};
+
+extern template class Measures<2>;
+extern template class Measures<3>;
+
+}  // namespace washfsi

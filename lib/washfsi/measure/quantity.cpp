@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/measure/quantity.hpp"
+
+#include <algorithm>
+
+namespace washfsi {
+
+void QuantityList::add(Quantity quantity) {
+  double& largest = largest_.emplace_back(0.0);
+  if (quantity.accumulation != Accumulation::none)
+    keep("largest_" + (quantity.name.empty() ? quantity.summary : quantity.name), {&largest, 1});
+  quantities_.push_back(std::move(quantity));
+}
+
+void QuantityList::keep(const std::string& name, std::span<double> numbers) {
+  std::string path = name;
+  std::replace(path.begin(), path.end(), '/', '_');
+  kept_.push_back({path, numbers});
+}
+
+void QuantityList::accumulate() {
+  for (std::size_t n = 0; n < quantities_.size(); ++n)
+    if (quantities_[n].accumulation != Accumulation::none) largest_[n] = std::max(largest_[n], quantities_[n].value());
+}
+
+double QuantityList::shown(std::size_t n) const {
+  return quantities_[n].accumulation == Accumulation::largest_so_far ? largest_[n] : quantities_[n].value();
+}
+
+std::vector<Column> QuantityList::columns() const {
+  std::vector<Column> columns;
+  for (const Quantity& quantity : quantities_)
+    if (!quantity.name.empty()) columns.push_back({quantity.name, quantity.unit});
+  return columns;
+}
+
+std::vector<double> QuantityList::row() const {
+  std::vector<double> row;
+  for (std::size_t n = 0; n < quantities_.size(); ++n)
+    if (!quantities_[n].name.empty()) row.push_back(shown(n));
+  return row;
+}
+
+std::vector<QuantityList::SummaryEntry> QuantityList::summary() const {
+  std::vector<SummaryEntry> entries;
+  for (std::size_t n = 0; n < quantities_.size(); ++n) {
+    const Quantity& quantity = quantities_[n];
+    if (quantity.summary.empty()) continue;
+    const bool of_run = quantity.accumulation != Accumulation::none;
+    entries.push_back({quantity.summary, of_run ? largest_[n] : quantity.value(), quantity.is_count});
+  }
+  return entries;
+}
+
+double QuantityList::summary_value(const std::string& pointer) const {
+  for (const SummaryEntry& entry : summary())
+    if (entry.pointer == pointer) return entry.value;
+  return 0;
+}
+
+std::string QuantityList::document() const {
+  std::string text = "| column | unit | meaning |\n|---|---|---|\n";
+  for (const Quantity& quantity : quantities_)
+    if (!quantity.name.empty())
+      text += "| `" + quantity.name + "` | " + quantity.unit + " | " + quantity.meaning + " |\n";
+  return text;
+}
+
+}  // namespace washfsi

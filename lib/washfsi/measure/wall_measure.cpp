@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/measure/wall_measure.hpp"
+
+namespace washfsi {
+
+template <int Dim>
+WallMeasure<Dim>::WallMeasure(const System<Dim>& system)
+    : system_(system),
+      walls_(exposed_walls<Dim>(system.model.grid, system.model.boundary, system.model.bodies)),
+      loads_(walls_.size()) {}
+
+template <int Dim>
+void WallMeasure<Dim>::declare(QuantityList& quantities) {
+  for (std::size_t s = 0; s < walls_.size(); ++s) {
+    const std::string name =
+        std::string("wall_") + "xyz"[walls_[s].axis] + (walls_[s].end == End::lower ? "_lower" : "_upper");
+    declare_load<Dim>(quantities, name, "/walls/" + name,
+                      "of water and cloth on this side of the box, about the box's middle", loads_, s);
+  }
+}
+
+template <int Dim>
+void WallMeasure<Dim>::observe(const Observation<Dim>& seen) {
+  const Model<Dim>& model = system_.model;
+  loads_ = wall_loads<Dim>(model.grid, model.boundary, model.bodies, walls_, seen.velocity, model.fluid.pressure(),
+                           model.liquid.viscosity(), system_.state.clock.time);
+  for (std::size_t s = 0; s < walls_.size(); ++s)
+    loads_[s] += seen.contact.sides[static_cast<std::size_t>(walls_[s].axis)][walls_[s].end == End::upper ? 1 : 0];
+}
+
+template class WallMeasure<2>;
+template class WallMeasure<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/scheme/coupling_operations.hpp"
+
+#include <cmath>
+
+#include "washfsi/support/collective.hpp"
+
+namespace washfsi {
+
+template <int Dim>
+double norm(MPI_Comm comm, const Points<Dim>& values) {
+  double squares = 0;
+  for (const auto& value : values) squares += value.squaredNorm();
+  return std::sqrt(ordered_sum(comm, squares));
+}
+
+template <int Dim>
+void begin_step(System<Dim>& system, const Points<Dim>& positions, double time, double dt) {
+  system.model.forces.begin_step({positions, system.state.velocities, time, dt});
+}
+
+template <int Dim>
+Points<Dim> all_forces(System<Dim>& system, const Points<Dim>& positions) {
+  system.step.pushed_at = positions;
+  return system.model.forces.all(positions, system.state.velocities);
+}
+
+template <int Dim>
+void spread_cloth(System<Dim>& system, const Points<Dim>& positions, const Points<Dim>& forces) {
+  auto& [model, state, step] = system;
+  model.locate_cloth(positions);
+  WASH_PETSC(VecZeroEntries(step.force));
+  step.wall_reaction = model.transfer.spread(forces, step.force);
+}
+
+template <int Dim>
+void hold_bodies(System<Dim>& system, double time) {
+  Model<Dim>& model = system.model;
+  model.mask.update(time);
+  if (!model.mask.extrapolates()) return;
+  const GhostedVelocity<Dim> local(model.boundary, model.grid.wide_face_dm(), model.fluid.velocity(),
+                                   system.state.clock.time);
+  model.mask.extrapolate(local, time);
+}
+
+template <int Dim>
+void predict_and_project(System<Dim>& system, double dt) {
+  auto& [model, state, step] = system;
+  model.liquid.update_viscosity(model.fluid.velocity(), state.clock.time);
+  model.fluid.predict(state.clock.next(dt), {model.liquid.fields(), step.force, model.mask.constraint()});
+  model.fluid.project();
+}
+
+template <int Dim>
+Points<Dim> marker_velocities(const Model<Dim>& model, Vec velocity, double time) {
+  const petsc::GlobalVector masked(model.grid.face_dm());
+  WASH_PETSC(VecCopy(velocity, masked));
+  model.mask.hold(masked);
+  const GhostedVelocity<Dim> local(model.boundary, model.grid.wide_face_dm(), masked, time);
+  return model.transfer.interpolate(local);
+}
+
+template double norm<2>(MPI_Comm, const Points<2>&);
+template double norm<3>(MPI_Comm, const Points<3>&);
+template void begin_step<2>(System<2>&, const Points<2>&, double, double);
+template void begin_step<3>(System<3>&, const Points<3>&, double, double);
+template Points<2> all_forces<2>(System<2>&, const Points<2>&);
+template Points<3> all_forces<3>(System<3>&, const Points<3>&);
+template void spread_cloth<2>(System<2>&, const Points<2>&, const Points<2>&);
+template void spread_cloth<3>(System<3>&, const Points<3>&, const Points<3>&);
+template void hold_bodies<2>(System<2>&, double);
+template void hold_bodies<3>(System<3>&, double);
+template void predict_and_project<2>(System<2>&, double);
+template void predict_and_project<3>(System<3>&, double);
+template Points<2> marker_velocities<2>(const Model<2>&, Vec, double);
+template Points<3> marker_velocities<3>(const Model<3>&, Vec, double);
+
+}  // namespace washfsi

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The operations that coupling schemes compose. All are collective.
+#pragma once
+
+#include "washfsi/scheme/system.hpp"
+
+namespace washfsi {
+
+/// Lets the forces on the cloths look at what is near to these places; they are to act at `time`, until which the
+/// markers move for dt.
+template <int Dim>
+void begin_step(System<Dim>& system, const Points<Dim>& positions, double time, double dt);
+
+/// All forces at these places; keeps the places.
+template <int Dim>
+Points<Dim> all_forces(System<Dim>& system, const Points<Dim>& positions);
+
+/// Fixes spread, interpolate and the density at these places, and spreads the forces into the step's force density.
+template <int Dim>
+void spread_cloth(System<Dim>& system, const Points<Dim>& positions, const Points<Dim>& forces);
+
+/// Places the bodies as they are at `time`.
+template <int Dim>
+void hold_bodies(System<Dim>& system, double time);
+
+/// Phases 1 to 3 of the fluid's step with the liquid and the bodies as they are, and the step's force density.
+template <int Dim>
+void predict_and_project(System<Dim>& system, double dt);
+
+/// U = J [H u + (1-H) u_solid] for a velocity at `time` and the bodies as they were placed last.
+template <int Dim>
+Points<Dim> marker_velocities(const Model<Dim>& model, Vec velocity, double time);
+
+/// 2-norm over all markers of all ranks.
+template <int Dim>
+double norm(MPI_Comm comm, const Points<Dim>& values);
+
+}  // namespace washfsi

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/scheme/coupling_scheme.hpp"
+
+#include <functional>
+
+#include "washfsi/scheme/cloth_alone.hpp"
+#include "washfsi/scheme/explicit_coupling.hpp"
+#include "washfsi/scheme/fluid_alone.hpp"
+#include "washfsi/scheme/implicit_coupling.hpp"
+#include "washfsi/scheme/midpoint_coupling.hpp"
+#include "washfsi/scheme/semi_implicit_coupling.hpp"
+#include "washfsi/support/errors.hpp"
+
+namespace washfsi {
+
+const ChoiceNames<TimeScheme>& names_of(TimeScheme) {
+  static const ChoiceNames<TimeScheme> names{{"trapezoidal", TimeScheme::trapezoidal},
+                                             {"backward_euler", TimeScheme::backward_euler}};
+  return names;
+}
+
+const ChoiceNames<Mobility>& names_of(Mobility) {
+  static const ChoiceNames<Mobility> names{{"matrix", Mobility::matrix}, {"row_sums", Mobility::row_sums}};
+  return names;
+}
+
+namespace {
+
+template <int Dim>
+struct NamedScheme {
+  std::string name;
+  std::function<std::unique_ptr<CouplingScheme<Dim>>(const System<Dim>&, const CouplingOptions&)> make;
+};
+
+template <int Dim, class Scheme>
+NamedScheme<Dim> named(const char* name) {
+  return {name, [](const System<Dim>& system, const CouplingOptions& options) {
+            if constexpr (std::is_default_constructible_v<Scheme>)
+              return std::make_unique<Scheme>();
+            else
+              return std::make_unique<Scheme>(system, options);
+          }};
+}
+
+// Every scheme of water and cloth that there is.
+template <int Dim>
+const std::vector<NamedScheme<Dim>>& coupling_schemes() {
+  static const std::vector<NamedScheme<Dim>> schemes{
+      named<Dim, ExplicitCoupling<Dim>>("explicit"),
+      named<Dim, MidpointCoupling<Dim>>("midpoint"),
+      named<Dim, SemiImplicitCoupling<Dim>>("semi_implicit"),
+      named<Dim, ImplicitCoupling<Dim>>("implicit"),
+  };
+  return schemes;
+}
+
+}  // namespace
+
+CouplingOptions CouplingOptions::from_options(Options& options) {
+  CouplingOptions coupling;
+  std::vector<std::string> schemes;
+  for (const auto& scheme : coupling_schemes<2>()) schemes.push_back(scheme.name);
+  options.alias("cloth_coupling", "coupling_scheme");
+  for (const char* name : {"time_scheme", "mobility", "mobility_factor", "tolerance", "sweeps", "slip_tolerance"})
+    options.alias(std::string("cloth_") + name, std::string("coupling_") + name);
+  options.block("coupling_", "Coupling of cloth and water", [&](OptionBlock& block) {
+    block.choice("scheme", coupling.scheme, schemes, "how cloth and water are coupled in a step");
+    coupling.scheme_given = block.given("scheme");
+    coupling.scheme_option = options.as_given("coupling_scheme");
+    block.choice("time_scheme", coupling.time_scheme,
+                 "of the implicit coupling: as in the thesis, or damping more; both of first order");
+    block.choice("mobility", coupling.mobility,
+                 "what stands for the mobility of the markers: that without pressure, or its row sums (semi_implicit)");
+    block.real("mobility_factor", coupling.mobility_factor, "-", positive,
+               "of what stands for the markers' mobility; too small: unstable; large: slow to follow (semi_implicit)");
+    block.real("tolerance", coupling.tolerance, "-", positive,
+               "rms residual of the markers' velocities over the flow's speed (semi_implicit, implicit)");
+    block.integer("sweeps", coupling.sweeps, at_least_one,
+                  "solves of the cloth and corrections at most (semi_implicit)");
+    block.real("slip_tolerance", coupling.slip_tolerance, "-", non_negative,
+               "slip between cloth and water below which no further sweep is made (semi_implicit)");
+  });
+  return coupling;
+}
+
+namespace {
+
+template <int Dim>
+void check_cloth_alone(const CouplingOptions& options, const Cloths<Dim>& cloths) {
+  if (options.scheme_given)
+    throw InputError("-" + options.scheme_option + " " + options.scheme + ": there is no fluid (-fluid none); leave it out");
+  for (const auto& group : cloths.groups())
+    if (group.excess_mass == 0)
+      throw InputError("-" + group.name + "_excess_mass 0: without fluid (-fluid none) cloth needs a mass");
+}
+
+}  // namespace
+
+template <int Dim>
+std::unique_ptr<CouplingScheme<Dim>> make_coupling_scheme(const CouplingOptions& options, const System<Dim>& system) {
+  if (!system.model.has_fluid) {
+    check_cloth_alone(options, system.model.cloths);
+    return std::make_unique<ClothAlone<Dim>>();
+  }
+  if (system.model.cloths.marker_count() == 0) return std::make_unique<FluidAlone<Dim>>();
+  for (const auto& scheme : coupling_schemes<Dim>())
+    if (scheme.name == options.scheme) return scheme.make(system, options);
+  throw InputError("-coupling_scheme " + options.scheme + ": there is no such scheme");
+}
+
+template std::unique_ptr<CouplingScheme<2>> make_coupling_scheme<2>(const CouplingOptions&, const System<2>&);
+template std::unique_ptr<CouplingScheme<3>> make_coupling_scheme<3>(const CouplingOptions&, const System<3>&);
+
+}  // namespace washfsi

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "washfsi/scheme/step_bound.hpp"
+#include "washfsi/scheme/system.hpp"
+
+namespace washfsi {
+
+/// How the implicit coupling weighs the two ends of a step.
+enum class TimeScheme { trapezoidal, backward_euler };
+const ChoiceNames<TimeScheme>& names_of(TimeScheme);
+
+/// What stands for the mobility of the markers in the semi-implicit coupling.
+enum class Mobility { matrix, row_sums };
+const ChoiceNames<Mobility>& names_of(Mobility);
+
+/// How cloth and water are coupled in a step.
+struct CouplingOptions {
+  std::string scheme = "semi_implicit";  ///< one of `coupling_schemes`; not for cloth or water alone
+  bool scheme_given = false;             ///< by the user
+  std::string scheme_option = "coupling_scheme";  ///< the name by which the user gave it
+  TimeScheme time_scheme = TimeScheme::trapezoidal;
+  Mobility mobility = Mobility::matrix;
+  double mobility_factor = 1;    ///< of what stands for the markers' mobility
+  double tolerance = 1e-5;       ///< rms residual of the markers' velocities over the flow's speed
+  PetscInt sweeps = 1;           ///< at most, of the semi-implicit coupling
+  double slip_tolerance = 0.01;  ///< below which no further sweep is made
+
+  static CouplingOptions from_options(Options& options);
+};
+
+/// A way of advancing cloth and water together by one time step.
+template <int Dim>
+class CouplingScheme {
+ public:
+  CouplingScheme() = default;
+  CouplingScheme(const CouplingScheme&) = delete;
+  CouplingScheme& operator=(const CouplingScheme&) = delete;
+  virtual ~CouplingScheme() = default;
+
+  /// From t^n to t^n + dt. Collective. Errors: DivergedError.
+  void advance(System<Dim>& system, double dt) {
+    take(system, dt);
+    system.state.clock.advance(dt);
+  }
+  /// Longest step for the cloth as it lies now [s]: that of the explicit coupling unless overridden. Collective.
+  virtual double step_bound(const System<Dim>& system) const { return cloth_step_bound<Dim>(system.model); }
+
+ private:
+  /// Does what a step does, but for the clock, which shows t^n.
+  virtual void take(System<Dim>& system, double dt) = 0;
+};
+
+/// The scheme for a system. Errors: InputError if it does not fit the cloths.
+template <int Dim>
+std::unique_ptr<CouplingScheme<Dim>> make_coupling_scheme(const CouplingOptions& options, const System<Dim>& system);
+
+}  // namespace washfsi

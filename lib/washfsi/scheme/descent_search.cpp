@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/scheme/descent_search.hpp"
+
+#include "washfsi/scheme/marker_vectors.hpp"
+
+namespace washfsi {
+
+namespace {
+
+double norm_of(Vec vector) {
+  double norm = 0;
+  WASH_PETSC(VecNorm(vector, NORM_2, &norm));
+  return norm;
+}
+
+}  // namespace
+
+template <int Dim>
+void DescentSearch<Dim>::attach(SNES solver, Mat matrix) {
+  solver_ = solver;
+  matrix_ = matrix;
+  SNESLineSearch search = nullptr;
+  WASH_PETSC(SNESGetLineSearch(solver, &search));
+  WASH_PETSC(SNESLineSearchSetType(search, SNESLINESEARCHSHELL));
+  WASH_PETSC(SNESLineSearchShellSetUserFunc(search, &DescentSearch::shorten, this));
+}
+
+template <int Dim>
+void DescentSearch<Dim>::start(const ClothEquation<Dim>& equation) {
+  equation_ = &equation;
+  geometric_ = GeometricStiffness::of_tension;
+  is_round_off_ = false;
+}
+
+template <int Dim>
+KSP DescentSearch<Dim>::linear_solver() const {
+  KSP linear = nullptr;
+  WASH_PETSC(SNESGetKSP(solver_, &linear));
+  return linear;
+}
+
+template <int Dim>
+double DescentSearch<Dim>::potential_at(Vec place) const {
+  return equation_->potential ? equation_->potential(to_points<Dim>(place)) : 0;
+}
+
+template <int Dim>
+double DescentSearch<Dim>::size_of(Vec residual, Vec work) const {
+  if (equation_->potential) return norm_of(residual);
+  PC preconditioner = nullptr;
+  WASH_PETSC(KSPGetPC(linear_solver(), &preconditioner));
+  WASH_PETSC(PCApply(preconditioner, residual, work));
+  return norm_of(work);
+}
+
+// How fast the potential falls along Newton's direction. Where the matrix was not positive definite and it rises, the
+// direction is found anew with one that is.
+template <int Dim>
+double DescentSearch<Dim>::slope_towards_descent(Vec x, Vec f, Vec direction) {
+  double slope = 0;
+  WASH_PETSC(VecDot(f, direction, &slope));
+  if (slope > 0) return slope;
+  geometric_ = GeometricStiffness::of_tension;
+  WASH_PETSC(SNESComputeJacobian(solver_, x, matrix_, matrix_));
+  WASH_PETSC(KSPSetOperators(linear_solver(), matrix_, matrix_));
+  WASH_PETSC(KSPSolve(linear_solver(), f, direction));
+  WASH_PETSC(VecDot(f, direction, &slope));
+  return slope;
+}
+
+template <int Dim>
+PetscErrorCode DescentSearch<Dim>::shorten(SNESLineSearch search, void* context) {
+  return petsc::guarded([&] { static_cast<DescentSearch*>(context)->search(search); });
+}
+
+template <int Dim>
+void DescentSearch<Dim>::search(SNESLineSearch search) {
+  constexpr double sufficient = 1e-4, small = 1e-6;
+  constexpr int most_halvings = 30;
+  Vec x = nullptr, f = nullptr, direction = nullptr, trial = nullptr, work = nullptr;
+  WASH_PETSC(SNESLineSearchGetVecs(search, &x, &f, &direction, &trial, &work));
+  const bool has_potential = static_cast<bool>(equation_->potential);
+  const bool is_small = norm_of(direction) <= small * norm_of(x);  // so near the solution residuals may be round-off
+  const double size = size_of(f, work), slope = has_potential ? slope_towards_descent(x, f, direction) : 0;
+  const double before = potential_at(x);
+  double part = 1;
+  for (int n = 0; n < most_halvings; ++n, part *= 0.5) {
+    WASH_PETSC(VecWAXPY(trial, -part, direction, x));
+    WASH_PETSC(SNESComputeFunction(solver_, trial, f));
+    const double now = size_of(f, work);
+    is_round_off_ = !has_potential && now <= equation_->round_off;
+    const bool lowers = is_small || is_round_off_ || now <= (1 - sufficient * part) * size;
+    if (lowers || (has_potential && potential_at(trial) <= before - sufficient * part * slope))
+      return accept(search, part);
+  }
+  WASH_PETSC(SNESLineSearchSetReason(search, SNES_LINESEARCH_FAILED_REDUCT));
+}
+
+template <int Dim>
+void DescentSearch<Dim>::accept(SNESLineSearch search, double part) {
+  Vec x = nullptr, f = nullptr, direction = nullptr, trial = nullptr, work = nullptr;
+  WASH_PETSC(SNESLineSearchGetVecs(search, &x, &f, &direction, &trial, &work));
+  WASH_PETSC(VecCopy(trial, x));
+  WASH_PETSC(VecScale(direction, part));
+  WASH_PETSC(SNESLineSearchSetLambda(search, part));
+  WASH_PETSC(SNESLineSearchSetReason(search, SNES_LINESEARCH_SUCCEEDED));
+  WASH_PETSC(SNESLineSearchComputeNorms(search));
+  geometric_ = part == 1 && equation_->potential ? GeometricStiffness::all : GeometricStiffness::of_tension;
+}
+
+template class DescentSearch<2>;
+template class DescentSearch<3>;
+
+}  // namespace washfsi

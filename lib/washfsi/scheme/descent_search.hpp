@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/scheme/cloth_equation.hpp"
+
+namespace washfsi {
+
+/// The line search of Newton's method for the cloth: the whole of a step, or a half, a quarter ... of it, the first
+/// that lowers the potential or, near the solution, where differences of the potential drown in round-off, the
+/// residual; without a potential, the preconditioned residual (Deuflhard's natural level function, with the
+/// preconditioner in place of the Jacobian: a residual's own norm sees little but the stiffest waves). Far from the
+/// solution the matrix of an equation with a potential leaves the geometric stiffness of compressed edges out, so that
+/// there is such a step.
+template <int Dim>
+class DescentSearch {
+ public:
+  DescentSearch() = default;
+  DescentSearch(const DescentSearch&) = delete;
+  DescentSearch& operator=(const DescentSearch&) = delete;
+
+  /// Becomes the line search of a solver, whose Jacobian, or its preconditioner, is `matrix`. Both must outlive it.
+  void attach(SNES solver, Mat matrix);
+  /// Before each solution.
+  void start(const ClothEquation<Dim>& equation);
+
+  /// What the next matrix is to hold.
+  GeometricStiffness geometric() const { return geometric_; }
+  /// Whether all that the last step left of the preconditioned residual is round-off.
+  bool is_round_off() const { return is_round_off_; }
+
+ private:
+  static PetscErrorCode shorten(SNESLineSearch search, void* self);
+  void search(SNESLineSearch search);
+  void accept(SNESLineSearch search, double part);
+  double potential_at(Vec place) const;
+  double size_of(Vec residual, Vec work) const;
+  double slope_towards_descent(Vec x, Vec f, Vec direction);
+  KSP linear_solver() const;
+
+  SNES solver_ = nullptr;
+  Mat matrix_ = nullptr;
+  const ClothEquation<Dim>* equation_ = nullptr;  ///< during a solution
+  GeometricStiffness geometric_ = GeometricStiffness::of_tension;
+  bool is_round_off_ = false;
+};
+
+extern template class DescentSearch<2>;
+extern template class DescentSearch<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/scheme/explicit_coupling.hpp"
+
+#include "washfsi/scheme/coupling_operations.hpp"
+
+namespace washfsi {
+
+template <int Dim>
+void ExplicitCoupling<Dim>::take(System<Dim>& system, double dt) {
+  auto& [model, state, step] = system;
+  const double time = state.clock.time;
+  begin_step(system, state.positions, time, 0);
+  spread_cloth(system, state.positions, all_forces(system, state.positions));
+
+  hold_bodies(system, time + dt);
+  predict_and_project(system, dt);
+  model.fluid.finish();
+
+  state.velocities = marker_velocities(model, model.fluid.velocity(), time + dt);
+  state.positions += dt * state.velocities;
+}
+
+template class ExplicitCoupling<2>;
+template class ExplicitCoupling<3>;
+
+}  // namespace washfsi

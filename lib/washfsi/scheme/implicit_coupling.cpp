@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/scheme/implicit_coupling.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "washfsi/scheme/coupling_operations.hpp"
+#include "washfsi/scheme/marker_vectors.hpp"
+#include "washfsi/support/collective.hpp"
+
+namespace washfsi {
+
+template <int Dim>
+ImplicitCoupling<Dim>::ImplicitCoupling(const System<Dim>& system, const CouplingOptions& options)
+    : options_(options), solver_(system.model.forces, system.state.positions, {SNESQN, false}) {}
+
+template <int Dim>
+double ImplicitCoupling<Dim>::step_bound(const System<Dim>&) const {
+  return std::numeric_limits<double>::infinity();
+}
+
+// U^(n+1) of a whole fluid step with the cloth moved at these velocities; leaves the fluid before `finish`.
+template <int Dim>
+Points<Dim> ImplicitCoupling<Dim>::fluid_step(System<Dim>& system, double dt, const Points<Dim>& velocities) const {
+  auto& [model, state, step] = system;
+  step.pushed_at = state.positions + dt * velocities;
+  // at half the way the damping is just beta Ke dE11/dt: a turning edge is not strained
+  const Points<Dim> middle = state.positions + 0.5 * dt * velocities;
+  spread_cloth(system, step.pushed_at,
+               model.forces.of_places(step.pushed_at) + model.forces.of_velocities(middle, velocities) +
+                   model.forces.constant());
+  model.fluid.restore_pressure();
+  predict_and_project(system, dt);
+  return marker_velocities(model, model.fluid.next_velocity(), state.clock.time + dt);
+}
+
+template <int Dim>
+double ImplicitCoupling<Dim>::tolerance(const System<Dim>& system) const {
+  const auto& [model, state, step] = system;
+  double speed = 0;
+  // at the start, when all is at rest, that after a first trial
+  const Vec velocity = model.fluid.last_step() > 0 ? model.fluid.velocity() : model.fluid.next_velocity();
+  WASH_PETSC(VecNorm(velocity, NORM_INFINITY, &speed));
+  speed = std::max(speed, model.boundary.largest_speed(state.clock.time));
+  return options_.tolerance * speed * std::sqrt(static_cast<double>(model.cloths.marker_count()));
+}
+
+template <int Dim>
+void ImplicitCoupling<Dim>::take(System<Dim>& system, double dt) {
+  Model<Dim>& model = system.model;
+  State<Dim>& state = system.state;
+  const bool trapezoidal = options_.time_scheme == TimeScheme::trapezoidal;
+  const double weight = trapezoidal ? 0.5 : 1.0;
+  begin_step(system, state.positions, state.clock.time + dt, dt);
+  hold_bodies(system, state.clock.time + dt);
+  model.fluid.keep_pressure();
+  Points<Dim> last, evaluated;
+  const auto residual = [&](const Points<Dim>& velocities) {
+    evaluated = velocities;
+    last = fluid_step(system, dt, velocities);
+    const Points<Dim> result = velocities - weight * last;
+    return trapezoidal ? result - 0.5 * state.velocities : result;
+  };
+  const auto assemble = [&](const Points<Dim>& velocities, GeometricStiffness geometric, Mat matrix) {
+    const petsc::LogPart part("cloth_solve");
+    const std::vector<double> mobility =
+        row_sum_mobility<Dim>(model.transfer, model.grid, model.boundary, model.liquid.density(),
+                              model.fluid_fraction(), std::vector<double>(state.positions.size(), 1.0));
+    model.forces.set_stiffness(state.positions + dt * velocities, geometric,
+                               weight * dt * dt * options_.mobility_factor, matrix);
+    scale_and_shift<Dim>(mobility, std::vector<double>(mobility.size(), 1.0), matrix);
+  };
+  Points<Dim> velocities = state.velocities;
+  if (model.fluid.last_step() == 0) last = fluid_step(system, dt, velocities);
+  system.step.cloth_iterations +=
+      static_cast<double>(solver_.solve({residual, assemble, 0}, tolerance(system), velocities));
+  if (any_rank(model.grid.comm(), evaluated != velocities)) last = fluid_step(system, dt, velocities);
+  model.fluid.finish();
+  state.positions += dt * velocities;
+  state.velocities = last;
+}
+
+template class ImplicitCoupling<2>;
+template class ImplicitCoupling<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The implicit step, thesis 3.4 for two dimensions: the markers' velocities W = (X^(n+1) - X^n)/dt solve
+//   trapezoidal      W = 1/2 [ U^n + U^(n+1) ]        thesis (3.2-14)
+//   backward_euler   W = U^(n+1)                      damps more
+// where U^(n+1) = J(X) [H u + (1-H) u_solid] and u is the fluid's velocity after a whole step with rho, S and the
+// forces at X = X^n + dt W: one fluid solve for each evaluation of the residual. First order, since
+// the force of the end acts over the whole step: it takes energy out and never puts any in. Solved by Broyden's method
+// (SNES prefix cloth_), which starts from  I + c dt^2 D K  with the elastic stiffness K, c = 1/2 or 1, and the
+// mobility's row sums D.
+#pragma once
+
+#include "washfsi/scheme/cloth_solver.hpp"
+#include "washfsi/scheme/coupling_scheme.hpp"
+
+namespace washfsi {
+
+template <int Dim>
+class ImplicitCoupling : public CouplingScheme<Dim> {
+ public:
+  ImplicitCoupling(const System<Dim>& system, const CouplingOptions& options);
+  double step_bound(const System<Dim>& system) const override;
+
+ private:
+  void take(System<Dim>& system, double dt) override;
+  Points<Dim> fluid_step(System<Dim>& system, double dt, const Points<Dim>& velocities) const;
+  double tolerance(const System<Dim>& system) const;
+
+  CouplingOptions options_;
+  ClothSolver<Dim> solver_;
+};
+
+}  // namespace washfsi

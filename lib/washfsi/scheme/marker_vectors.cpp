@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/scheme/marker_vectors.hpp"
+
+#include <algorithm>
+
+namespace washfsi {
+
+template <int Dim>
+void to_vector(const Points<Dim>& points, Vec vector) {
+  double* values = nullptr;
+  WASH_PETSC(VecGetArrayWrite(vector, &values));
+  for (const Point<Dim>& point : points) values = std::copy_n(point.data(), Dim, values);
+  values = nullptr;
+  WASH_PETSC(VecRestoreArrayWrite(vector, &values));
+}
+
+template <int Dim>
+Points<Dim> to_points(Vec vector) {
+  const double* values = nullptr;
+  PetscInt size = 0;
+  WASH_PETSC(VecGetLocalSize(vector, &size));
+  WASH_PETSC(VecGetArrayRead(vector, &values));
+  Points<Dim> points(static_cast<std::size_t>(size / Dim));
+  for (std::size_t m = 0; m < points.size(); ++m) points[m] = Point<Dim>(values + m * Dim);
+  WASH_PETSC(VecRestoreArrayRead(vector, &values));
+  return points;
+}
+
+template <int Dim>
+Points<Dim> product(Mat matrix, const Points<Dim>& values) {
+  petsc::Vector x, y;
+  WASH_PETSC(MatCreateVecs(matrix, x.put(), y.put()));
+  to_vector<Dim>(values, x);
+  WASH_PETSC(MatMult(matrix, x, y));
+  return to_points<Dim>(y);
+}
+
+template <int Dim>
+void scale_and_shift(const std::vector<double>& row_factors, const std::vector<double>& diagonal, Mat matrix) {
+  const auto vector_of = [&](const std::vector<double>& values) {
+    petsc::Vector vector;
+    WASH_PETSC(MatCreateVecs(matrix, nullptr, vector.put()));
+    Points<Dim> points;
+    for (const double value : values) points.push_back(Point<Dim>::Constant(value));
+    to_vector<Dim>(points, vector);
+    return vector;
+  };
+  WASH_PETSC(MatDiagonalScale(matrix, vector_of(row_factors), nullptr));
+  WASH_PETSC(MatDiagonalSet(matrix, vector_of(diagonal), ADD_VALUES));
+}
+
+template void to_vector<2>(const Points<2>&, Vec);
+template void to_vector<3>(const Points<3>&, Vec);
+template Points<2> to_points<2>(Vec);
+template Points<3> to_points<3>(Vec);
+template Points<2> product<2>(Mat, const Points<2>&);
+template Points<3> product<3>(Mat, const Points<3>&);
+template void scale_and_shift<2>(const std::vector<double>&, const std::vector<double>&, Mat);
+template void scale_and_shift<3>(const std::vector<double>&, const std::vector<double>&, Mat);
+
+}  // namespace washfsi

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// One value per marker as PETSc sees it: vectors and matrices with a row for each coordinate of each marker.
+#pragma once
+
+#include <vector>
+
+#include "washfsi/support/petsc.hpp"
+#include "washfsi/support/point.hpp"
+
+namespace washfsi {
+
+template <int Dim>
+void to_vector(const Points<Dim>& points, Vec vector);
+
+/// The values of this rank's part of a vector.
+template <int Dim>
+Points<Dim> to_points(Vec vector);
+
+/// The product of a matrix of the cloths' lattice with one value per marker. Collective.
+template <int Dim>
+Points<Dim> product(Mat matrix, const Points<Dim>& values);
+
+/// Makes a matrix M of the cloths' lattice  diag(row_factors) M + diag(diagonal), with one
+/// value per marker. Collective.
+template <int Dim>
+void scale_and_shift(const std::vector<double>& row_factors, const std::vector<double>& diagonal, Mat matrix);
+
+}  // namespace washfsi

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/scheme/midpoint_coupling.hpp"
+
+#include "washfsi/scheme/coupling_operations.hpp"
+
+namespace washfsi {
+
+template <int Dim>
+void MidpointCoupling<Dim>::take(System<Dim>& system, double dt) {
+  auto& [model, state, step] = system;
+  const double time = state.clock.time;
+  const Points<Dim> middle = state.positions + 0.5 * dt * state.velocities;
+  begin_step(system, middle, time + 0.5 * dt, 0);
+  spread_cloth(system, middle, all_forces(system, middle));
+  const Points<Dim> before = marker_velocities(model, model.fluid.velocity(), time);
+
+  hold_bodies(system, time + dt);
+  predict_and_project(system, dt);
+  model.fluid.finish();
+
+  const Points<Dim> after = marker_velocities(model, model.fluid.velocity(), time + dt);
+  state.positions = state.positions + 0.5 * dt * before + 0.5 * dt * after;
+  model.transfer.locate(state.positions);
+  state.velocities = marker_velocities(model, model.fluid.velocity(), time + dt);
+}
+
+template class MidpointCoupling<2>;
+template class MidpointCoupling<3>;
+
+}  // namespace washfsi

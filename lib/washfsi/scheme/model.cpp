@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/scheme/model.hpp"
+
+#include <cmath>
+
+#include "washfsi/body/drum_walls.hpp"
+#include "washfsi/cloth/damping.hpp"
+#include "washfsi/cloth/dead_loads.hpp"
+#include "washfsi/cloth/elasticity.hpp"
+#include "washfsi/cloth/holding_springs.hpp"
+#include "washfsi/contact/cushion.hpp"
+
+namespace washfsi {
+
+const ChoiceNames<Medium>& names_of(Medium) {
+  static const ChoiceNames<Medium> names{{"water", Medium::water}, {"none", Medium::none}};
+  return names;
+}
+
+namespace {
+
+// Ghost layers that hold the stencil of a marker anywhere in an owned cell.
+template <int Dim>
+GridShape<Dim> with_ghosts_for(GridShape<Dim> shape, const ModelOptions<Dim>& options) {
+  const DeltaOptions& delta = options.delta;
+  shape.ghost_width = static_cast<PetscInt>(std::ceil(std::max(delta.spread_width, delta.interpolate_width))) + 1;
+  // a probe lies at most two spacings from the face that it serves
+  if (options.treatment.method == BodyMethod::ghost) shape.ghost_width = std::max<PetscInt>(shape.ghost_width, 3);
+  return shape;
+}
+
+// Every force that comes from what is round the cloths: reads its options, and makes nothing if it is not asked for.
+template <int Dim>
+std::vector<MakeForce<Dim>> surrounding_forces_from_options(Options& options) {
+  return {
+      Cushion<Dim>::from_options(options),
+  };
+}
+
+}  // namespace
+
+template <int Dim>
+ModelOptions<Dim> ModelOptions<Dim>::from_options(Options& options) {
+  ModelOptions<Dim> model;
+  model.grid = GridOptions<Dim>::from_options(options);
+  model.fluid = FluidOptions<Dim>::from_options(options);
+  options.block("", "Fluid or none", [&](OptionBlock& block) {
+    block.choice("fluid", model.medium, "none: cloth alone, as in a vacuum or with a linear drag");
+    block.real("cloth_drag", model.cloth_drag, "kg/(m2 s)", non_negative,
+               "without fluid: force per undeformed area and speed");
+  });
+  options.block("", "Gravity", [&](OptionBlock& block) {
+    block.template point<Dim>("gravity", model.gravity, "m/s2", "acceleration by gravity, acting on excess mass");
+  });
+  model.cloths = cloth_groups_from_options<Dim>(options);
+  model.treatment = BodyTreatment::from_options(options);
+  model.delta = DeltaOptions::from_options(options);
+  model.surrounding_forces = surrounding_forces_from_options<Dim>(options);
+  return model;
+}
+
+template <int Dim>
+Model<Dim>::Model(MPI_Comm comm, const ModelOptions<Dim>& options, std::vector<Body<Dim>> rigid_bodies)
+    : grid(comm, with_ghosts_for(options.grid.shape, options)),
+      boundary(grid, sides_with_drum<Dim>(options.grid.sides, options.grid.shape, rigid_bodies)),
+      bodies(std::move(rigid_bodies)),
+      mask(grid, bodies, options.treatment),
+      liquid(grid, boundary, options.fluid.density, options.fluid.viscosity, options.fluid.viscosity_models),
+      fluid(grid, boundary, options.fluid),
+      cloths(comm, options.cloths),
+      forces(cloths),
+      transfer(grid, boundary, options.delta),
+      has_fluid(options.medium == Medium::water),
+      cloth_drag(options.cloth_drag) {}
+
+// In this order they are summed.
+template <int Dim>
+void Model<Dim>::add_forces(const ModelOptions<Dim>& options, const Points<Dim>& start) {
+  forces.add(std::make_unique<Elasticity<Dim>>(cloths));
+  if (uses(cloths.groups(), ElasticModel::love)) forces.add(std::make_unique<StrongElasticity<Dim>>(cloths));
+  forces.add(std::make_unique<HoldingSprings<Dim>>(cloths, start));
+  for (const MakeForce<Dim>& make : options.surrounding_forces)
+    if (auto force = make({grid, boundary, bodies, cloths})) forces.add(std::move(force));
+  forces.add(std::make_unique<Damping<Dim>>(cloths));
+  forces.add(std::make_unique<DeadLoads<Dim>>(cloths, options.gravity));
+}
+
+template <int Dim>
+void Model<Dim>::locate_cloth(const Points<Dim>& places) {
+  transfer.locate(places);
+  if (cloths.marker_count() == 0) return;
+  liquid.reset_density();
+  transfer.spread_mass(cloths.marker_masses(), liquid.density());
+}
+
+template struct ModelOptions<2>;
+template struct ModelOptions<3>;
+template struct Model<2>;
+template struct Model<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/body/mask.hpp"
+#include "washfsi/contact/contact_force.hpp"
+#include "washfsi/coupling/transfer.hpp"
+#include "washfsi/fluid/fractional_step.hpp"
+#include "washfsi/grid/options.hpp"
+
+namespace washfsi {
+
+/// What the cloths are in.
+enum class Medium { water, none };
+const ChoiceNames<Medium>& names_of(Medium);
+
+/// All options that describe what is simulated, but for how it starts.
+template <int Dim>
+struct ModelOptions {
+  GridOptions<Dim> grid;
+  FluidOptions<Dim> fluid;
+  Medium medium = Medium::water;
+  double cloth_drag = 0;                    ///< without fluid: force per undeformed area and speed [kg/(m2 s)]
+  Point<Dim> gravity = Point<Dim>::Zero();  ///< acts on the cloths' excess mass: p is measured from hydrostatic [m/s2]
+  std::vector<ClothGroup<Dim>> cloths;
+  std::vector<MakeForce<Dim>> surrounding_forces;  ///< on the cloths, from what is round them
+  BodyTreatment treatment;
+  DeltaOptions delta;
+
+  static ModelOptions from_options(Options& options);
+};
+
+/// What is simulated: water, bodies and cloths, and the operators between them. The water's velocity and pressure are
+/// kept by `fluid`.
+template <int Dim>
+struct Model {
+  /// Collective. Errors: InputError.
+  Model(MPI_Comm comm, const ModelOptions<Dim>& options, std::vector<Body<Dim>> rigid_bodies);
+  Model(const Model&) = delete;
+  Model& operator=(const Model&) = delete;
+
+  /// Makes the forces on cloths whose markers of this rank start here.
+  void add_forces(const ModelOptions<Dim>& options, const Points<Dim>& start);
+  /// Fixes spread and interpolate, and the density of water and cloth, at these places of the markers. Collective.
+  /// Errors: DivergedError if a marker has left the box.
+  void locate_cloth(const Points<Dim>& places);
+  /// H on faces; null without solids.
+  Vec fluid_fraction() const { return mask.empty() ? nullptr : mask.fluid_fraction(); }
+
+  Grid<Dim> grid;
+  Boundary<Dim> boundary;
+  std::vector<Body<Dim>> bodies;
+  Mask<Dim> mask;
+  Liquid<Dim> liquid;
+  FractionalStep<Dim> fluid;
+  Cloths<Dim> cloths;
+  Forces<Dim> forces;
+  Transfer<Dim> transfer;
+  bool has_fluid;     ///< false: cloth alone
+  double cloth_drag;  ///< on cloth alone, force per undeformed area and speed [kg/(m2 s)]
+};
+
+extern template struct ModelOptions<2>;
+extern template struct ModelOptions<3>;
+extern template struct Model<2>;
+extern template struct Model<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/scheme/semi_implicit_coupling.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "washfsi/scheme/coupling_operations.hpp"
+#include "washfsi/scheme/marker_vectors.hpp"
+#include "washfsi/support/collective.hpp"
+#include "washfsi/support/errors.hpp"
+
+namespace washfsi {
+
+template <int Dim>
+SemiImplicitCoupling<Dim>::SemiImplicitCoupling(const System<Dim>& system, const CouplingOptions& options)
+    : options_(options),
+      solver_(system.model.forces, system.state.positions,
+              {SNESNEWTONLS, options.mobility == Mobility::row_sums, options.mobility == Mobility::matrix}),
+      matrix_(system.model.grid, system.model.transfer.delta()) {
+  if (const MarkerForce<Dim>* force = system.model.forces.without_jacobian())
+    throw InputError(force->origin() + ": has no Jacobian; use -coupling_scheme explicit or midpoint");
+}
+
+template <int Dim>
+double SemiImplicitCoupling<Dim>::step_bound(const System<Dim>&) const {
+  return std::numeric_limits<double>::infinity();
+}
+
+// Within solids, where nothing moves a marker, the row sums have a floor.
+template <int Dim>
+void SemiImplicitCoupling<Dim>::find_mobility(const Model<Dim>& model, const Points<Dim>& places) {
+  const petsc::LogPart part("mobility");
+  constexpr double floor = 1e-3;
+  row_sums_ = row_sum_mobility<Dim>(model.transfer, model.grid, model.boundary, model.liquid.density(),
+                                    model.fluid_fraction(), std::vector<double>(places.size(), 1.0));
+  double most = 0;
+  for (const double sum : row_sums_) most = std::max(most, sum);
+  most = largest(model.grid.comm(), most);
+  for (double& sum : row_sums_) sum = options_.mobility_factor * std::max(sum, floor * most);
+  if (options_.mobility == Mobility::matrix)
+    matrix_.assemble(model.cloths.of_all_ranks(places), model.cloths.begin(), row_sums_);
+}
+
+template <int Dim>
+Points<Dim> SemiImplicitCoupling<Dim>::move(System<Dim>& system, double dt, const Points<Dim>& free_velocities,
+                                            const Points<Dim>& forces) {
+  const petsc::LogPart part("cloth_solve");
+  const MPI_Comm comm = system.model.grid.comm();
+  const double tolerance = options_.tolerance * std::hypot(norm(comm, free_velocities), norm(comm, velocities_));
+  return options_.mobility == Mobility::matrix ? move_by_matrix(system, dt, free_velocities, forces, tolerance)
+                                               : move_by_row_sums(system, dt, free_velocities, forces, tolerance);
+}
+
+// V - U - dt M (F' - F) = 0
+template <int Dim>
+Points<Dim> SemiImplicitCoupling<Dim>::move_by_matrix(System<Dim>& system, double dt,
+                                                      const Points<Dim>& free_velocities, const Points<Dim>& forces,
+                                                      double tolerance) {
+  const Forces<Dim>& all = system.model.forces;
+  const Points<Dim>& start = system.state.positions;
+  const auto residual = [&](const Points<Dim>& velocities) {
+    const Points<Dim> gained = product<Dim>(matrix_, all.of_places(start + dt * velocities) - forces);
+    return velocities - free_velocities - dt * gained;
+  };
+  Points<Dim> linearised_at;
+  const auto assemble = [&](const Points<Dim>& velocities, GeometricStiffness geometric, Mat matrix) {
+    linearised_at = start + dt * velocities;
+    all.set_stiffness(linearised_at, geometric, dt * dt, matrix);
+    scale_and_shift<Dim>(row_sums_, std::vector<double>(row_sums_.size(), 1.0), matrix);
+  };
+  const auto jacobian = [&](const Points<Dim>& direction) {
+    return direction + dt * dt * product<Dim>(matrix_, all.stiffness_product(linearised_at, direction));
+  };
+  double most = 0;
+  for (const double sum : row_sums_) most = std::max(most, sum);
+  const double round_off = 10 * dt * largest(system.model.grid.comm(), most) * all.round_off(start);
+  Points<Dim> velocities = velocities_;
+  system.step.cloth_iterations +=
+      static_cast<double>(solver_.solve({residual, assemble, round_off, {}, jacobian}, tolerance, velocities));
+  return velocities;
+}
+
+// D^-1 (V - U) - dt (F' - F) = 0, the gradient of a potential
+template <int Dim>
+Points<Dim> SemiImplicitCoupling<Dim>::move_by_row_sums(System<Dim>& system, double dt,
+                                                        const Points<Dim>& free_velocities, const Points<Dim>& forces,
+                                                        double tolerance) {
+  const Forces<Dim>& all = system.model.forces;
+  const Points<Dim>& start = system.state.positions;
+  const auto residual = [&](const Points<Dim>& velocities) {
+    const Points<Dim> moved = all.of_places(start + dt * velocities);
+    Points<Dim> result(velocities.size());
+    for (std::size_t m = 0; m < result.size(); ++m)
+      result[m] = (velocities[m] - free_velocities[m]) / row_sums_[m] - dt * (moved[m] - forces[m]);
+    return result;
+  };
+  std::vector<double> inverse;
+  for (const double sum : row_sums_) inverse.push_back(1 / sum);
+  const auto assemble = [&](const Points<Dim>& velocities, GeometricStiffness geometric, Mat matrix) {
+    all.set_stiffness(start + dt * velocities, geometric, dt * dt, matrix);
+    scale_and_shift<Dim>(std::vector<double>(inverse.size(), 1.0), inverse, matrix);
+  };
+  const auto potential = [&](const Points<Dim>& velocities) {
+    double work = 0;
+    for (std::size_t m = 0; m < velocities.size(); ++m)
+      work += 0.5 * inverse[m] * (velocities[m] - free_velocities[m]).squaredNorm() + dt * forces[m].dot(velocities[m]);
+    const std::vector<double> energies = all.energies(start + dt * velocities);
+    return std::accumulate(energies.begin(), energies.end(), ordered_sum(system.model.grid.comm(), work));
+  };
+  double squares = 0;
+  for (const double value : inverse) squares += value * value;
+  const double markers = static_cast<double>(system.model.cloths.marker_count());
+  const double weight = std::sqrt(ordered_sum(system.model.grid.comm(), squares) / markers);
+  const double round_off = 10 * dt * all.round_off(start);
+  Points<Dim> velocities = velocities_;
+  system.step.cloth_iterations +=
+      static_cast<double>(solver_.solve({residual, assemble, round_off, potential}, weight * tolerance, velocities));
+  return velocities;
+}
+
+template <int Dim>
+double SemiImplicitCoupling<Dim>::slip(MPI_Comm comm, const Points<Dim>& interpolated) const {
+  const double speed = norm(comm, velocities_);
+  return speed > 0 ? norm(comm, velocities_ - interpolated) / speed : 0;
+}
+
+// Lines 5 to 7: from the forces at the start to those at the end, with the water's velocity at the markers.
+template <int Dim>
+void SemiImplicitCoupling<Dim>::sweep(System<Dim>& system, double dt, Points<Dim> forces, Points<Dim> interpolated) {
+  auto& [model, state, step] = system;
+  const petsc::GlobalVector increment(model.grid.face_dm());
+  for (PetscInt n = 0; n < options_.sweeps; ++n) {
+    velocities_ = move(system, dt, interpolated, forces);
+    step.pushed_at = state.positions + dt * velocities_;
+    const Points<Dim> moved = model.forces.of_places(step.pushed_at);
+    WASH_PETSC(VecZeroEntries(increment));
+    step.wall_reaction += model.transfer.spread(moved - forces, increment);
+    model.fluid.add_force(increment);
+    WASH_PETSC(VecAXPY(step.force, 1.0, increment));
+    forces = moved;
+    interpolated = marker_velocities(model, model.fluid.next_velocity(), state.clock.time + dt);
+    step.cloth_slip = slip(model.grid.comm(), interpolated);
+    if (step.cloth_slip <= options_.slip_tolerance) break;
+  }
+}
+
+template <int Dim>
+void SemiImplicitCoupling<Dim>::take(System<Dim>& system, double dt) {
+  auto& [model, state, step] = system;
+  const double end = state.clock.time + dt;
+  begin_step(system, state.positions, end, dt);
+  const Points<Dim> forces = model.forces.of_places(state.positions);
+  const Points<Dim> places = state.positions + 0.5 * dt * state.velocities;
+  spread_cloth(system, places, forces + model.forces.constant());
+  hold_bodies(system, end);
+  predict_and_project(system, dt);
+
+  velocities_ = state.velocities;
+  find_mobility(model, places);
+  sweep(system, dt, forces, marker_velocities(model, model.fluid.next_velocity(), end));
+  model.fluid.finish();
+  state.velocities = velocities_;
+  state.positions += dt * velocities_;
+}
+
+template class SemiImplicitCoupling<2>;
+template class SemiImplicitCoupling<3>;
+
+}  // namespace washfsi

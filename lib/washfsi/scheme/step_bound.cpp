@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/scheme/step_bound.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "washfsi/support/collective.hpp"
+
+namespace washfsi {
+
+namespace {
+
+// Velocity of each marker per force on unit areas of all cloths and time [m2/kg].
+template <int Dim>
+std::vector<double> mobility_per_area(const Model<Dim>& model) {
+  const std::vector<double>&areas = model.cloths.marker_areas(), &masses = model.cloths.marker_masses();
+  if (model.has_fluid)
+    return row_sum_mobility<Dim>(model.transfer, model.grid, model.boundary, model.liquid.density(), nullptr, areas);
+  std::vector<double> mobility;
+  for (std::size_t m = 0; m < masses.size(); ++m) mobility.push_back(areas[m] / masses[m]);
+  return mobility;
+}
+
+}  // namespace
+
+template <int Dim>
+double cloth_step_bound(const Model<Dim>& model) {
+  if (model.cloths.marker_count() == 0) return std::numeric_limits<double>::infinity();
+  const std::vector<double> mobility = mobility_per_area(model);
+  const std::vector<StiffnessBound> bounds = model.forces.bounds();
+  double shortest = std::numeric_limits<double>::infinity();
+  for (std::size_t m = 0; m < mobility.size(); ++m) {
+    const double damping = bounds[m].damping, undamped2 = 1 / (mobility[m] * bounds[m].stiffness);  // (2/w)^2
+    shortest = std::min(shortest, std::sqrt(damping * damping + undamped2) - damping);
+  }
+  return -largest(model.grid.comm(), -shortest);
+}
+
+template <int Dim>
+double flow_time(const Model<Dim>& model, const BodySpeeds<Dim>& bodies) {
+  double speed = 0;
+  WASH_PETSC(VecNorm(model.fluid.velocity(), NORM_INFINITY, &speed));
+  speed = std::max(speed, model.boundary.largest_speed(0));
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    speed = std::max(speed, bodies.arm(b) > 0 ? model.bodies[b].motion.largest_speed(bodies.arm(b)) : 0.0);
+  return speed > 0 ? model.grid.spacing().minCoeff() / speed : std::numeric_limits<double>::infinity();
+}
+
+template <int Dim>
+BodySpeeds<Dim>::BodySpeeds(const Model<Dim>& model) : model_(model), arms_(model.bodies.size(), 0.0) {
+  const PosedBodies<Dim> posed(model.bodies, 0);
+  for_each<Dim>(model.grid.owned(), [&](const Index<Dim>& cell) {
+    const Point<Dim> place = model.grid.cell_center(cell);
+    for (std::size_t b = 0; b < arms_.size(); ++b)
+      if (posed.distance(b, place) <= 0)
+        arms_[b] = std::max(arms_[b], (place - model.bodies[b].motion.center_at(0)).norm());
+  });
+  for (double& arm : arms_) arm = largest(model.grid.comm(), arm);
+}
+
+template <int Dim>
+double BodySpeeds<Dim>::longest_step(double time, double dt, double courant) const {
+  constexpr double ahead = 1.5;  // a body that already moves counts with the flow
+  constexpr int most_trials = 60;
+  const double most = ahead * courant * model_.grid.spacing().maxCoeff();
+  for (int n = 0; n < most_trials && at(time + dt) * dt > most; ++n) dt = std::max(0.5 * dt, most / at(time + dt));
+  return dt;
+}
+
+template <int Dim>
+double BodySpeeds<Dim>::at(double time) const {
+  double speed = 0;
+  for (std::size_t b = 0; b < arms_.size(); ++b) {
+    const auto state = model_.bodies[b].motion.state(time);
+    speed = std::max(speed, state.velocity.norm() + std::abs(state.angular_velocity) * arms_[b]);
+  }
+  return speed;
+}
+
+template class BodySpeeds<2>;
+template class BodySpeeds<3>;
+template double cloth_step_bound<2>(const Model<2>&);
+template double cloth_step_bound<3>(const Model<3>&);
+template double flow_time<2>(const Model<2>&, const BodySpeeds<2>&);
+template double flow_time<3>(const Model<3>&, const BodySpeeds<3>&);
+
+}  // namespace washfsi

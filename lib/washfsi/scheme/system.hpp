@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/scheme/model.hpp"
+#include "washfsi/support/clock.hpp"
+
+namespace washfsi {
+
+/// Where the cloths are, and when. With the water's fields, which `Model::fluid` keeps, all that a step starts from.
+template <int Dim>
+struct State {
+  Clock clock;
+  Points<Dim> positions;   ///< X^n of this rank's markers [m]
+  Points<Dim> velocities;  ///< U^n [m/s]
+};
+
+/// What a step leaves to be measured, and what all of them have cost.
+template <int Dim>
+struct StepRecord {
+  petsc::Vector force;                            ///< of cloth on water, on faces [N/m3]
+  Points<Dim> pushed_at;                          ///< places at which the forces on the cloths were evaluated last [m]
+  Point<Dim> wall_reaction = Point<Dim>::Zero();  ///< part of the cloth's force that walls took [N]
+  double cloth_slip = 0;                          ///< rms difference of cloth and water over the rms speed of cloth
+  double cloth_iterations = 0;                    ///< evaluations of the cloths' equations in all steps so far
+};
+
+/// Water, bodies and cloth in motion.
+template <int Dim>
+struct System {
+  /// With all at rest, and the cloths' markers where `place` puts them, all of them in marker order. Collective.
+  /// Errors: InputError.
+  System(MPI_Comm comm, const ModelOptions<Dim>& options, std::vector<Body<Dim>> bodies,
+         const std::function<Points<Dim>(const Model<Dim>&)>& place)
+      : model(comm, options, std::move(bodies)) {
+    const Points<Dim> all = place(model);
+    state.positions.assign(all.begin() + model.cloths.begin(), all.begin() + model.cloths.end());
+    state.velocities.assign(state.positions.size(), Point<Dim>::Zero());
+    step.force = model.grid.face_vector();
+    step.pushed_at = state.positions;
+    model.add_forces(options, state.positions);
+    model.locate_cloth(state.positions);
+  }
+
+  Model<Dim> model;
+  State<Dim> state;
+  StepRecord<Dim> step;
+};
+
+}  // namespace washfsi

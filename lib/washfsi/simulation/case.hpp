@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/machine/placement.hpp"
+#include "washfsi/measure/measures.hpp"
+#include "washfsi/scheme/coupling_scheme.hpp"
+#include "washfsi/simulation/initial_flow.hpp"
+
+namespace washfsi {
+
+/// What is simulated, how it starts, how it is advanced and what is measured.
+template <int Dim>
+struct CaseOptions {
+  ModelOptions<Dim> model;
+  std::vector<PlacementOptions<Dim>> placements;  ///< of each group of cloths
+  InitialFlowOptions<Dim> initial_flow;
+  CouplingOptions coupling;
+  MeasureOptions measure;
+
+  static CaseOptions from_options(Options& options);
+};
+
+/// The system of a case at t = 0. Collective. Errors: InputError.
+template <int Dim>
+std::unique_ptr<System<Dim>> start_system(MPI_Comm comm, const CaseOptions<Dim>& options,
+                                          std::vector<Body<Dim>> bodies);
+
+}  // namespace washfsi

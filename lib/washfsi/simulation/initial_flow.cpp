@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/simulation/initial_flow.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "washfsi/support/errors.hpp"
+
+namespace washfsi {
+
+namespace {
+
+template <int Dim>
+VelocityAt<Dim> rest(const Model<Dim>&, const InitialFlowOptions<Dim>&) {
+  return [](const Point<Dim>&, int) { return 0; };
+}
+
+template <int Dim>
+VelocityAt<Dim> uniform(const Model<Dim>&, const InitialFlowOptions<Dim>& options) {
+  return [velocity = options.velocity](const Point<Dim>&, int c) { return velocity[c]; };
+}
+
+template <int Dim>
+VelocityAt<Dim> taylor_green(const Model<Dim>& model, const InitialFlowOptions<Dim>&) {
+  const Point<Dim> lower = model.grid.lower();
+  const Point<Dim> wave = 2 * std::numbers::pi * (model.grid.upper() - lower).cwiseInverse();
+  return [lower, wave](const Point<Dim>& place, int c) {
+    const Point<Dim> angle = wave.cwiseProduct(place - lower);
+    if (c == 0) return -std::cos(angle[0]) * std::sin(angle[1]);
+    if (c == 1) return wave[0] / wave[1] * std::sin(angle[0]) * std::cos(angle[1]);
+    return 0.0;
+  };
+}
+
+// The radius of a circle or cylinder: the distance of its centre from its surface.
+template <int Dim>
+double radius_of(const Body<Dim>& body) {
+  const Point<Dim> center = body.motion.center;
+  const double radius = std::abs(body.distance(center, 0));
+  if (std::abs(body.distance(center + radius * Point<Dim>::Unit(0), 0)) > 1e-9 * radius)
+    throw InputError("-fluid_initial couette: body " + body.name + " is no circle, or a cylinder shorter than wide");
+  return radius;
+}
+
+template <int Dim>
+VelocityAt<Dim> couette(const Model<Dim>& model, const InitialFlowOptions<Dim>&) {
+  const auto& bodies = model.bodies;
+  if (bodies.size() != 2 || bodies[0].motion.center != bodies[1].motion.center || !bodies[0].motion.turns_steadily() ||
+      !bodies[1].motion.turns_steadily())
+    throw InputError(
+        "-fluid_initial couette: needs two -bodies with one centre, a drum and a cylinder, that turn steadily");
+  const Point<Dim> center = bodies[0].motion.center;
+  const bool drum_first = bodies[0].distance(center, 0) > 0;
+  const auto &drum = bodies[drum_first ? 0 : 1], &cylinder = bodies[drum_first ? 1 : 0];
+  const double ro = radius_of(drum), ri = radius_of(cylinder);
+  if (cylinder.distance(center, 0) >= 0 || ro <= ri)
+    throw InputError("-fluid_initial couette: needs a drum (-..._inverted) and in it a cylinder with the same centre");
+  const double wo = drum.motion.angular_speed, wi = cylinder.motion.angular_speed;
+  const double a = (wo * ro * ro - wi * ri * ri) / (ro * ro - ri * ri);
+  const double b = (wi - wo) * ri * ri * ro * ro / (ro * ro - ri * ri);
+  return [=](const Point<Dim>& place, int c) {
+    const Point<Dim> arm = place - center;
+    const double r = arm.template head<2>().norm();
+    const double turning = r < ri ? wi : r > ro ? wo : a + b / (r * r);
+    return c == 0 ? turning * -arm[1] : c == 1 ? turning * arm[0] : 0.0;
+  };
+}
+
+template <int Dim>
+struct NamedFlow {
+  const char* name;
+  VelocityAt<Dim> (*velocity)(const Model<Dim>&, const InitialFlowOptions<Dim>&);
+};
+
+// Every flow that there is.
+template <int Dim>
+const std::vector<NamedFlow<Dim>>& initial_flows() {
+  static const std::vector<NamedFlow<Dim>> flows{
+      {"rest", rest}, {"taylor_green", taylor_green}, {"couette", couette}, {"uniform", uniform}};
+  return flows;
+}
+
+}  // namespace
+
+template <int Dim>
+InitialFlowOptions<Dim> InitialFlowOptions<Dim>::from_options(Options& options) {
+  InitialFlowOptions<Dim> initial;
+  std::vector<std::string> names;
+  for (const auto& flow : initial_flows<Dim>()) names.emplace_back(flow.name);
+  options.block("", "Flow at the start", [&](OptionBlock& block) {
+    block.choice("fluid_initial", initial.kind, names,
+                 "velocity at the start; couette: steady flow between a turning drum and a turning cylinder in it");
+    block.template point<Dim>("fluid_initial_velocity", initial.velocity, "m/s", "velocity of -fluid_initial uniform");
+  });
+  return initial;
+}
+
+template <int Dim>
+void start_flow(const InitialFlowOptions<Dim>& options, Model<Dim>& model) {
+  for (const auto& flow : initial_flows<Dim>())
+    if (options.kind == flow.name) model.fluid.start(flow.velocity(model, options));
+}
+
+template struct InitialFlowOptions<2>;
+template struct InitialFlowOptions<3>;
+template void start_flow<2>(const InitialFlowOptions<2>&, Model<2>&);
+template void start_flow<3>(const InitialFlowOptions<3>&, Model<3>&);
+
+}  // namespace washfsi

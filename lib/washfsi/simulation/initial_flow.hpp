@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/scheme/model.hpp"
+
+namespace washfsi {
+
+/// How the water moves at the start.
+template <int Dim>
+struct InitialFlowOptions {
+  std::string kind = "rest";                 ///< one of those in `initial_flow.cpp`
+  Point<Dim> velocity = Point<Dim>::Zero();  ///< of the uniform flow [m/s]
+
+  static InitialFlowOptions from_options(Options& options);
+};
+
+/// Starts the water:
+///   rest
+///   uniform       a velocity that is the same everywhere
+///   taylor_green  one wave of vortices in the x,y plane: u = (-cos kx sin ly, (k/l) sin kx cos ly)
+///   couette       steady circular flow between a turning drum and a turning cylinder in it: u = (A r + B/r) e_theta
+///   (4.3-1)
+/// Collective. Errors: InputError if the bodies do not fit the flow.
+template <int Dim>
+void start_flow(const InitialFlowOptions<Dim>& options, Model<Dim>& model);
+
+}  // namespace washfsi

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/contact/cushion.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/random_points.hpp"
+#include "washfsi/body/primitives.hpp"
+#include "washfsi/support/collective.hpp"
+
+namespace washfsi::test {
+namespace {
+
+constexpr CushionOptions soft{.pressure = 100, .distance = 0.02};
+
+/// A box with walls from (-1, -1) to (4, 4) m, perhaps with a roller of radius 0.1 m at (1, 2), and a cloth in it.
+struct Room {
+  explicit Room(PetscInt markers, bool has_roller = true) : cloths(PETSC_COMM_SELF, {towel(markers)}) {
+    if (!has_roller) return;
+    bodies.resize(1);
+    bodies[0].name = "roller";
+    bodies[0].shape = std::make_unique<Sphere<2>>(0.1);
+    bodies[0].motion.center = {1, 2};
+  }
+  static ClothGroup<2> towel(PetscInt markers) {
+    ClothGroup<2> group;
+    group.name = "towel";
+    group.markers = {markers, 1};
+    group.sheet.ds = 0.01;
+    return group;
+  }
+  /// A cushion that has looked round at these places; the markers will move for dt.
+  std::unique_ptr<Cushion<2>> cushion(const Points<2>& places, double dt = 0) const {
+    auto result = std::make_unique<Cushion<2>>(soft, Surroundings<2>{grid, boundary, bodies, cloths});
+    const Points<2> at_rest(places.size(), Point<2>::Zero());
+    result->begin_step({places, at_rest, 0, dt});
+    return result;
+  }
+
+  Grid<2> grid{PETSC_COMM_SELF, {.cells = {8, 8}, .lower = {-1, -1}, .upper = {4, 4}}};
+  Boundary<2> boundary{grid, Boundary<2>::Sides{}};
+  std::vector<Body<2>> bodies;
+  Cloths<2> cloths;
+};
+
+Points<2> forces_of(const Cushion<2>& cushion, const Points<2>& places) {
+  Points<2> forces(places.size(), Point<2>::Zero());
+  cushion.add_force(places, {}, forces);
+  return forces;
+}
+
+TEST(Cushion, PushesOutwardsWithinItsDistanceAndReactsOnTheBody) {
+  const Room room(3);
+  const Points<2> places{{1.11, 2}, {1, 2.1}, {1.13, 2}};  // half way into the cushion, on the surface, outside
+  const auto cushion = room.cushion(places);
+  const Points<2> forces = forces_of(*cushion, places);
+  EXPECT_NEAR(forces[0][0], 100 * 0.01 * 0.25, 1e-9);
+  EXPECT_NEAR(forces[1][1], 100 * 0.01, 1e-9);
+  EXPECT_EQ(forces[2].norm(), 0);
+  ContactLoads<2> reactions{Loads<2>(1), {}};
+  cushion->add_reactions(places, reactions);
+  EXPECT_LE((reactions.bodies[0].force + forces[0] + forces[1]).norm(), 1e-15);
+  EXPECT_NEAR(reactions.bodies[0].torque[0], 0, 1e-9);  // all forces are radial
+}
+
+TEST(Cushion, PushesAwayFromTheWallsOfTheBox) {
+  const Room room(3, false);
+  const Points<2> places{{-0.99, 2}, {2, 3.995}, {2, 2}};
+  const auto cushion = room.cushion(places);
+  const Points<2> forces = forces_of(*cushion, places);
+  EXPECT_NEAR(forces[0][0], 100 * 0.01 * 0.25, 1e-9);
+  EXPECT_NEAR(forces[1][1], -100 * 0.01 * 0.5625, 1e-9);
+  EXPECT_EQ(forces[2].norm(), 0);
+  ContactLoads<2> reactions;
+  cushion->add_reactions(places, reactions);
+  EXPECT_EQ(reactions.sides[0][0].force, -forces[0]);
+  EXPECT_EQ(reactions.sides[1][1].force, -forces[1]);
+}
+
+TEST(Cushion, IsNotThereByDefault) {
+  const Room room(2);
+  EXPECT_EQ(Cushion<2>::maker({})({room.grid, room.boundary, room.bodies, room.cloths}), nullptr);
+}
+
+/// Markers round a roller and at a wall, moved a little since the cushion looked round.
+struct Touching {
+  Room room{40};
+  Points<2> start, places;
+  Touching() {
+    const Points<2> shifts = random_points<2>(40, 3, 0.01), moves = random_points<2>(40, 4, 0.004);
+    for (std::size_t m = 0; m < 40; ++m) {
+      const double angle = 0.2 * static_cast<double>(m);
+      const Point<2> foot = m < 32 ? Point<2>(1 + 0.11 * std::cos(angle), 2 + 0.11 * std::sin(angle))
+                                   : Point<2>(-0.985, 0.1 * static_cast<double>(m) - 2);
+      start.push_back(foot + shifts[m]);
+      places.push_back(start.back() + moves[m]);
+    }
+  }
+};
+
+double energy_of(const Cushion<2>& cushion, const Points<2>& places) {
+  std::vector<double> energy(1, 0.0);
+  cushion.add_energy(places, energy);
+  return energy[0];
+}
+
+TEST(Cushion, ForceIsMinusTheGradientOfItsEnergy) {
+  const Touching touching;
+  const auto cushion = touching.room.cushion(touching.start, 1);
+  const Points<2> forces = forces_of(*cushion, touching.places), direction = random_points<2>(40, 5);
+  double slope = 0;
+  for (std::size_t m = 0; m < 40; ++m) slope -= forces[m].dot(direction[m]);
+  constexpr double e = 1e-6;
+  const double difference =
+      energy_of(*cushion, touching.places + e * direction) - energy_of(*cushion, touching.places - e * direction);
+  EXPECT_GT(energy_of(*cushion, touching.places), 1e-3);
+  EXPECT_NEAR(difference / (2 * e), slope, 1e-7 * std::abs(slope));
+}
+
+TEST(Cushion, StiffnessIsItsJacobianAndNeverNegative) {
+  const Touching touching;
+  const auto cushion = touching.room.cushion(touching.start, 1);
+  const Points<2> direction = random_points<2>(40, 6);
+  constexpr double e = 1e-7;
+  const Points<2> more = forces_of(*cushion, touching.places + e * direction),
+                  less = forces_of(*cushion, touching.places - e * direction);
+  Points<2> rates(40, Point<2>::Zero()), products(40, Point<2>::Zero());
+  cushion->add_force_rates(touching.places, direction, rates);
+  cushion->visit_stiffness(
+      touching.places, GeometricStiffness::all, [&](PetscInt row, PetscInt column, const StiffnessBlock<2>& block) {
+        EXPECT_EQ(row, column);
+        EXPECT_GE(block.trace(), 0);
+        products[static_cast<std::size_t>(row)] -= block * direction[static_cast<std::size_t>(row)];
+      });
+  for (std::size_t m = 0; m < 40; ++m) {
+    EXPECT_LE((rates[m] - products[m]).norm(), 1e-12);
+    EXPECT_LE((rates[m] - (more[m] - less[m]) / (2 * e)).norm(), 1e-4);
+  }
+}
+
+// What a marker is pushed with does not depend on where in the step the surface was looked at, but for its curvature.
+TEST(Cushion, SeesASurfaceThatTheMarkerComesNearToInTheStep) {
+  const Room room(1);
+  const Points<2> start{{1.13, 2}}, end{{1.105, 2}};  // from outside into the cushion
+  EXPECT_EQ(forces_of(*room.cushion(start, 1), start)[0].norm(), 0);
+  const Point<2> seen_from_start = forces_of(*room.cushion(start, 1), end)[0];
+  const Point<2> seen_at_end = forces_of(*room.cushion(end), end)[0];
+  EXPECT_LE((seen_from_start - seen_at_end).norm(), 1e-6 * seen_at_end.norm());
+}
+
+}  // namespace
+}  // namespace washfsi::test

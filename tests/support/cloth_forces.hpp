@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/cloth/damping.hpp"
+#include "washfsi/cloth/dead_loads.hpp"
+#include "washfsi/cloth/elasticity.hpp"
+#include "washfsi/cloth/forces.hpp"
+#include "washfsi/cloth/holding_springs.hpp"
+
+namespace washfsi::test {
+
+/// The forces of cloths by themselves, held at the places of this rank's markers.
+template <int Dim>
+Forces<Dim> cloth_forces(const Cloths<Dim>& cloths, const Points<Dim>& anchors) {
+  Forces<Dim> forces(cloths);
+  forces.add(std::make_unique<Elasticity<Dim>>(cloths));
+  forces.add(std::make_unique<StrongElasticity<Dim>>(cloths));
+  forces.add(std::make_unique<HoldingSprings<Dim>>(cloths, anchors));
+  forces.add(std::make_unique<Damping<Dim>>(cloths));
+  forces.add(std::make_unique<DeadLoads<Dim>>(cloths, Point<Dim>::Zero()));
+  return forces;
+}
+
+}  // namespace washfsi::test
