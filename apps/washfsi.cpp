@@ -2,8 +2,10 @@
 #include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <sstream>
 
+#include "washfsi/simulation/document.hpp"
 #include "washfsi/simulation/simulation.hpp"
 #include "washfsi/support/collective.hpp"
 #include "washfsi/support/errors.hpp"
@@ -68,12 +70,23 @@ std::string case_from_arguments(int argc, char** argv) {
   return name;
 }
 
-void simulate(const std::string& case_name) {
-  Options options(PETSC_COMM_WORLD);
+void simulate(Options& options, const std::string& case_name) {
   if (dimension_from_options(options) == 2)
     Simulation<2>(options, case_name).run();
   else
     Simulation<3>(options, case_name).run();
+}
+
+std::string quantities(Options& options) {
+  return dimension_from_options(options) == 2 ? document_quantities<2>(options) : document_quantities<3>(options);
+}
+
+void run_or_document(const std::string& case_name) {
+  Options options(PETSC_COMM_WORLD);
+  const Document document = document_from_options(options);
+  if (document == Document::none) return simulate(options, case_name);
+  const std::string text = document == Document::options ? document_options(options.comm()) : quantities(options);
+  if (rank_of(options.comm()) == 0) std::cout << text;
 }
 
 }  // namespace
@@ -83,6 +96,6 @@ int main(int argc, char** argv) {
   return washfsi::run_program("washfsi", [&] {
     const std::string case_name = washfsi::case_from_arguments(argc, argv);
     WASH_PETSC(PetscInitialize(&argc, &argv, nullptr, washfsi::help_text));
-    washfsi::simulate(case_name);
+    washfsi::run_or_document(case_name);
   });
 }

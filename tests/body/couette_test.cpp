@@ -83,7 +83,7 @@ TEST(CircularCouetteFlow, LoadsByForcingAndByBalanceAgree) {
   }
 }
 
-// The table of docs/verification.md, long: run by `--gtest_also_run_disabled_tests --gtest_filter=*Table*`.
+// The table of docs/verification/couette.md, long: run by `--gtest_also_run_disabled_tests --gtest_filter=*Table*`.
 class DISABLED_CouetteTable : public testing::TestWithParam<BodyTreatment> {};
 
 TEST_P(DISABLED_CouetteTable, Coarse) {

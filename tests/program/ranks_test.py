@@ -31,7 +31,7 @@ class Ranks(ProgramTest):
 
     def sheets(self, cells):
         """Returns history and final markers of a sheet in a shear flow, by the number of ranks."""
-        case = ["-options_file", SHEET, *TIGHT, "-cloth_tolerance", 1e-12, "-time_end", 0.4, "-grid_cells", cells]
+        case = ["-options_file", SHEET, *TIGHT, "-coupling_tolerance", 1e-12, "-time_end", 0.4, "-grid_cells", cells]
         tables = {}
         for ranks in (1, 2, 3):
             self.run_well(ranks, *case, "-output_dir", f"sheet_{ranks}")
@@ -57,7 +57,7 @@ class Ranks(ProgramTest):
 
     def test_history_of_couplings_that_solve_agrees_on_one_and_three_ranks(self):
         for coupling in ("semi_implicit", "implicit"):
-            options = ("-cloth_coupling", coupling, "-time_step", 1e-3, "-cloth_tolerance", 1e-10)
+            options = ("-coupling_scheme", coupling, "-time_step", 1e-3, "-coupling_tolerance", 1e-10)
             self.assert_same(self.history(3, *options), self.history(1, *options), coupling=coupling)
 
 

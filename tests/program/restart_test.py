@@ -88,7 +88,7 @@ class RestartOfCouplings(ProgramTest):
         steps_of_bound = ["-time_step", 0, "-time_cfl", 0.5]
         for coupling, steps in [("midpoint", ["-time_step", 2e-4]), ("semi_implicit", ["-time_step", 1e-3]),
                                 ("implicit", ["-time_step", 1e-3]), ("explicit", steps_of_bound)]:
-            case = [*CASE, "-cloth_coupling", coupling, *steps]
+            case = [*CASE, "-coupling_scheme", coupling, *steps]
             straight, half = self.folder / f"{coupling}_straight", self.folder / f"{coupling}_half"
             self.run_well(2, *case, "-time_end", 0.04, "-output_dir", straight)
             self.run_well(2, *case, "-time_end", 0.02, "-output_dir", half)

@@ -5,7 +5,7 @@ import unittest
 
 from support import EXPLICIT_WASH, ProgramTest, read_columns, relative_difference
 
-IMPLICIT = [*EXPLICIT_WASH, "-cloth_coupling", "implicit", "-time_step", 4e-4, "-time_end", 0.02]
+IMPLICIT = [*EXPLICIT_WASH, "-coupling_scheme", "implicit", "-time_step", 4e-4, "-time_end", 0.02]
 SOLVERS = [("qn", "-cloth_snes_qn_type", "badbroyden"), ("qn", "-cloth_snes_qn_type", "lbfgs"), ("newtonls",), ("anderson",)]
 
 
@@ -24,11 +24,11 @@ class Solvers(ProgramTest):
                     self.assertLess(relative_difference(tracks[name], expected[name]), 1e-5)
 
     def test_semi_implicit_takes_other_linear_solvers(self):
-        case = ("-cloth_coupling", "semi_implicit")
+        case = ("-coupling_scheme", "semi_implicit")
         names = self.tracks(*case).keys() - {"step", "time"}
         for mobility, solver in (("matrix", ("-cloth_pc_type", "bjacobi")), ("row_sums", ("-cloth_ksp_type", "cg"))):
-            base = self.tracks(*case, "-cloth_mobility", mobility)
-            tracks = self.tracks(*case, "-cloth_mobility", mobility, *solver)
+            base = self.tracks(*case, "-coupling_mobility", mobility)
+            tracks = self.tracks(*case, "-coupling_mobility", mobility, *solver)
             for name in names:
                 with self.subTest(mobility=mobility, cloth=name):
                     self.assertLess(relative_difference(tracks[name], base[name]), 1e-5)

@@ -28,7 +28,7 @@ class Wash(ProgramTest):
         return read_columns(pathlib.Path(self.folder) / folder / "history.csv")
 
     def test_is_the_same_on_one_two_and_four_ranks(self):
-        options = [*TIGHT, "-cloth_tolerance", 1e-11, "-time_end", SHORT]
+        options = [*TIGHT, "-coupling_tolerance", 1e-11, "-time_end", SHORT]
         expected = self.history("on_1", 1, *options)
         for ranks in (2, 4):
             history = self.history(f"on_{ranks}", ranks, *options)

@@ -15,28 +15,49 @@ template <int Dim>
 struct ExactFlow {
   double density = 1, viscosity = 0.05;
   std::function<double(const Point<Dim>&, double)> variable_density;  ///< if set, instead of `density` [kg/m3]
+  std::function<double(const Point<Dim>&)> variable_viscosity;        ///< if set, instead of `viscosity` [Pa s]
   std::function<Point<Dim>(const Point<Dim>&, double)> velocity;
   std::function<double(const Point<Dim>&, double)> pressure;
 
-  /// The force density that makes it a solution: rho (du/dt + u.grad u) + grad p - mu lap u, by fourth-order
-  /// differences.
+  /// The force density that makes it a solution: rho (du/dt + u.grad u) + grad p - mu lap u -
+  /// (grad u + grad u^T) grad mu, by fourth-order differences.
   Point<Dim> force(const Point<Dim>& x, double t) const {
     constexpr double s = 1e-3;
     const auto first = [&](auto&& f) { return ((8.0 * (f(s) - f(-s)) - (f(2 * s) - f(-2 * s))) / (12 * s)).eval(); };
     Point<Dim> result = first([&](double e) { return velocity(x, t + e); });
     const Point<Dim> u = velocity(x, t);
-    Point<Dim> laplacian = Point<Dim>::Zero(), gradient;
+    Point<Dim> laplacian = Point<Dim>::Zero(), gradient, viscosity_gradient;
+    Eigen::Matrix<double, Dim, Dim> velocity_gradient;
     for (int d = 0; d < Dim; ++d) {
       const Point<Dim> axis = Point<Dim>::Unit(d);
       const auto along = [&](double e) { return velocity(x + e * axis, t); };
-      result += u[d] * first(along);
+      velocity_gradient.col(d) = first(along);
+      result += u[d] * velocity_gradient.col(d);
       laplacian += (-along(2 * s) - along(-2 * s) + 16 * (along(s) + along(-s)) - 30 * u) / (12 * s * s);
       gradient[d] = first([&](double e) { return Eigen::Matrix<double, 1, 1>(pressure(x + e * axis, t)); })[0];
+      viscosity_gradient[d] =
+          first([&](double e) { return Eigen::Matrix<double, 1, 1>(viscosity_at(x + e * axis)); })[0];
     }
-    return density_at(x, t) * result + gradient - viscosity * laplacian;
+    return density_at(x, t) * result + gradient - viscosity_at(x) * laplacian -
+           (velocity_gradient + velocity_gradient.transpose()) * viscosity_gradient;
   }
 
   double density_at(const Point<Dim>& x, double t) const { return variable_density ? variable_density(x, t) : density; }
+  double viscosity_at(const Point<Dim>& x) const { return variable_viscosity ? variable_viscosity(x) : viscosity; }
+};
+
+/// A viscosity that is what a function of the place says [Pa s].
+template <int Dim>
+class GivenViscosity : public ViscosityModel<Dim> {
+ public:
+  explicit GivenViscosity(std::function<double(const Point<Dim>&)> at) : at_(std::move(at)) {}
+
+  void add(const Grid<Dim>& grid, const ConstFaceView<Dim>&, double, const CellView<Dim>& viscosity) const override {
+    for_each<Dim>(grid.owned(), [&](const Index<Dim>& cell) { viscosity(cell) += at_(grid.cell_center(cell)); });
+  }
+
+ private:
+  std::function<double(const Point<Dim>&)> at_;
 };
 
 /// Distance of a computed flow from the exact one: max and rms norms of velocity and pressure.
@@ -48,7 +69,7 @@ inline double order(double coarse, double fine, double ratio = 2) {
   return std::log(coarse / fine) / std::log(ratio);
 }
 
-/// Prints the errors on two grids and the orders between them, a row of docs/verification.md.
+/// Prints the errors on two grids and the orders between them, a row of docs/verification/order.md.
 inline void report(const char* name, const FlowError& coarse, const FlowError& fine) {
   if (rank_of(PETSC_COMM_WORLD) != 0) return;
   const auto print = [&](const char* norm, double a, double b) {
@@ -110,7 +131,9 @@ class ManufacturedRun {
     FluidOptions<Dim> options;
     options.advection = advection;
     options.density = exact_.density;
-    options.viscosity = exact_.viscosity;
+    options.viscosity = exact_.variable_viscosity ? 0 : exact_.viscosity;
+    if (exact_.variable_viscosity)
+      options.viscosity_models.push_back(std::make_shared<GivenViscosity<Dim>>(exact_.variable_viscosity));
     options.momentum_tolerance = 1e-12;
     options.pressure_tolerance = 1e-10;
     return options;

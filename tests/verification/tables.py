@@ -3,7 +3,7 @@
 
 A record is a row that ends with the commit of the program and with the command that gives it again. Words after `--` on
 the command line of a script are options for its runs of the program and override its own:
-`flag_test.py 128 -- -cloth_mobility row_sums`.
+`flag_test.py 128 -- -coupling_mobility row_sums`.
 """
 
 import functools

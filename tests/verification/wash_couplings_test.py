@@ -35,7 +35,7 @@ class Run:
         folder = study / f"{coupling}_{damping:g}_{step:g}"
         summary = folder / "summary.json"
         if not summary.is_file() or json.loads(summary.read_text())["status"] != "finished":
-            subprocess.run(command(ranks, "-options_file", SOURCE / "inputs" / "wash.opts", "-cloth_coupling", coupling,
+            subprocess.run(command(ranks, "-options_file", SOURCE / "inputs" / "wash.opts", "-coupling_scheme", coupling,
                                    *(["-towel_damping", damping] if damping else []), "-time_step", step,
                                    "-time_end", end, "-history_interval", INTERVAL, "-output_dir", folder),
                            check=False, stdout=subprocess.DEVNULL)

@@ -56,7 +56,7 @@ std::size_t OutflowLayer<Dim>::offset(const Box<Dim>& box, Index<Dim> cell, int 
     position = position * static_cast<std::size_t>(box.upper[d] - box.lower[d]) +
                static_cast<std::size_t>(inside - box.lower[d]);
   }
-  return Dim * position + static_cast<std::size_t>(component);
+  return Dim * position + component;
 }
 
 // The face one spacing inside the layer: a cell beside an upper side has it as its own lower face.

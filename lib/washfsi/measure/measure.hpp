@@ -44,8 +44,8 @@ struct Units {
   static constexpr const char* angular_momentum = Dim == 2 ? "J s/m" : "J s";
 };
 
-/// Declares the components of the load with a number among others, which must outlive the list: its force and its torque,
-/// columns PREFIX_force_x ... and entries under a pointer.
+/// Declares the components of the load with a number among others, which must outlive the list: its force and its
+/// torque, columns PREFIX_force_x ... and entries under a pointer.
 template <int Dim>
 void declare_load(QuantityList& quantities, const std::string& prefix, const std::string& pointer,
                   const std::string& meaning, const Loads<Dim>& loads, std::size_t number) {

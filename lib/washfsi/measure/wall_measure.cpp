@@ -25,7 +25,7 @@ void WallMeasure<Dim>::observe(const Observation<Dim>& seen) {
   loads_ = wall_loads<Dim>(model.grid, model.boundary, model.bodies, walls_, seen.velocity, model.fluid.pressure(),
                            model.liquid.viscosity(), system_.state.clock.time);
   for (std::size_t s = 0; s < walls_.size(); ++s)
-    loads_[s] += seen.contact.sides[static_cast<std::size_t>(walls_[s].axis)][walls_[s].end == End::upper ? 1 : 0];
+    loads_[s] += seen.contact.sides[walls_[s].axis][walls_[s].end == End::upper ? 1 : 0];
 }
 
 template class WallMeasure<2>;

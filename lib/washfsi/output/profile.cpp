@@ -28,7 +28,7 @@ void Profile<Dim>::write(const Grid<Dim>& grid, const Boundary<Dim>& boundary, V
     const Point<Dim> place = grid.folded(place_of(i)).cwiseMax(grid.lower()).cwiseMin(grid.upper());
     if (grid.owner(grid.cell_of(place)) != rank_of(grid.comm())) continue;
     for (int c = 0; c < Dim; ++c) {
-      samples[i * (Dim + 1) + static_cast<std::size_t>(c)] = interpolate_face<Dim>(grid, u, place, c);
+      samples[i * (Dim + 1) + c] = interpolate_face<Dim>(grid, u, place, c);
     }
     samples[i * (Dim + 1) + Dim] =
         interpolate_linearly<Dim>(grid, place, Point<Dim>::Constant(0.5), [&](Index<Dim> index) {

@@ -88,7 +88,8 @@ namespace {
 template <int Dim>
 void check_cloth_alone(const CouplingOptions& options, const Cloths<Dim>& cloths) {
   if (options.scheme_given)
-    throw InputError("-" + options.scheme_option + " " + options.scheme + ": there is no fluid (-fluid none); leave it out");
+    throw InputError("-" + options.scheme_option + " " + options.scheme +
+                     ": there is no fluid (-fluid none); leave it out");
   for (const auto& group : cloths.groups())
     if (group.excess_mass == 0)
       throw InputError("-" + group.name + "_excess_mass 0: without fluid (-fluid none) cloth needs a mass");

@@ -20,8 +20,8 @@ const ChoiceNames<Mobility>& names_of(Mobility);
 
 /// How cloth and water are coupled in a step.
 struct CouplingOptions {
-  std::string scheme = "semi_implicit";  ///< one of `coupling_schemes`; not for cloth or water alone
-  bool scheme_given = false;             ///< by the user
+  std::string scheme = "semi_implicit";           ///< one of `coupling_schemes`; not for cloth or water alone
+  bool scheme_given = false;                      ///< by the user
   std::string scheme_option = "coupling_scheme";  ///< the name by which the user gave it
   TimeScheme time_scheme = TimeScheme::trapezoidal;
   Mobility mobility = Mobility::matrix;

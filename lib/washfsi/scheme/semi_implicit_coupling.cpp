@@ -149,9 +149,10 @@ void SemiImplicitCoupling<Dim>::sweep(System<Dim>& system, double dt, Points<Dim
 template <int Dim>
 void SemiImplicitCoupling<Dim>::take(System<Dim>& system, double dt) {
   auto& [model, state, step] = system;
-  const double end = state.clock.time + dt;
-  begin_step(system, state.positions, end, dt);
+  const double start = state.clock.time, end = start + dt;
+  begin_step(system, state.positions, start, 0);
   const Points<Dim> forces = model.forces.of_places(state.positions);
+  begin_step(system, state.positions, end, dt);
   const Points<Dim> places = state.positions + 0.5 * dt * state.velocities;
   spread_cloth(system, places, forces + model.forces.constant());
   hold_bodies(system, end);

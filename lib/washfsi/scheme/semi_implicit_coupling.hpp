@@ -2,9 +2,8 @@
 //
 // The incremental semi-implicit step: one solve of the cloth's equations and two projections, backward Euler in the
 // stiff part. H is the fluid fraction of each face, V the markers' velocity, F the sum of all forces that depend on the
-// markers' places alone, of elasticity, holding springs and contact, with the bodies where they are at the end of the
-// step.
-//   1. spread      S, J, rho at X^n + dt/2 V^n;  f = S (F(X^n) + weight, loads)
+// markers' places alone, of elasticity, holding springs and contact, with the bodies where they are at that time.
+//   1. spread      S, J, rho at X^n + dt/2 V^n;  F = F(X^n), as the last step left it;  f = S (F + weight, loads)
 //   2. fluid       u, p by the fractional step with f
 //   3. markers     U = J [H u + (1-H) u_solid]
 //   4. mobility    M = factor times J H S / rho, a sparse matrix that bounds the true mobility of the markers, that of

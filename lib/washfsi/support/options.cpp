@@ -131,6 +131,7 @@ void Options::claim_prefix(const std::string& name, const std::string& option) {
 }
 
 void Options::alias(const std::string& old_name, const std::string& name) {
+  aliases_.emplace_back(old_name, name);
   if (!petsc::option_given("", "-" + old_name)) return;
   const bool both = petsc::option_given("", "-" + name);
   const bool old_on_line = is_on_command_line("-" + old_name), new_on_line = is_on_command_line("-" + name);
@@ -213,13 +214,15 @@ std::optional<std::string> OptionBlock::ask(const std::string& name, const std::
   WASH_PETSC(
       ask_string(items_, ("-" + name).c_str(), help.c_str(), current.c_str(), buffer.data(), buffer.size(), &given));
   std::string value = given ? buffer.data() : current;
-  if (!given && !fallback_.empty() && petsc::option_given("", "-" + fallback_ + name)) {
+  // asked even where the group has its own: so it counts as read
+  const bool for_all = !fallback_.empty() && petsc::option_given("", "-" + fallback_ + name);
+  if (!given && for_all) {
     given = PETSC_TRUE;
     value = Options::database().at(fallback_ + name);
   }
   options_.values_[prefix_ + name] = value;
-  options_.declared_.push_back(
-      {title_, prefix_ + name, value, description.unit, description.meaning, description.allowed});
+  options_.declared_.push_back({title_, prefix_ + name, value, description.unit, description.meaning,
+                                description.allowed, options_.required_.contains(prefix_ + name)});
   if (!given) return std::nullopt;
   return value;
 }
@@ -294,12 +297,14 @@ void OptionBlock::reals(const std::string& name, std::vector<double>& value, std
                         const char* unit, const char* help) {
   std::vector<std::string> words;
   for (const double v : value) words.push_back(to_text(v));
-  const std::string count = std::to_string(fewest) + (most > fewest && most < 1000 ? " or " + std::to_string(most) : "");
-  const auto given = ask(name, join(words, ","), {help, unit, (most < 1000 ? count : "any") + " numbers"});
+  const std::string count = std::to_string(fewest) +
+                            (most > fewest && most < 1000 ? " or " + std::to_string(most) : "") +
+                            (most == 1 ? " number" : " numbers");
+  const auto given = ask(name, join(words, ","), {help, unit, most < 1000 ? count : "any numbers"});
   if (!given) return;
   words = split(*given, ',');
   if (words.size() < fewest || words.size() > most) {
-    refuse(name, *given, count + " numbers separated by commas (" + std::to_string(words.size()) + " given)");
+    refuse(name, *given, count + " separated by commas (" + std::to_string(words.size()) + " given)");
   }
   if (std::find(words.begin(), words.end(), "") != words.end()) refuse(name, *given, "numbers separated by commas");
   value.clear();
@@ -317,7 +322,8 @@ std::string OptionBlock::as_given(const std::string& name) const {
   return options_.as_given((is_for_all ? fallback_ : prefix_) + name);
 }
 
-void OptionBlock::require(const std::string& name, const char* meaning) const {
+void OptionBlock::require(const std::string& name, const char* meaning) {
+  options_.required_.insert(prefix_ + name);
   if (!given(name) && !options_.help()) throw InputError("-" + prefix_ + name + " is missing: " + meaning);
 }
 

@@ -49,6 +49,7 @@ class Options;
 struct DeclaredOption {
   std::string block, name, value;      ///< title of its block; the value used, or the default
   std::string unit, meaning, allowed;  ///< what it may be
+  bool required = false;
 };
 
 /// The options of one part of the program: each call declares one (for -help), reads it from PETSc's database
@@ -93,8 +94,8 @@ class OptionBlock {
 
   /// Whether the user gave this option, or the one for all.
   bool given(const std::string& name) const;
-  /// Stops with one line unless the user gave this option.
-  void require(const std::string& name, const char* meaning) const;
+  /// Stops with one line unless the user gave this option; to be called before it is read.
+  void require(const std::string& name, const char* meaning);
   /// Stops with one line: the option, its value, "must be" and what is allowed.
   [[noreturn]] void refuse(const std::string& name, const std::string& value, const std::string& allowed) const;
 
@@ -126,6 +127,8 @@ class Options {
   /// command line counts more than what is in a file, by either name. Errors: InputError if the user gave both in one
   /// place.
   void alias(const std::string& old_name, const std::string& name);
+  /// All old names with the present ones.
+  const std::vector<std::pair<std::string, std::string>>& aliases() const { return aliases_; }
   /// A name as the user gave it: the old one, perhaps.
   std::string as_given(const std::string& name) const;
   /// A line for each old name that the user gave.
@@ -164,6 +167,8 @@ class Options {
   bool help_ = false, documents_ = false;
   std::vector<DeclaredOption> declared_;
   std::map<std::string, std::string> values_;
+  std::set<std::string> required_;
+  std::vector<std::pair<std::string, std::string>> aliases_;
   std::map<std::string, std::string> old_names_;  ///< that the user gave, by the present ones
   std::vector<std::string> notes_;
   std::set<std::string> claimed_;  ///< prefixes chosen by the user

@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The documents that the program writes of itself are those in docs/."""
+
+import re
+import subprocess
+import unittest
+
+from support import PROGRAM, SOURCE, ProgramTest
+
+
+class Documents(ProgramTest):
+    def test_pages_say_what_the_program_says(self):
+        outcome = subprocess.run([SOURCE / "scripts" / "document", "--program", PROGRAM, "--check"],
+                                 capture_output=True, text=True, check=False)
+        self.assertEqual(outcome.returncode, 0, outcome.stdout + outcome.stderr + "\nscripts/document writes them anew")
+
+    def test_the_guide_explains_options_that_there_are(self):
+        listed = (SOURCE / "docs" / "options.md").read_text(encoding="utf-8")
+        known = set(re.findall(r"^\| `-(\w+)`", listed, re.M))
+        self.assertTrue({"coupling_scheme", "CLOTH_ke", "BODY_shape", "cloth_coupling"} <= known, "names are missing")
+        guide = (SOURCE / "docs" / "user-guide.md").read_text(encoding="utf-8")
+        rows = re.findall(r"^\| (`-.*?) \|", guide, re.M)
+        explained = set(re.findall(r"`-(\w+)", " ".join(rows)))
+        self.assertGreater(len(explained), 100)
+        groups = ("CLOTH", "BODY", "LINE")
+        unknown = [name for name in sorted(explained) if name not in known
+                   and not any(name.replace("NAME", group, 1) in known for group in groups)]
+        self.assertEqual(unknown, [])
+
+
+if __name__ == "__main__":
+    unittest.main()
