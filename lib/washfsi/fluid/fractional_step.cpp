@@ -72,11 +72,19 @@ void FractionalStep<Dim>::predict(const TimeStep& step, const StepFields<Dim>& f
 
 template <int Dim>
 void FractionalStep<Dim>::explicit_terms() {
-  const double dt = step_.dt;
   const GhostedVelocity<Dim> local_u(boundary_, flow_dm_, velocity_, step_.start);
   const petsc::LocalVector local_p(grid_.cell_dm(), pressure_);
-  boundary_.advance_outflow(local_u, step_.start, dt);
+  boundary_.advance_outflow(local_u, step_.start, step_.dt);
   advect(local_u, fields_.liquid.density);
+  with_viscosity<Dim>(grid_, fields_.liquid.viscosity,
+                      [&](const auto& viscosity) { sum_explicit_terms(viscosity, local_u, local_p); });
+}
+
+// All that the loop reads is a value of this function's own: no store can be taken to change it.
+template <int Dim>
+template <class Form>
+void FractionalStep<Dim>::sum_explicit_terms(const Form& viscosity, Vec local_u, Vec local_p) {
+  const double dt = step_.dt, half_viscosity = 0.5 * viscosity.scale;
   // Adams-Bashforth for steps of different length: 3/2 and -1/2 when they are equal
   const double weight_before = has_history_ ? -0.5 * dt / dt_before_ : 0, weight = 1 - weight_before;
   const Spacing<Dim> h(grid_.spacing());
@@ -85,13 +93,10 @@ void FractionalStep<Dim>::explicit_terms() {
   const ConstFaceView<Dim> now(grid_.face_dm(), advection_), before(grid_.face_dm(), advection_before_);
   const ConstCellView<Dim> p(grid_.cell_dm(), local_p);
   const FaceView<Dim> b(grid_.face_dm(), rhs_);
-  with_viscosity<Dim>(grid_, fields_.liquid.viscosity, [&](const auto& viscosity) {
-    const double half_viscosity = 0.5 * viscosity.scale;
-    grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
-      const double stress = half_viscosity * viscosity.force(u, face, c) - gradient<Dim>(p, face, c, h);
-      const double advected = weight * now(face, c) + weight_before * before(face, c);
-      b(face, c) = u(face, c) + dt * ((stress + f(face, c)) / rho(face, c) - advected);
-    });
+  grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
+    const double stress = half_viscosity * viscosity.force(u, face, c) - gradient<Dim>(p, face, c, h);
+    const double advected = weight * now(face, c) + weight_before * before(face, c);
+    b(face, c) = u(face, c) + dt * ((stress + f(face, c)) / rho(face, c) - advected);
   });
 }
 

@@ -91,6 +91,8 @@ class FractionalStep {
 
  private:
   void explicit_terms();
+  template <class Form>
+  void sum_explicit_terms(const Form& viscosity, Vec local_u, Vec local_p);
   void advect(Vec local_velocity, Vec density);
   double largest_speed() const;
   void solve_pressure(Vec phi);

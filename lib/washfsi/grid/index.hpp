@@ -31,9 +31,10 @@ constexpr Index<Dim> shifted(Index<Dim> index, int axis, PetscInt by) noexcept {
   return index;
 }
 
-/// Calls kernel(index) for each index of the box, x fastest. No communication.
+/// Calls kernel(index) for each index of the box, x fastest. No communication. To be inlined, so that what a kernel
+/// captures stays in registers.
 template <int Dim, class Kernel, int Axis = Dim - 1>
-void for_each(const Box<Dim>& box, Kernel&& kernel, Index<Dim> index = {}) {
+inline void for_each(const Box<Dim>& box, Kernel&& kernel, Index<Dim> index = {}) {
   for (index[Axis] = box.lower[Axis]; index[Axis] < box.upper[Axis]; ++index[Axis]) {
     if constexpr (Axis == 0)
       kernel(index);
