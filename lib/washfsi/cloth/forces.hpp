@@ -16,6 +16,7 @@ class Forces {
   /// The cloths must outlive it.
   explicit Forces(const Cloths<Dim>& cloths) : cloths_(cloths) {}
 
+  MPI_Comm comm() const { return cloths_.comm(); }
   /// No communication.
   void add(std::unique_ptr<MarkerForce<Dim>> force) { forces_.push_back(std::move(force)); }
   const std::vector<std::unique_ptr<MarkerForce<Dim>>>& list() const { return forces_; }

@@ -52,7 +52,8 @@ class MarkerForce {
   /// Whether its energy is stored in the cloth itself.
   virtual bool is_elastic() const { return false; }
 
-  /// Called once before a step: looks at what is near, and keeps it until the next call.
+  /// Called before a step, by some schemes twice: looks at what is near, and keeps it until the next call. With dt = 0
+  /// at the step's start, for the forces as they are there; with dt > 0 for those at the end, which may be solved for.
   virtual void begin_step(const StepStart<Dim>&) {}
 
   /// Adds the force.
@@ -62,7 +63,8 @@ class MarkerForce {
   /// Adds -K d: the rate of change of the force as the markers move along a direction d.
   virtual void add_force_rates(const Points<Dim>&, const Points<Dim>&, Points<Dim>&) const {}
   /// Gives the blocks of K in the rows of this rank's markers, always the same ones in the same order as long as
-  /// `pattern` returns the same number.
+  /// `pattern` returns the same number; it need not be the same on all ranks. Best is one that depends on the blocks
+  /// alone, so that a matrix that fits is not laid out anew.
   virtual void visit_stiffness(const Points<Dim>&, GeometricStiffness, const AddMarkerBlock<Dim>&) const {}
   virtual long pattern() const { return 0; }
   /// Adds a size of the parts that the force of each marker is the difference of: its round-off over the machine's.

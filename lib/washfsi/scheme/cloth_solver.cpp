@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "washfsi/scheme/marker_vectors.hpp"
+#include "washfsi/support/collective.hpp"
 #include "washfsi/support/errors.hpp"
 
 namespace washfsi {
@@ -141,7 +142,7 @@ void ClothSolver<Dim>::aim_at(double residual) {
 template <int Dim>
 void ClothSolver<Dim>::start(const ClothEquation<Dim>& equation, double tolerance) {
   forget_last_solve();
-  if (pattern_ != forces_.pattern()) {
+  if (any_rank(forces_.comm(), pattern_ != forces_.pattern())) {
     lay_out_matrix();
     if (plan_.searches_descent) search_.attach(solver_, matrix_);
     WASH_PETSC(SNESSetJacobian(solver_, matrix_free_ ? matrix_free_ : matrix_, matrix_, &ClothSolver::linearise, this));

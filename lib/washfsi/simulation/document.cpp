@@ -32,15 +32,16 @@ const DeclaredOption& any_of(const DocumentedOption& option) {
   return option[1] ? *option[1] : *option[0];
 }
 
-// Those of space alone stand behind the option that they follow there. A law of fabric that is not chosen may ask for
-// the same option as another: the first counts.
+// Those of space alone stand behind the option that they follow there. Laws of fabric have options of the same name,
+// each in its block.
 std::vector<DocumentedOption> merge(const std::array<std::vector<DeclaredOption>, 2>& declared) {
   std::vector<DocumentedOption> merged;
   for (std::size_t dimension = 0; dimension < 2; ++dimension) {
     auto place = merged.begin();
     for (const DeclaredOption& option : declared[dimension]) {
-      const auto same = std::find_if(merged.begin(), merged.end(),
-                                     [&](const DocumentedOption& known) { return any_of(known).name == option.name; });
+      const auto same = std::find_if(merged.begin(), merged.end(), [&](const DocumentedOption& known) {
+        return any_of(known).name == option.name && any_of(known).block == option.block;
+      });
       place = same == merged.end() ? merged.insert(place, DocumentedOption{}) : same;
       if (!(*place)[dimension]) (*place)[dimension] = &option;
       ++place;
