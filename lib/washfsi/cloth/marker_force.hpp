@@ -24,6 +24,9 @@ struct StepStart {
   const Points<Dim>&positions, &velocities;  ///< of this rank's markers [m, m/s]
   double time;                               ///< at which the forces act [s]
   double dt;                                 ///< for which the markers move until then [s]; 0: not at all
+  const Points<Dim>& velocities_before;      ///< one step earlier [m/s]
+  double dt_before;                          ///< length of that step [s]; 0: there was none
+  double weight = 1;                         ///< of the velocity at the end in that with which the markers move
 };
 
 /// What the longest explicit step needs of a marker.

@@ -124,6 +124,7 @@ ClothGroup<Dim> ClothGroup<Dim>::from_options(Options& options, const std::strin
         block.choice("model", group.model, "elastic model: discrete energy, or the thesis's strong form");
         block.choice("shape", group.shape, Dim == 2 ? "at the start; an ellipse is a closed cloth" : "at the start",
                      shapes_in(Dim));
+        block.template point<Dim>("velocity", group.velocity, "m/s", "of the cloths at the start");
         read_loads(block, group);
       },
       "cloths_");

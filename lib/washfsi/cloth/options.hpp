@@ -42,6 +42,7 @@ struct ClothGroup {
   Point<Dim> load = Point<Dim>::Zero();             ///< constant force per undeformed area [N/m2]
   Point<Dim> end_force_first = Point<Dim>::Zero();  ///< at the edge before the first row [N; N/m in the plane]
   Point<Dim> end_force_last = Point<Dim>::Zero();   ///< after the last
+  Point<Dim> velocity = Point<Dim>::Zero();         ///< at the start [m/s]
 
   static ClothGroup from_options(Options& options, const std::string& name);
 

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "washfsi/measure/body_measure.hpp"
+#include "washfsi/measure/carried_mass.hpp"
 #include "washfsi/support/collective.hpp"
 
 namespace washfsi {
@@ -18,7 +19,12 @@ void CouplingMeasure<Dim>::declare(QuantityList& quantities) {
 template <int Dim>
 void CouplingMeasure<Dim>::prepare() {
   const std::vector<double> energies = system_.model.forces.elastic_energies(system_.state.positions);
-  elastic_energy_ = std::accumulate(energies.begin(), energies.end(), 0.0);
+  energy_ = std::accumulate(energies.begin(), energies.end(), CarriedMass::of(system_).kinetic_energy);
+}
+
+template <int Dim>
+void CouplingMeasure<Dim>::observe_start(const Observation<Dim>&) {
+  energy_ = cloth_.elastic_energy() + CarriedMass::of(system_).kinetic_energy;
 }
 
 template <int Dim>
@@ -36,9 +42,9 @@ void CouplingMeasure<Dim>::observe(const Observation<Dim>& seen) {
   const double middle = system_.state.clock.time - 0.5 * seen.dt;
   for (std::size_t b = 0; b < model.bodies.size(); ++b)
     got += power(model.bodies[b].motion, seen.contact.bodies[b], middle);
-  const double energy = cloth_.elastic_energy();
-  dissipation_ = got - given - (energy - elastic_energy_) / seen.dt;
-  elastic_energy_ = energy;
+  const double energy = cloth_.elastic_energy() + CarriedMass::of(system_).kinetic_energy;
+  dissipation_ = got - given - (energy - energy_) / seen.dt;
+  energy_ = energy;
 }
 
 template class CouplingMeasure<2>;

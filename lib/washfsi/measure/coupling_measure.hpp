@@ -16,15 +16,15 @@ class CouplingMeasure : public Measure<Dim> {
   void declare(QuantityList& quantities) override;
   void prepare() override;
   void observe(const Observation<Dim>& seen) override;
-  void observe_start(const Observation<Dim>&) override { elastic_energy_ = cloth_.elastic_energy(); }
+  void observe_start(const Observation<Dim>&) override;
 
  private:
   bool couples() const { return system_.model.has_fluid && !cloth_.groups().empty(); }
 
   const System<Dim>& system_;
   const ClothMeasure<Dim>& cloth_;
-  double dissipation_ = 0;     ///< [W; W/m in the plane]
-  double elastic_energy_ = 0;  ///< of all cloths before the step [J; J/m in the plane]
+  double dissipation_ = 0;  ///< [W; W/m in the plane]
+  double energy_ = 0;       ///< elastic and kinetic, of all cloths before the step [J; J/m in the plane]
 };
 
 extern template class CouplingMeasure<2>;

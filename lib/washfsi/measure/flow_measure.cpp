@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/measure/flow_measure.hpp"
 
+#include "washfsi/measure/carried_mass.hpp"
+
 namespace washfsi {
 
 template <int Dim>
@@ -10,12 +12,14 @@ void FlowMeasure<Dim>::declare(QuantityList& quantities) {
   quantities.add({"time", "s", "at the end of the step", [this] { return system_.state.clock.time; }});
   quantities.add({"dt", "s", "length of the step", [this] { return dt_; }});
   quantities.add({"cfl", "-", "largest dt sum_d \\|u_d\\|/h_d over all cells", [this] { return flow_.courant.value; }});
-  quantities.add({"kinetic_energy", U::energy, "1/2 sum rho \\|u\\|² over the faces in fluid, added mass included",
+  quantities.add({"kinetic_energy", U::energy,
+                  "1/2 sum rho \\|u\\|² over the faces in fluid, and that of the cloths' mass",
                   [this] { return flow_.kinetic_energy; }});
   quantities.add({"max_divergence", "1/s", "largest divergence of a cell; what the pressure solver left",
                   [this] { return flow_.max_divergence; }, Accumulation::largest, "/max_divergence"});
   quantities.add({"angular_momentum", U::angular_momentum,
-                  "sum rho (x v - y u) over the faces in fluid, about the vertical in the box's middle",
+                  "sum rho (x v - y u) over the faces in fluid, and that of the cloths' mass, about the vertical in "
+                  "the box's middle",
                   [this] { return flow_.angular_momentum; }});
   quantities.add(
       {"dissipation", U::power, "2 mu e:e over the fluid, e the rate of strain", [this] { return flow_.dissipation; }});
@@ -30,6 +34,9 @@ void FlowMeasure<Dim>::observe(const Observation<Dim>& seen) {
   const Model<Dim>& model = system_.model;
   dt_ = seen.dt;
   flow_ = FlowDiagnostics<Dim>::of(model.grid, {seen.velocity, model.liquid.fields(), model.fluid_fraction()}, dt_);
+  const CarriedMass cloth = CarriedMass::of(system_);
+  flow_.kinetic_energy += cloth.kinetic_energy;
+  flow_.angular_momentum += cloth.angular_momentum;
 }
 
 template <int Dim>

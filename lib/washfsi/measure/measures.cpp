@@ -3,14 +3,17 @@
 
 #include <utility>
 
+#include "washfsi/measure/cloth_force_measure.hpp"
+
 namespace washfsi {
 
 namespace {
 
 // Every further measure that there is. Their columns come last.
 template <int Dim>
-std::vector<std::unique_ptr<Measure<Dim>>> further_measures([[maybe_unused]] const System<Dim>& system) {
+std::vector<std::unique_ptr<Measure<Dim>>> further_measures(const System<Dim>& system) {
   std::vector<std::unique_ptr<Measure<Dim>>> measures;
+  measures.push_back(std::make_unique<ClothForceMeasure<Dim>>(system));
   return measures;
 }
 

@@ -15,8 +15,10 @@ double norm(MPI_Comm comm, const Points<Dim>& values) {
 }
 
 template <int Dim>
-void begin_step(System<Dim>& system, const Points<Dim>& positions, double time, double dt) {
-  system.model.forces.begin_step({positions, system.state.velocities, time, dt});
+void begin_step(System<Dim>& system, const Points<Dim>& positions, double time, double dt, double weight) {
+  auto& [model, state, step] = system;
+  model.forces.begin_step(
+      {positions, state.velocities, time, dt, state.velocities_before, model.fluid.last_step(), weight});
 }
 
 template <int Dim>
@@ -30,6 +32,7 @@ void spread_cloth(System<Dim>& system, const Points<Dim>& positions, const Point
   auto& [model, state, step] = system;
   model.locate_cloth(positions);
   WASH_PETSC(VecZeroEntries(step.force));
+  step.given = forces;
   step.wall_reaction = model.transfer.spread(forces, step.force);
 }
 
@@ -62,8 +65,8 @@ Points<Dim> marker_velocities(const Model<Dim>& model, Vec velocity, double time
 
 template double norm<2>(MPI_Comm, const Points<2>&);
 template double norm<3>(MPI_Comm, const Points<3>&);
-template void begin_step<2>(System<2>&, const Points<2>&, double, double);
-template void begin_step<3>(System<3>&, const Points<3>&, double, double);
+template void begin_step<2>(System<2>&, const Points<2>&, double, double, double);
+template void begin_step<3>(System<3>&, const Points<3>&, double, double, double);
 template Points<2> all_forces<2>(System<2>&, const Points<2>&);
 template Points<3> all_forces<3>(System<3>&, const Points<3>&);
 template void spread_cloth<2>(System<2>&, const Points<2>&, const Points<2>&);

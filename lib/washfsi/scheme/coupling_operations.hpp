@@ -8,9 +8,9 @@
 namespace washfsi {
 
 /// Lets the forces on the cloths look at what is near to these places; they are to act at `time`, until which the
-/// markers move for dt.
+/// markers move for dt, with the velocity at the end of the step by so much weight.
 template <int Dim>
-void begin_step(System<Dim>& system, const Points<Dim>& positions, double time, double dt);
+void begin_step(System<Dim>& system, const Points<Dim>& positions, double time, double dt, double weight = 1);
 
 /// All forces at these places; keeps the places.
 template <int Dim>

@@ -29,12 +29,13 @@ namespace {
 template <int Dim>
 struct NamedScheme {
   std::string name;
+  bool takes_inertia;  ///< whether the cloths may carry their own mass
   std::function<std::unique_ptr<CouplingScheme<Dim>>(const System<Dim>&, const CouplingOptions&)> make;
 };
 
 template <int Dim, class Scheme>
 NamedScheme<Dim> named(const char* name) {
-  return {name, [](const System<Dim>& system, const CouplingOptions& options) {
+  return {name, Scheme::takes_inertia, [](const System<Dim>& system, const CouplingOptions& options) {
             if constexpr (std::is_default_constructible_v<Scheme>)
               return std::make_unique<Scheme>();
             else
@@ -54,33 +55,56 @@ const std::vector<NamedScheme<Dim>>& coupling_schemes() {
   return schemes;
 }
 
+template <int Dim>
+const NamedScheme<Dim>& scheme_named(const std::string& name) {
+  for (const auto& scheme : coupling_schemes<Dim>())
+    if (scheme.name == name) return scheme;
+  throw InputError("-coupling_scheme " + name + ": there is no such scheme");
+}
+
 }  // namespace
 
 CouplingOptions CouplingOptions::from_options(Options& options) {
   CouplingOptions coupling;
+  coupling.read_scheme(options);
+  coupling.mass_carrier = scheme_named<2>(coupling.scheme).takes_inertia ? MassCarrier::cloth : MassCarrier::water;
+  options.block("cloth_", "Coupling of cloth and water", [&](OptionBlock& block) {
+    block.choice("inertia", coupling.mass_carrier,
+                 "what carries the cloths' excess mass: they themselves (semi_implicit, implicit); or the water, into "
+                 "which it is smeared, as in the thesis");
+  });
+  if (coupling.mass_carrier == MassCarrier::cloth) coupling.sweeps = most_sweeps_with_inertia;
+  coupling.read_solution(options);
+  return coupling;
+}
+
+void CouplingOptions::read_scheme(Options& options) {
   std::vector<std::string> schemes;
-  for (const auto& scheme : coupling_schemes<2>()) schemes.push_back(scheme.name);
+  for (const auto& known : coupling_schemes<2>()) schemes.push_back(known.name);
   options.alias("cloth_coupling", "coupling_scheme");
   for (const char* name : {"time_scheme", "mobility", "mobility_factor", "tolerance", "sweeps", "slip_tolerance"})
     options.alias(std::string("cloth_") + name, std::string("coupling_") + name);
   options.block("coupling_", "Coupling of cloth and water", [&](OptionBlock& block) {
-    block.choice("scheme", coupling.scheme, schemes, "how cloth and water are coupled in a step");
-    coupling.scheme_given = block.given("scheme");
-    coupling.scheme_option = options.as_given("coupling_scheme");
-    block.choice("time_scheme", coupling.time_scheme,
+    block.choice("scheme", scheme, schemes, "how cloth and water are coupled in a step");
+    scheme_given = block.given("scheme");
+    scheme_option = options.as_given("coupling_scheme");
+  });
+}
+
+void CouplingOptions::read_solution(Options& options) {
+  options.block("coupling_", "How the coupling is solved", [&](OptionBlock& block) {
+    block.choice("time_scheme", time_scheme,
                  "of the implicit coupling: as in the thesis, or damping more; both of first order");
-    block.choice("mobility", coupling.mobility,
+    block.choice("mobility", mobility,
                  "what stands for the mobility of the markers: that without pressure, or its row sums (semi_implicit)");
-    block.real("mobility_factor", coupling.mobility_factor, "-", positive,
+    block.real("mobility_factor", mobility_factor, "-", positive,
                "of what stands for the markers' mobility; too small: unstable; large: slow to follow (semi_implicit)");
-    block.real("tolerance", coupling.tolerance, "-", positive,
+    block.real("tolerance", tolerance, "-", positive,
                "rms residual of the markers' velocities over the flow's speed (semi_implicit, implicit)");
-    block.integer("sweeps", coupling.sweeps, at_least_one,
-                  "solves of the cloth and corrections at most (semi_implicit)");
-    block.real("slip_tolerance", coupling.slip_tolerance, "-", non_negative,
+    block.integer("sweeps", sweeps, at_least_one, "solves of the cloth and corrections at most (semi_implicit)");
+    block.real("slip_tolerance", slip_tolerance, "-", non_negative,
                "slip between cloth and water below which no further sweep is made (semi_implicit)");
   });
-  return coupling;
 }
 
 namespace {
@@ -104,9 +128,11 @@ std::unique_ptr<CouplingScheme<Dim>> make_coupling_scheme(const CouplingOptions&
     return std::make_unique<ClothAlone<Dim>>();
   }
   if (system.model.cloths.marker_count() == 0) return std::make_unique<FluidAlone<Dim>>();
-  for (const auto& scheme : coupling_schemes<Dim>())
-    if (scheme.name == options.scheme) return scheme.make(system, options);
-  throw InputError("-coupling_scheme " + options.scheme + ": there is no such scheme");
+  const NamedScheme<Dim>& scheme = scheme_named<Dim>(options.scheme);
+  if (system.model.mass_carrier == MassCarrier::cloth && !scheme.takes_inertia)
+    throw InputError("-cloth_inertia cloth: not with -" + options.scheme_option + " " + options.scheme +
+                     ", which needs water");
+  return scheme.make(system, options);
 }
 
 template std::unique_ptr<CouplingScheme<2>> make_coupling_scheme<2>(const CouplingOptions&, const System<2>&);

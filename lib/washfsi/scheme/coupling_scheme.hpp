@@ -18,6 +18,9 @@ const ChoiceNames<TimeScheme>& names_of(TimeScheme);
 enum class Mobility { matrix, row_sums };
 const ChoiceNames<Mobility>& names_of(Mobility);
 
+/// The default of -coupling_sweeps where the cloths carry their own mass: an impulsive start takes some.
+inline constexpr PetscInt most_sweeps_with_inertia = 10;
+
 /// How cloth and water are coupled in a step.
 struct CouplingOptions {
   std::string scheme = "semi_implicit";           ///< one of `coupling_schemes`; not for cloth or water alone
@@ -25,18 +28,26 @@ struct CouplingOptions {
   std::string scheme_option = "coupling_scheme";  ///< the name by which the user gave it
   TimeScheme time_scheme = TimeScheme::trapezoidal;
   Mobility mobility = Mobility::matrix;
-  double mobility_factor = 1;    ///< of what stands for the markers' mobility
-  double tolerance = 1e-5;       ///< rms residual of the markers' velocities over the flow's speed
-  PetscInt sweeps = 1;           ///< at most, of the semi-implicit coupling
-  double slip_tolerance = 0.01;  ///< below which no further sweep is made
+  double mobility_factor = 1;                     ///< of what stands for the markers' mobility
+  double tolerance = 1e-5;                        ///< rms residual of the markers' velocities over the flow's speed
+  PetscInt sweeps = 1;                            ///< at most, of the semi-implicit coupling
+  MassCarrier mass_carrier = MassCarrier::water;  ///< unless the user says which
+  double slip_tolerance = 0.01;                   ///< below which no further sweep is made
 
   static CouplingOptions from_options(Options& options);
+
+ private:
+  void read_scheme(Options& options);
+  void read_solution(Options& options);
 };
 
 /// A way of advancing cloth and water together by one time step.
 template <int Dim>
 class CouplingScheme {
  public:
+  /// Whether the cloths may carry their own mass; schemes that let them redeclare it.
+  static constexpr bool takes_inertia = false;
+
   CouplingScheme() = default;
   CouplingScheme(const CouplingScheme&) = delete;
   CouplingScheme& operator=(const CouplingScheme&) = delete;
@@ -44,7 +55,9 @@ class CouplingScheme {
 
   /// From t^n to t^n + dt. Collective. Errors: DivergedError.
   void advance(System<Dim>& system, double dt) {
+    Points<Dim> before = system.state.velocities;
     take(system, dt);
+    system.state.velocities_before = std::move(before);
     system.state.clock.advance(dt);
   }
   /// Longest step for the cloth as it lies now [s]: that of the explicit coupling unless overridden. Collective.

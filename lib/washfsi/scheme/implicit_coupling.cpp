@@ -52,7 +52,7 @@ void ImplicitCoupling<Dim>::take(System<Dim>& system, double dt) {
   State<Dim>& state = system.state;
   const bool trapezoidal = options_.time_scheme == TimeScheme::trapezoidal;
   const double weight = trapezoidal ? 0.5 : 1.0;
-  begin_step(system, state.positions, state.clock.time + dt, dt);
+  begin_step(system, state.positions, state.clock.time + dt, dt, weight);
   hold_bodies(system, state.clock.time + dt);
   model.fluid.keep_pressure();
   Points<Dim> last, evaluated;

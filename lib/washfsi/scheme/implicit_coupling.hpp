@@ -18,6 +18,8 @@ namespace washfsi {
 template <int Dim>
 class ImplicitCoupling : public CouplingScheme<Dim> {
  public:
+  static constexpr bool takes_inertia = true;
+
   ImplicitCoupling(const System<Dim>& system, const CouplingOptions& options);
   double step_bound(const System<Dim>& system) const override;
 

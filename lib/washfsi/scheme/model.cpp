@@ -8,12 +8,18 @@
 #include "washfsi/cloth/dead_loads.hpp"
 #include "washfsi/cloth/elasticity.hpp"
 #include "washfsi/cloth/holding_springs.hpp"
+#include "washfsi/cloth/inertia.hpp"
 #include "washfsi/contact/cushion.hpp"
 
 namespace washfsi {
 
 const ChoiceNames<Medium>& names_of(Medium) {
   static const ChoiceNames<Medium> names{{"water", Medium::water}, {"none", Medium::none}};
+  return names;
+}
+
+const ChoiceNames<MassCarrier>& names_of(MassCarrier) {
+  static const ChoiceNames<MassCarrier> names{{"cloth", MassCarrier::cloth}, {"water", MassCarrier::water}};
   return names;
 }
 
@@ -40,8 +46,9 @@ std::vector<MakeForce<Dim>> surrounding_forces_from_options(Options& options) {
 }  // namespace
 
 template <int Dim>
-ModelOptions<Dim> ModelOptions<Dim>::from_options(Options& options) {
+ModelOptions<Dim> ModelOptions<Dim>::from_options(Options& options, MassCarrier mass_carrier) {
   ModelOptions<Dim> model;
+  model.mass_carrier = mass_carrier;
   model.grid = GridOptions<Dim>::from_options(options);
   model.fluid = FluidOptions<Dim>::from_options(options);
   options.block("", "Fluid or none", [&](OptionBlock& block) {
@@ -71,6 +78,7 @@ Model<Dim>::Model(MPI_Comm comm, const ModelOptions<Dim>& options, std::vector<B
       forces(cloths),
       transfer(grid, boundary, options.delta),
       has_fluid(options.medium == Medium::water),
+      mass_carrier(options.mass_carrier),
       cloth_drag(options.cloth_drag) {}
 
 // In this order they are summed.
@@ -81,6 +89,7 @@ void Model<Dim>::add_forces(const ModelOptions<Dim>& options, const Points<Dim>&
   forces.add(std::make_unique<HoldingSprings<Dim>>(cloths, start));
   for (const MakeForce<Dim>& make : options.surrounding_forces)
     if (auto force = make({grid, boundary, bodies, cloths})) forces.add(std::move(force));
+  if (has_fluid && mass_carrier == MassCarrier::cloth) forces.add(std::make_unique<Inertia<Dim>>(cloths));
   forces.add(std::make_unique<Damping<Dim>>(cloths));
   forces.add(std::make_unique<DeadLoads<Dim>>(cloths, options.gravity));
 }
@@ -88,7 +97,7 @@ void Model<Dim>::add_forces(const ModelOptions<Dim>& options, const Points<Dim>&
 template <int Dim>
 void Model<Dim>::locate_cloth(const Points<Dim>& places) {
   transfer.locate(places);
-  if (cloths.marker_count() == 0) return;
+  if (cloths.marker_count() == 0 || mass_carrier == MassCarrier::cloth) return;
   liquid.reset_density();
   transfer.spread_mass(cloths.marker_masses(), liquid.density());
 }

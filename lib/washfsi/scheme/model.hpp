@@ -13,20 +13,26 @@ namespace washfsi {
 enum class Medium { water, none };
 const ChoiceNames<Medium>& names_of(Medium);
 
+/// What carries the cloths' mass over that of the water displaced: their markers; or, smeared, the water's density, as
+/// in the thesis.
+enum class MassCarrier { cloth, water };
+const ChoiceNames<MassCarrier>& names_of(MassCarrier);
+
 /// All options that describe what is simulated, but for how it starts.
 template <int Dim>
 struct ModelOptions {
   GridOptions<Dim> grid;
   FluidOptions<Dim> fluid;
   Medium medium = Medium::water;
-  double cloth_drag = 0;                    ///< without fluid: force per undeformed area and speed [kg/(m2 s)]
+  double cloth_drag = 0;  ///< without fluid: force per undeformed area and speed [kg/(m2 s)]
+  MassCarrier mass_carrier = MassCarrier::water;
   Point<Dim> gravity = Point<Dim>::Zero();  ///< acts on the cloths' excess mass: p is measured from hydrostatic [m/s2]
   std::vector<ClothGroup<Dim>> cloths;
   std::vector<MakeForce<Dim>> surrounding_forces;  ///< on the cloths, from what is round them
   BodyTreatment treatment;
   DeltaOptions delta;
 
-  static ModelOptions from_options(Options& options);
+  static ModelOptions from_options(Options& options, MassCarrier mass_carrier);
 };
 
 /// What is simulated: water, bodies and cloths, and the operators between them. The water's velocity and pressure are
@@ -55,7 +61,8 @@ struct Model {
   Cloths<Dim> cloths;
   Forces<Dim> forces;
   Transfer<Dim> transfer;
-  bool has_fluid;     ///< false: cloth alone
+  bool has_fluid;  ///< false: cloth alone
+  MassCarrier mass_carrier;
   double cloth_drag;  ///< on cloth alone, force per undeformed area and speed [kg/(m2 s)]
 };
 

@@ -137,6 +137,7 @@ void SemiImplicitCoupling<Dim>::sweep(System<Dim>& system, double dt, Points<Dim
     const Points<Dim> moved = model.forces.of_places(step.pushed_at);
     WASH_PETSC(VecZeroEntries(increment));
     step.wall_reaction += model.transfer.spread(moved - forces, increment);
+    step.given += moved - forces;
     model.fluid.add_force(increment);
     WASH_PETSC(VecAXPY(step.force, 1.0, increment));
     forces = moved;

@@ -26,6 +26,8 @@ namespace washfsi {
 template <int Dim>
 class SemiImplicitCoupling : public CouplingScheme<Dim> {
  public:
+  static constexpr bool takes_inertia = true;
+
   SemiImplicitCoupling(const System<Dim>& system, const CouplingOptions& options);
   double step_bound(const System<Dim>& system) const override;
 

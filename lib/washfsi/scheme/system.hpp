@@ -10,8 +10,9 @@ namespace washfsi {
 template <int Dim>
 struct State {
   Clock clock;
-  Points<Dim> positions;   ///< X^n of this rank's markers [m]
-  Points<Dim> velocities;  ///< U^n [m/s]
+  Points<Dim> positions;          ///< X^n of this rank's markers [m]
+  Points<Dim> velocities;         ///< U^n [m/s]
+  Points<Dim> velocities_before;  ///< U^(n-1); U^n before the first step [m/s]
 };
 
 /// What a step leaves to be measured, and what all of them have cost.
@@ -19,6 +20,7 @@ template <int Dim>
 struct StepRecord {
   petsc::Vector force;                            ///< of cloth on water, on faces [N/m3]
   Points<Dim> pushed_at;                          ///< places at which the forces on the cloths were evaluated last [m]
+  Points<Dim> given;                              ///< force of each of this rank's markers on the water [N]
   Point<Dim> wall_reaction = Point<Dim>::Zero();  ///< part of the cloth's force that walls took [N]
   double cloth_slip = 0;                          ///< rms difference of cloth and water over the rms speed of cloth
   double cloth_iterations = 0;                    ///< evaluations of the cloths' equations in all steps so far
@@ -34,9 +36,12 @@ struct System {
       : model(comm, options, std::move(bodies)) {
     const Points<Dim> all = place(model);
     state.positions.assign(all.begin() + model.cloths.begin(), all.begin() + model.cloths.end());
-    state.velocities.assign(state.positions.size(), Point<Dim>::Zero());
+    for (std::size_t m = 0; m < state.positions.size(); ++m)
+      state.velocities.push_back(model.cloths.group_of(m).velocity);
+    state.velocities_before = state.velocities;
     step.force = model.grid.face_vector();
     step.pushed_at = state.positions;
+    step.given.assign(state.positions.size(), Point<Dim>::Zero());
     model.add_forces(options, state.positions);
     model.locate_cloth(state.positions);
   }

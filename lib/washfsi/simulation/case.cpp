@@ -7,7 +7,7 @@ template <int Dim>
 CaseOptions<Dim> CaseOptions<Dim>::from_options(Options& options) {
   CaseOptions<Dim> read;
   read.coupling = CouplingOptions::from_options(options);
-  read.model = ModelOptions<Dim>::from_options(options);
+  read.model = ModelOptions<Dim>::from_options(options, read.coupling.mass_carrier);
   read.initial_flow = InitialFlowOptions<Dim>::from_options(options);
   for (const ClothGroup<Dim>& group : read.model.cloths)
     read.placements.push_back(PlacementOptions<Dim>::from_options(options, group.name));

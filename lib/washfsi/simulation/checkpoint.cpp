@@ -114,6 +114,8 @@ void write_checkpoint(const std::string& folder, const System<Dim>& system, Meas
   if (system.model.cloths.marker_count() > 0) {
     file.write("/cloth/position", slab_of_markers(system.model.cloths, Dim), flattened<Dim>(system.state.positions));
     file.write("/cloth/velocity", slab_of_markers(system.model.cloths, Dim), flattened<Dim>(system.state.velocities));
+    file.write("/cloth/velocity_before", slab_of_markers(system.model.cloths, Dim),
+               flattened<Dim>(system.state.velocities_before));
     file.write("/cloth/time_integrals", slab_of_integrals(system.model.cloths), measures.cloth().time_integrals());
   }
   const std::vector<double> numbers = identity(system);
@@ -146,6 +148,7 @@ RunState read_checkpoint(const std::string& path, System<Dim>& system, Measures<
     if (system.model.cloths.marker_count() > 0) {
       system.state.positions = read_points(file, "/cloth/position", system.model.cloths);
       system.state.velocities = read_points(file, "/cloth/velocity", system.model.cloths);
+      system.state.velocities_before = read_points(file, "/cloth/velocity_before", system.model.cloths);
       measures.cloth().time_integrals() = file.read("/cloth/time_integrals", slab_of_integrals(system.model.cloths));
     }
     for (const auto& [name, kept] : measures.quantities().kept())

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/measure/cloth_force_measure.hpp"
+
+#include "washfsi/cloth/holding_springs.hpp"
+#include "washfsi/support/collective.hpp"
+
+namespace washfsi {
+
+template <int Dim>
+ClothForceMeasure<Dim>::ClothForceMeasure(const System<Dim>& system)
+    : system_(system), by_water_(system.model.cloths.groups().size(), Point<Dim>::Zero()), by_springs_(by_water_) {
+  for (const auto& force : system.model.forces.list())
+    if (dynamic_cast<const HoldingSprings<Dim>*>(force.get())) springs_ = force.get();
+}
+
+template <int Dim>
+void ClothForceMeasure<Dim>::declare(QuantityList& quantities) {
+  const auto& groups = system_.model.cloths.groups();
+  const auto declare_force = [&](const std::string& name, const Points<Dim>& forces, std::size_t g,
+                                 const char* meaning) {
+    for (int d = 0; d < Dim; ++d)
+      quantities.add(
+          {name + "_force_" + "xyz"[d], Units<Dim>::force, meaning, [&forces, g, d] { return forces[g][d]; }});
+  };
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    if (groups[g].held_markers().empty()) continue;  // what is left of a free cloth's forces in sum is round-off
+    if (system_.model.has_fluid)
+      declare_force(groups[g].name + "_water", by_water_, g, "force of the water on the group's cloths");
+    declare_force(groups[g].name + "_hold", by_springs_, g, "force of the holding springs on the group's cloths");
+  }
+}
+
+template <int Dim>
+Points<Dim> ClothForceMeasure<Dim>::sums_of_groups(const Points<Dim>& forces) const {
+  const Cloths<Dim>& cloths = system_.model.cloths;
+  std::vector<double> sums(by_water_.size() * Dim, 0.0);
+  for (std::size_t m = 0; m < forces.size(); ++m)
+    for (int d = 0; d < Dim; ++d) sums[cloths.pieces()[cloths.piece_of_marker()[m]].group * Dim + d] += forces[m][d];
+  sums = ordered_sum(cloths.comm(), sums);
+  Points<Dim> by_group(by_water_.size());
+  for (std::size_t g = 0; g < by_group.size(); ++g) by_group[g] = Point<Dim>(&sums[g * Dim]);
+  return by_group;
+}
+
+template <int Dim>
+void ClothForceMeasure<Dim>::observe(const Observation<Dim>&) {
+  by_water_ = sums_of_groups(-1.0 * system_.step.given);
+  Points<Dim> forces(system_.model.cloths.owned(), Point<Dim>::Zero());
+  springs_->add_force(system_.step.pushed_at, {}, forces);
+  by_springs_ = sums_of_groups(forces);
+}
+
+template class ClothForceMeasure<2>;
+template class ClothForceMeasure<3>;
+
+}  // namespace washfsi
