@@ -50,9 +50,11 @@ class Cloths {
   PetscInt end() const { return end_; }
   std::size_t owned() const { return static_cast<std::size_t>(end_ - begin_); }
 
-  /// Piece and group of each of this rank's markers.
+  /// Piece and group of each of this rank's markers, and its number among those of all ranks.
   const std::vector<std::size_t>& piece_of_marker() const { return piece_of_marker_; }
-  const ClothGroup<Dim>& group_of(std::size_t marker) const { return groups_[pieces_[piece_of_marker_[marker]].group]; }
+  std::size_t group_number(std::size_t marker) const { return pieces_[piece_of_marker_[marker]].group; }
+  const ClothGroup<Dim>& group_of(std::size_t marker) const { return groups_[group_number(marker)]; }
+  PetscInt number_of(std::size_t marker) const { return begin_ + static_cast<PetscInt>(marker); }
   /// The quads of a piece, each as its four markers in the order round it; a fibre has none.
   std::vector<std::array<PetscInt, 4>> quads(const Piece& piece) const;
   /// Values of all markers of all ranks, in marker order. Collective.

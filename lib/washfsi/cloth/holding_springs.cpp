@@ -27,7 +27,7 @@ void HoldingSprings<Dim>::add_force(const Points<Dim>& positions, const Points<D
 template <int Dim>
 void HoldingSprings<Dim>::add_energy(const Points<Dim>& positions, std::span<double> of_groups) const {
   for (const Spring& spring : springs_)
-    of_groups[cloths_.pieces()[cloths_.piece_of_marker()[spring.marker]].group] +=
+    of_groups[cloths_.group_number(spring.marker)] +=
         0.5 * spring.stiffness * (positions[spring.marker] - spring.anchor).squaredNorm();
 }
 
@@ -40,7 +40,7 @@ template <int Dim>
 void HoldingSprings<Dim>::visit_stiffness(const Points<Dim>&, GeometricStiffness,
                                           const AddMarkerBlock<Dim>& add) const {
   for (const Spring& spring : springs_) {
-    const PetscInt marker = cloths_.begin() + static_cast<PetscInt>(spring.marker);
+    const PetscInt marker = cloths_.number_of(spring.marker);
     add(marker, marker, spring.stiffness * StiffnessBlock<Dim>::Identity());
   }
 }

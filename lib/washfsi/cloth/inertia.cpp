@@ -34,7 +34,7 @@ template <int Dim>
 void Inertia<Dim>::add_energy(const Points<Dim>& positions, std::span<double> of_groups) const {
   if (dt_ == 0) return;
   for (std::size_t m = 0; m < positions.size(); ++m)
-    of_groups[cloths_.pieces()[cloths_.piece_of_marker()[m]].group] +=
+    of_groups[cloths_.group_number(m)] +=
         0.5 * cloths_.marker_masses()[m] * stiffness_per_mass() * (positions[m] - unmoved_[m]).squaredNorm();
 }
 
@@ -49,7 +49,7 @@ template <int Dim>
 void Inertia<Dim>::visit_stiffness(const Points<Dim>&, GeometricStiffness, const AddMarkerBlock<Dim>& add) const {
   const double per_mass = dt_ > 0 ? stiffness_per_mass() : 0;
   for (std::size_t m = 0; m < cloths_.owned(); ++m) {
-    const PetscInt marker = cloths_.begin() + static_cast<PetscInt>(m);
+    const PetscInt marker = cloths_.number_of(m);
     add(marker, marker, cloths_.marker_masses()[m] * per_mass * StiffnessBlock<Dim>::Identity());
   }
 }

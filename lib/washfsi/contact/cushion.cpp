@@ -97,7 +97,7 @@ void Cushion<Dim>::add_energy(const Points<Dim>& positions, std::span<double> of
   const Cloths<Dim>& cloths = around_.cloths;
   for (const Plane& plane : planes_) {
     const double s = nearness(plane, positions);
-    of_groups[cloths.pieces()[cloths.piece_of_marker()[plane.marker]].group] +=
+    of_groups[cloths.group_number(plane.marker)] +=
         options_.pressure * cloths.marker_areas()[plane.marker] * options_.distance / 3 * s * s * s;
   }
 }
@@ -117,7 +117,7 @@ void Cushion<Dim>::visit_stiffness(const Points<Dim>& positions, GeometricStiffn
   for (const Plane& plane : planes_)
     blocks[plane.marker] += stiffness(plane, positions) * plane.normal * plane.normal.transpose();
   for (std::size_t m = 0; m < blocks.size(); ++m) {
-    const PetscInt marker = around_.cloths.begin() + static_cast<PetscInt>(m);
+    const PetscInt marker = around_.cloths.number_of(m);
     add(marker, marker, blocks[m]);
   }
 }

@@ -35,7 +35,7 @@ Points<Dim> ClothForceMeasure<Dim>::sums_of_groups(const Points<Dim>& forces) co
   const Cloths<Dim>& cloths = system_.model.cloths;
   std::vector<double> sums(by_water_.size() * Dim, 0.0);
   for (std::size_t m = 0; m < forces.size(); ++m)
-    for (int d = 0; d < Dim; ++d) sums[cloths.pieces()[cloths.piece_of_marker()[m]].group * Dim + d] += forces[m][d];
+    for (int d = 0; d < Dim; ++d) sums[cloths.group_number(m) * Dim + d] += forces[m][d];
   sums = ordered_sum(cloths.comm(), sums);
   Points<Dim> by_group(by_water_.size());
   for (std::size_t g = 0; g < by_group.size(); ++g) by_group[g] = Point<Dim>(&sums[g * Dim]);
