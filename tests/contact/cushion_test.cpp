@@ -32,7 +32,7 @@ struct Room {
   std::unique_ptr<Cushion<2>> cushion(const Points<2>& places, double dt = 0) const {
     auto result = std::make_unique<Cushion<2>>(soft, Surroundings<2>{grid, boundary, bodies, cloths});
     const Points<2> at_rest(places.size(), Point<2>::Zero());
-    result->begin_step({places, at_rest, 0, dt, at_rest, 0});
+    result->begin_step({places, at_rest, 0, dt});
     return result;
   }
 

@@ -68,8 +68,7 @@ CaseOptions<2> fibre_with_spring() {
 }
 
 void begin_step(System<2>& system, double time) {
-  system.model.forces.begin_step(
-      {system.state.positions, system.state.velocities, time, 0, system.state.velocities_before, 0});
+  system.model.forces.begin_step({system.state.positions, system.state.velocities, time, 0});
 }
 
 // Minus the gradient of the energies, along a direction.

@@ -35,8 +35,9 @@ inline CaseOptions<2> fibre_in_water(double excess_mass, double damping) {
 /// Bends and stretches the fibre at rest.
 inline void disturb(System<2>& system, double size) {
   Points<2>& positions = system.state.positions;
+  const Cloths<2>& cloths = system.model.cloths;
   for (std::size_t m = 0; m < positions.size(); ++m) {
-    const double s = (static_cast<double>(m) + static_cast<double>(system.model.cloths.begin())) / 20;
+    const double s = static_cast<double>(cloths.number_of(m)) / static_cast<double>(cloths.marker_count());
     positions[m] += size * Point<2>(std::sin(9 * s), std::cos(7 * s) + std::sin(17 * s));
   }
 }

@@ -7,13 +7,10 @@
 namespace washfsi {
 
 /// The inertia of the cloth's own excess mass, as a force on the markers and, through them, on the water, whose density
-/// then is its own: I = -m dV/dt with the velocity V that a marker has at the end of the step. With a step of length dt
-/// that moves it by X - X^n,
-///   V = V^n + ((X - X^n)/dt - V^n) / weight,
-///   I = -m c (V - W)/dt,      energy  1/2 m c weight |V - W|^2,      stiffness  m c / (weight dt^2)
-/// Backward Euler has c = 1, W = V^n; the second backward difference (BDF2), with r the ratio of this step to the last,
-///   c = (1 + 2 r)/(1 + r),    W = ( (1 + r) V^n - r^2/(1 + r) V^(n-1) ) / c
-/// Before a step, of length 0, it is what the last one ended with: -m (V^n - V^(n-1))/dt^(n-1).
+/// then is its own. With the mean velocity W = (X - X^n)/dt in a step, and an acceleration that the coupling scheme
+/// takes for rate W - known,
+///   I = -m (rate W - known),     stiffness  m rate/dt,     energy  1/2 m rate/dt |X - X0|^2
+/// where X0 = X^n + dt known/rate is where the marker would feel none. There is none where markers do not move.
 template <int Dim>
 class Inertia : public MarkerForce<Dim> {
  public:
@@ -31,13 +28,9 @@ class Inertia : public MarkerForce<Dim> {
   void add_cancelling_size(const Points<Dim>& positions, std::span<double> sizes) const override;
 
  private:
-  /// What a mass at a place multiplies with to the stiffness [1/s2].
-  double stiffness_per_mass() const { return factor_ / (weight_ * dt_ * dt_); }
-
   const Cloths<Dim>& cloths_;
-  Points<Dim> unmoved_;             ///< where a marker would feel no inertia [m]; for a step
-  Points<Dim> last_accelerations_;  ///< before a step [m/s2]
-  double dt_ = 0, factor_ = 1, weight_ = 1;
+  Points<Dim> unmoved_;            ///< X0 [m]
+  double stiffness_per_mass_ = 0;  ///< rate/dt [1/s2]
 };
 
 extern template class Inertia<2>;

@@ -18,15 +18,20 @@ enum class Dependence {
   velocities,  ///< on velocities too: takes energy out of the cloth
 };
 
+/// The acceleration of a marker that moves with the mean velocity W in a step: rate W - known.
+template <int Dim>
+struct Acceleration {
+  double rate = 0;    ///< [1/s]; 0: none
+  Points<Dim> known;  ///< of this rank's markers [m/s2]
+};
+
 /// The markers when a step begins, and the end of that step, at which a force is to act.
 template <int Dim>
 struct StepStart {
   const Points<Dim>&positions, &velocities;  ///< of this rank's markers [m, m/s]
   double time;                               ///< at which the forces act [s]
   double dt;                                 ///< for which the markers move until then [s]; 0: not at all
-  const Points<Dim>& velocities_before;      ///< one step earlier [m/s]
-  double dt_before;                          ///< length of that step [s]; 0: there was none
-  double weight = 1;                         ///< of the velocity at the end in that with which the markers move
+  Acceleration<Dim> acceleration = {};       ///< from the motion to the end; none where they do not move
 };
 
 /// What the longest explicit step needs of a marker.

@@ -37,7 +37,7 @@ void CouplingMeasure<Dim>::observe(const Observation<Dim>& seen) {
   const double given = 0.5 * (before + after) * model.grid.cell_volume();
   double got = 0;
   const Points<Dim> constant = model.forces.constant();
-  for (std::size_t m = 0; m < constant.size(); ++m) got += system_.state.velocities[m].dot(constant[m]);
+  for (std::size_t m = 0; m < constant.size(); ++m) got += system_.state.mean_velocities[m].dot(constant[m]);
   got = ordered_sum(model.grid.comm(), got);
   const double middle = system_.state.clock.time - 0.5 * seen.dt;
   for (std::size_t b = 0; b < model.bodies.size(); ++b)

@@ -15,10 +15,9 @@ double norm(MPI_Comm comm, const Points<Dim>& values) {
 }
 
 template <int Dim>
-void begin_step(System<Dim>& system, const Points<Dim>& positions, double time, double dt, double weight) {
-  auto& [model, state, step] = system;
-  model.forces.begin_step(
-      {positions, state.velocities, time, dt, state.velocities_before, model.fluid.last_step(), weight});
+void begin_step(System<Dim>& system, const Points<Dim>& positions, double time, double dt,
+                const Acceleration<Dim>& acceleration) {
+  system.model.forces.begin_step({positions, system.state.velocities, time, dt, acceleration});
 }
 
 template <int Dim>
@@ -65,8 +64,8 @@ Points<Dim> marker_velocities(const Model<Dim>& model, Vec velocity, double time
 
 template double norm<2>(MPI_Comm, const Points<2>&);
 template double norm<3>(MPI_Comm, const Points<3>&);
-template void begin_step<2>(System<2>&, const Points<2>&, double, double, double);
-template void begin_step<3>(System<3>&, const Points<3>&, double, double, double);
+template void begin_step<2>(System<2>&, const Points<2>&, double, double, const Acceleration<2>&);
+template void begin_step<3>(System<3>&, const Points<3>&, double, double, const Acceleration<3>&);
 template Points<2> all_forces<2>(System<2>&, const Points<2>&);
 template Points<3> all_forces<3>(System<3>&, const Points<3>&);
 template void spread_cloth<2>(System<2>&, const Points<2>&, const Points<2>&);

@@ -8,9 +8,10 @@
 namespace washfsi {
 
 /// Lets the forces on the cloths look at what is near to these places; they are to act at `time`, until which the
-/// markers move for dt, with the velocity at the end of the step by so much weight.
+/// markers move for dt, with such an acceleration.
 template <int Dim>
-void begin_step(System<Dim>& system, const Points<Dim>& positions, double time, double dt, double weight = 1);
+void begin_step(System<Dim>& system, const Points<Dim>& positions, double time, double dt,
+                const Acceleration<Dim>& acceleration = {});
 
 /// All forces at these places; keeps the places.
 template <int Dim>

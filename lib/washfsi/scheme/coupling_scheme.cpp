@@ -26,6 +26,8 @@ const ChoiceNames<Mobility>& names_of(Mobility) {
 
 namespace {
 
+constexpr Range one_or_two{1.0, 2.0, false, "1 or 2"};
+
 template <int Dim>
 struct NamedScheme {
   std::string name;
@@ -95,6 +97,8 @@ void CouplingOptions::read_solution(Options& options) {
   options.block("coupling_", "How the coupling is solved", [&](OptionBlock& block) {
     block.choice("time_scheme", time_scheme,
                  "of the implicit coupling: as in the thesis, or damping more; both of first order");
+    block.integer("order", order, one_or_two,
+                  "in time: 1 damps waves that the step is long for; 2 follows smooth motions (semi_implicit)");
     block.choice("mobility", mobility,
                  "what stands for the mobility of the markers: that without pressure, or its row sums (semi_implicit)");
     block.real("mobility_factor", mobility_factor, "-", positive,

@@ -30,6 +30,7 @@ struct CouplingOptions {
   Mobility mobility = Mobility::matrix;
   double mobility_factor = 1;                     ///< of what stands for the markers' mobility
   double tolerance = 1e-5;                        ///< rms residual of the markers' velocities over the flow's speed
+  PetscInt order = 1;                             ///< in time, of the semi-implicit coupling: 1 or 2
   PetscInt sweeps = 1;                            ///< at most, of the semi-implicit coupling
   MassCarrier mass_carrier = MassCarrier::water;  ///< unless the user says which
   double slip_tolerance = 0.01;                   ///< below which no further sweep is made
@@ -55,10 +56,13 @@ class CouplingScheme {
 
   /// From t^n to t^n + dt. Collective. Errors: DivergedError.
   void advance(System<Dim>& system, double dt) {
-    Points<Dim> before = system.state.velocities;
+    State<Dim>& state = system.state;
+    const Points<Dim> start = state.positions;
+    Points<Dim> before = state.velocities;
     take(system, dt);
-    system.state.velocities_before = std::move(before);
-    system.state.clock.advance(dt);
+    state.velocities_before = std::move(before);
+    state.mean_velocities = (1 / dt) * (state.positions - start);
+    state.clock.advance(dt);
   }
   /// Longest step for the cloth as it lies now [s]: that of the explicit coupling unless overridden. Collective.
   virtual double step_bound(const System<Dim>& system) const { return cloth_step_bound<Dim>(system.model); }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "washfsi/scheme/acceleration.hpp"
 #include "washfsi/scheme/coupling_operations.hpp"
 #include "washfsi/scheme/marker_vectors.hpp"
 #include "washfsi/support/collective.hpp"
@@ -52,7 +53,8 @@ void ImplicitCoupling<Dim>::take(System<Dim>& system, double dt) {
   State<Dim>& state = system.state;
   const bool trapezoidal = options_.time_scheme == TimeScheme::trapezoidal;
   const double weight = trapezoidal ? 0.5 : 1.0;
-  begin_step(system, state.positions, state.clock.time + dt, dt, weight);
+  begin_step(system, state.positions, state.clock.time + dt, dt,
+             trapezoidal ? trapezoidal_difference(system, dt) : backward_difference(system, dt));
   hold_bodies(system, state.clock.time + dt);
   model.fluid.keep_pressure();
   Points<Dim> last, evaluated;

@@ -6,12 +6,30 @@
 #include <limits>
 #include <numeric>
 
+#include "washfsi/scheme/acceleration.hpp"
 #include "washfsi/scheme/coupling_operations.hpp"
 #include "washfsi/scheme/marker_vectors.hpp"
 #include "washfsi/support/collective.hpp"
 #include "washfsi/support/errors.hpp"
 
 namespace washfsi {
+
+namespace {
+
+// -m A of the last step, by the velocities at its ends.
+template <int Dim>
+Points<Dim> last_inertia(const System<Dim>& system) {
+  const State<Dim>& state = system.state;
+  Points<Dim> inertia(state.positions.size(), Point<Dim>::Zero());
+  const double dt_before = system.model.fluid.last_step();
+  if (dt_before == 0 || system.model.mass_carrier == MassCarrier::water) return inertia;
+  for (std::size_t m = 0; m < inertia.size(); ++m)
+    inertia[m] =
+        -system.model.cloths.marker_masses()[m] / dt_before * (state.velocities[m] - state.velocities_before[m]);
+  return inertia;
+}
+
+}  // namespace
 
 template <int Dim>
 SemiImplicitCoupling<Dim>::SemiImplicitCoupling(const System<Dim>& system, const CouplingOptions& options)
@@ -28,6 +46,28 @@ double SemiImplicitCoupling<Dim>::step_bound(const System<Dim>&) const {
   return std::numeric_limits<double>::infinity();
 }
 
+template <int Dim>
+void SemiImplicitCoupling<Dim>::weigh(const System<Dim>& system, double dt) {
+  const double dt_before = system.model.fluid.last_step();
+  weights_ = {};
+  if (options_.order == 1 || dt_before == 0) return;
+  const double sixteenths = dt / dt_before / 16;
+  weights_ = {9.0 / 16, 7.0 / 16 - sixteenths, sixteenths};
+}
+
+template <int Dim>
+Points<Dim> SemiImplicitCoupling<Dim>::water_velocities(const System<Dim>& system, double dt) const {
+  const auto& [model, state, step] = system;
+  const FractionalStep<Dim>& fluid = model.fluid;
+  if (weights_.end == 1) return marker_velocities(model, fluid.next_velocity(), state.clock.time + dt);
+  const petsc::GlobalVector mean(model.grid.face_dm());
+  WASH_PETSC(VecCopy(fluid.next_velocity(), mean));
+  WASH_PETSC(VecScale(mean, weights_.end));
+  WASH_PETSC(VecAXPY(mean, weights_.start, fluid.velocity()));
+  WASH_PETSC(VecAXPY(mean, weights_.before, fluid.velocity_before()));
+  return marker_velocities(model, mean, state.clock.time + 0.5 * dt);
+}
+
 // Within solids, where nothing moves a marker, the row sums have a floor.
 template <int Dim>
 void SemiImplicitCoupling<Dim>::find_mobility(const Model<Dim>& model, const Points<Dim>& places) {
@@ -38,7 +78,8 @@ void SemiImplicitCoupling<Dim>::find_mobility(const Model<Dim>& model, const Poi
   double most = 0;
   for (const double sum : row_sums_) most = std::max(most, sum);
   most = largest(model.grid.comm(), most);
-  for (double& sum : row_sums_) sum = options_.mobility_factor * std::max(sum, floor * most);
+  const double factor = options_.mobility_factor * weights_.end * weights_.end;
+  for (double& sum : row_sums_) sum = factor * std::max(sum, floor * most);
   if (options_.mobility == Mobility::matrix)
     matrix_.assemble(model.cloths.of_all_ranks(places), model.cloths.begin(), row_sums_);
 }
@@ -135,35 +176,51 @@ void SemiImplicitCoupling<Dim>::sweep(System<Dim>& system, double dt, Points<Dim
     velocities_ = move(system, dt, interpolated, forces);
     step.pushed_at = state.positions + dt * velocities_;
     const Points<Dim> moved = model.forces.of_places(step.pushed_at);
+    const Points<Dim> gained = weights_.end * (moved - forces);
     WASH_PETSC(VecZeroEntries(increment));
-    step.wall_reaction += model.transfer.spread(moved - forces, increment);
-    step.given += moved - forces;
+    step.wall_reaction += model.transfer.spread(gained, increment);
+    step.given += gained;
     model.fluid.add_force(increment);
     WASH_PETSC(VecAXPY(step.force, 1.0, increment));
     forces = moved;
-    interpolated = marker_velocities(model, model.fluid.next_velocity(), state.clock.time + dt);
+    interpolated = water_velocities(system, dt);
     step.cloth_slip = slip(model.grid.comm(), interpolated);
     if (step.cloth_slip <= options_.slip_tolerance) break;
   }
+}
+
+// Forces at the step's end are weighed; inertia is to act as a whole.
+template <int Dim>
+void SemiImplicitCoupling<Dim>::begin_motion(System<Dim>& system, double dt) const {
+  Acceleration<Dim> acceleration =
+      options_.order == 1 ? backward_difference(system, dt) : centred_difference(system, dt);
+  acceleration.rate /= weights_.end;
+  acceleration.known = (1 / weights_.end) * acceleration.known;
+  begin_step(system, system.state.positions, system.state.clock.time + dt, dt, acceleration);
 }
 
 template <int Dim>
 void SemiImplicitCoupling<Dim>::take(System<Dim>& system, double dt) {
   auto& [model, state, step] = system;
   const double start = state.clock.time, end = start + dt;
+  weigh(system, dt);
   begin_step(system, state.positions, start, 0);
-  const Points<Dim> forces = model.forces.of_places(state.positions);
-  begin_step(system, state.positions, end, dt);
+  const Points<Dim> at_start = model.forces.of_places(state.positions);
+  const Points<Dim> forces = at_start + (1 / weights_.end) * last_inertia(system);
+  begin_motion(system, dt);
   const Points<Dim> places = state.positions + 0.5 * dt * state.velocities;
-  spread_cloth(system, places, forces + model.forces.constant());
+  spread_cloth(system, places,
+               weights_.end * forces + weights_.start * at_start + weights_.before * state.forces_before +
+                   model.forces.constant());
   hold_bodies(system, end);
   predict_and_project(system, dt);
 
   velocities_ = state.velocities;
   find_mobility(model, places);
-  sweep(system, dt, forces, marker_velocities(model, model.fluid.next_velocity(), end));
+  sweep(system, dt, forces, water_velocities(system, dt));
+  state.velocities = options_.order == 1 ? velocities_ : extrapolated(system, dt, velocities_);
+  state.forces_before = at_start;
   model.fluid.finish();
-  state.velocities = velocities_;
   state.positions += dt * velocities_;
 }
 

@@ -13,6 +13,8 @@ struct State {
   Points<Dim> positions;          ///< X^n of this rank's markers [m]
   Points<Dim> velocities;         ///< U^n [m/s]
   Points<Dim> velocities_before;  ///< U^(n-1); U^n before the first step [m/s]
+  Points<Dim> mean_velocities;    ///< (X^n - X^(n-1))/dt; U^n before the first step [m/s]
+  Points<Dim> forces_before;      ///< F(X^(n-1)) of the forces of places without inertia, where a scheme keeps it [N]
 };
 
 /// What a step leaves to be measured, and what all of them have cost.
@@ -38,7 +40,8 @@ struct System {
     state.positions.assign(all.begin() + model.cloths.begin(), all.begin() + model.cloths.end());
     for (std::size_t m = 0; m < state.positions.size(); ++m)
       state.velocities.push_back(model.cloths.group_of(m).velocity);
-    state.velocities_before = state.velocities;
+    state.velocities_before = state.mean_velocities = state.velocities;
+    state.forces_before.assign(state.positions.size(), Point<Dim>::Zero());
     step.force = model.grid.face_vector();
     step.pushed_at = state.positions;
     step.given.assign(state.positions.size(), Point<Dim>::Zero());

@@ -81,6 +81,14 @@ std::vector<double> identity(const System<Dim>& system) {
   return numbers;
 }
 
+// What some coupling schemes need of the step before.
+template <class SomeState>
+auto motion_before(SomeState& state) {
+  return std::array{std::pair{std::string("velocity_before"), &state.velocities_before},
+                    std::pair{std::string("mean_velocity"), &state.mean_velocities},
+                    std::pair{std::string("force_before"), &state.forces_before}};
+}
+
 // A short array that all ranks hold; rank 0 writes it.
 Slab shared_slab(MPI_Comm comm, std::size_t size, bool writing) {
   const bool silent = writing && rank_of(comm) != 0;
@@ -114,8 +122,8 @@ void write_checkpoint(const std::string& folder, const System<Dim>& system, Meas
   if (system.model.cloths.marker_count() > 0) {
     file.write("/cloth/position", slab_of_markers(system.model.cloths, Dim), flattened<Dim>(system.state.positions));
     file.write("/cloth/velocity", slab_of_markers(system.model.cloths, Dim), flattened<Dim>(system.state.velocities));
-    file.write("/cloth/velocity_before", slab_of_markers(system.model.cloths, Dim),
-               flattened<Dim>(system.state.velocities_before));
+    for (const auto& [name, values] : motion_before(system.state))
+      file.write("/cloth/" + name, slab_of_markers(system.model.cloths, Dim), flattened<Dim>(*values));
     file.write("/cloth/time_integrals", slab_of_integrals(system.model.cloths), measures.cloth().time_integrals());
   }
   const std::vector<double> numbers = identity(system);
@@ -148,7 +156,8 @@ RunState read_checkpoint(const std::string& path, System<Dim>& system, Measures<
     if (system.model.cloths.marker_count() > 0) {
       system.state.positions = read_points(file, "/cloth/position", system.model.cloths);
       system.state.velocities = read_points(file, "/cloth/velocity", system.model.cloths);
-      system.state.velocities_before = read_points(file, "/cloth/velocity_before", system.model.cloths);
+      for (const auto& [name, values] : motion_before(system.state))
+        *values = read_points(file, "/cloth/" + name, system.model.cloths);
       measures.cloth().time_integrals() = file.read("/cloth/time_integrals", slab_of_integrals(system.model.cloths));
     }
     for (const auto& [name, kept] : measures.quantities().kept())
