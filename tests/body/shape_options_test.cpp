@@ -57,7 +57,7 @@ void expect_same(const ShapePtr<Dim>& shape, const Shape<Dim>& expected) {
 }
 
 TEST(ShapeOptions, ReadThePrimitives) {
-  expect_same<2>(read<2>(""), Sphere<2>(0.1));
+  expect_same<2>(read<2>("-a_shape sphere"), Sphere<2>(0.1));
   expect_same<2>(read<2>("-a_shape sphere -a_radius 0.3"), Sphere<2>(0.3));
   expect_same<3>(read<3>("-a_shape box -a_size 0.1,0.2,0.3"), Cuboid<3>({0.1, 0.2, 0.3}));
   expect_same<3>(read<3>("-a_shape halfspace -a_normal 0,0,-2"), HalfSpace<3>({0, 0, -1}));
@@ -116,6 +116,7 @@ TEST(ShapeOptions, RefuseWithOneLineThatNamesOptionAndValue) {
   const std::vector<std::tuple<int, std::string, std::string>> cases{
       {2, "-a_shape teapot", "-a_shape teapot: must be one of sphere|box|"},
       {2, "-a_shape cylinder", "-a_shape cylinder: must be one of"},
+      {2, "-a_rounding 0.1", "-a_shape is missing"},
       {2, "-a_shape box", "-a_size is missing"},
       {2, "-a_shape box -a_size 0.1,-1", "-a_size 0.1,-1: must be numbers > 0"},
       {2, "-a_shape box -a_size 0.1", "-a_size 0.1: must be 2 numbers"},
@@ -136,7 +137,7 @@ TEST(ShapeOptions, RefuseWithOneLineThatNamesOptionAndValue) {
       {2, "-a_shape union -a_parts b,b_c -a_b_shape union -a_b_parts c", "-a_b_parts a_b_c: this name is taken"},
       {2, "-a_shape union -a_parts b -a_b_shape blob", "-a_b_shape blob: must be one of"},
       {2, "-a_shape sphere -a_height 1", "-a_height 1: no part"},
-      {2, "-a_shape union -a_parts b -a_b_radios 1", "did you mean -a_b_radius?"},
+      {2, "-a_shape union -a_parts b -a_b_shape sphere -a_b_radios 1", "did you mean -a_b_radius?"},
   };
   for (const auto& [dim, text, words] : cases) {
     const std::string line = refusal(dim, text);

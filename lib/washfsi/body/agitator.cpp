@@ -11,6 +11,8 @@
 #include "washfsi/body/sampled.hpp"
 #include "washfsi/body/sweeps.hpp"
 #include "washfsi/geometry/nearest.hpp"
+#include "washfsi/support/errors.hpp"
+#include "washfsi/support/options.hpp"
 
 namespace washfsi {
 
@@ -80,12 +82,18 @@ ShapePtr<3> agitator(const AgitatorDimensions& dimensions) {
   return std::make_unique<Union<3>>(std::move(parts));
 }
 
-ShapePtr<3> sampled_agitator(MPI_Comm comm, const AgitatorDimensions& dimensions, double spacing) {
+ShapePtr<3> sampled_agitator(MPI_Comm comm, const AgitatorDimensions& dimensions, double spacing,
+                             const std::string& name) {
   const double radius = std::max({dimensions.dome_radius, dimensions.tip_radius, dimensions.post_radius});
   const double height = std::max({dimensions.dome_height, dimensions.vane_height, dimensions.post_height});
   const Point<3> lower(-radius, -radius, -dimensions.dome_height), upper(radius, radius, height);
   const ShapePtr<3> exact = agitator(dimensions);
-  return Sampled<3>::of(comm, *exact, Lattice<3>::around(lower, upper, 4 * spacing, spacing));
+  const auto lattice = Lattice<3>::around(lower, upper, 4 * spacing, spacing);
+  if (lattice.size() > Lattice<3>::most_points)
+    throw InputError("-" + name + "_shape agitator, " + to_text(2 * radius) + " m wide and " + to_text(height) +
+                     " m high: too large for cells this small; its distance would be kept at " +
+                     to_text(lattice.size()) + " points");
+  return Sampled<3>::of(comm, *exact, lattice);
 }
 
 }  // namespace washfsi

@@ -25,6 +25,7 @@ struct AgitatorDimensions {
 ShapePtr<3> agitator(const AgitatorDimensions& dimensions);
 
 /// The same kept on a lattice of this spacing, which is much faster. Collective.
-ShapePtr<3> sampled_agitator(MPI_Comm comm, const AgitatorDimensions& dimensions, double spacing);
+ShapePtr<3> sampled_agitator(MPI_Comm comm, const AgitatorDimensions& dimensions, double spacing,
+                             const std::string& name);
 
 }  // namespace washfsi

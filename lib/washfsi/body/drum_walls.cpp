@@ -37,6 +37,18 @@ std::vector<int> axes_moved_along(const RigidMotion<Dim>& motion) {
   return axes;
 }
 
+// A wall behind a body at rest would move unseen, and still drag at what lies within the reach of its ghosts.
+template <int Dim>
+void refuse_hidden_motion(const Body<Dim>& body, const typename Boundary<Dim>::Sides& sides,
+                          const GridShape<Dim>& shape) {
+  for (int axis = 0; axis < Dim; ++axis) {
+    const bool moves = !sides[axis][0].velocity.isZero(0) || !sides[axis][1].velocity.isZero(0);
+    if (moves && sides[axis][0].kind == BoundaryKind::wall && fills_the_sides(body, shape, axis))
+      throw InputError("-bc_" + std::string(1, "xyz"[axis]) + "_..._velocity: this wall lies behind the body " +
+                       body.name + ", which fills the box up to it");
+  }
+}
+
 }  // namespace
 
 template <int Dim>
@@ -44,7 +56,10 @@ typename Boundary<Dim>::Sides sides_with_drum(typename Boundary<Dim>::Sides side
                                               const std::vector<Body<Dim>>& bodies) {
   const auto periodic = [&](int axis) { return sides[axis][0].kind == BoundaryKind::periodic; };
   for (const auto& body : bodies) {
-    if (body.motion.at_rest()) continue;
+    if (body.motion.at_rest()) {
+      refuse_hidden_motion(body, sides, shape);
+      continue;
+    }
     const std::vector<int> axes = axes_moved_along(body.motion);
     const auto passes = [&](int axis) { return periodic(axis) || fills_the_sides(body, shape, axis); };
     if (!std::all_of(axes.begin(), axes.end(), passes)) continue;

@@ -71,8 +71,9 @@ MotionTable<Dim> MotionTable<Dim>::read(MPI_Comm comm, const std::string& path, 
     const std::string where = start + "line " + std::to_string(number);
     if (numbers.size() != Dim + 2)
       throw InputError(where + " must be the " + std::to_string(Dim + 2) + " numbers " + columns);
-    if (!times.empty() && numbers[0] <= times.back())
-      throw InputError(where + ": time " + to_text(numbers[0]) + " must be later than that of the row before");
+    if (!times.empty() && numbers[0] < times.back() + 1e-9)
+      throw InputError(where + ": time " + to_text(numbers[0]) +
+                       " must be later than that of the row before, by 1e-9 s at least");
     times.push_back(numbers[0]);
     rows.emplace_back(&numbers[1]);
   }

@@ -80,6 +80,7 @@ class ShapeReader {
       if (parts_.empty() && !options_.help()) refuse("parts", "", "at least one name");
     }
     read_place(block);
+    if (!block.given("shape") && !block.given("radius")) block.require("shape", "the kind of shape that it is");
   }
 
   void read_round(OptionBlock& block) {
@@ -190,7 +191,7 @@ class ShapeReader {
     else if (kind_ == ShapeKind::stl)
       return shape_from_stl(options_.comm(), stl_, name_);
     else if (kind_ == ShapeKind::agitator)
-      return sampled_agitator(options_.comm(), agitator_, sample_spacing_);
+      return sampled_agitator(options_.comm(), agitator_, sample_spacing_, name_);
     else if (kind_ == ShapeKind::revolution)
       return std::make_unique<Revolved>(std::make_unique<Polygon>(corners_, Polygon::Kind::profile));
     else

@@ -13,11 +13,11 @@ namespace washfsi {
 
 namespace {
 
-constexpr double most_points = 5e7;     // each rank keeps all of them: 400 MB
 constexpr double margin_in_points = 8;  // with the default spacing, four cells of the grid
 
 // Refuses a lattice that no machine would hold, with a spacing that one would.
 void check_size(const Lattice<3>& lattice, const StlOptions& options, const std::string& name) {
+  constexpr double most_points = Lattice<3>::most_points;
   if (lattice.size() <= most_points) return;
   const double least = options.sample_spacing * std::cbrt(lattice.size() / most_points);
   std::array<char, 16> text{};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/fluid/krylov.hpp"
 
+#include <cstdlib>
+
 #include "washfsi/support/errors.hpp"
 #include "washfsi/support/options.hpp"
 
@@ -12,8 +14,20 @@ namespace {
 std::string options_with_prefix(const std::string& prefix) {
   std::string text;
   for (const auto& [name, value] : Options::database())
-    if (name.starts_with(prefix)) text += (text.empty() ? "-" : " -") + name + " " + value;
+    if (lower_case(name).starts_with(prefix)) text += (text.empty() ? "-" : " -") + name + " " + value;
   return text;
+}
+
+// Numbers that PETSc takes without a look and dies of.
+void refuse_deadly_options(const std::string& prefix) {
+  static constexpr Range restart{1, 1000, false, "a whole number from 1 to 1000"};
+  static constexpr Range levels{1, 30, false, "a whole number from 1 to 30"};
+  for (const auto& [option, range] : {std::pair{"ksp_gmres_restart", restart}, {"pc_mg_levels", levels}}) {
+    const std::string name = "-" + prefix + option, value = petsc::option_value("", name, "1");
+    char* end = nullptr;
+    const double number = std::strtod(value.c_str(), &end);
+    if (*end != '\0' || !range.contains(number)) throw InputError(name + " " + value + ": must be " + range.text);
+  }
 }
 
 }  // namespace
@@ -21,6 +35,7 @@ std::string options_with_prefix(const std::string& prefix) {
 bool set_up_from_options(KSP solver) {
   const char* prefix = nullptr;
   WASH_PETSC(KSPGetOptionsPrefix(solver, &prefix));
+  refuse_deadly_options(prefix);
   const petsc::MutedErrors muted;
   try {
     WASH_PETSC(KSPSetFromOptions(solver));

@@ -48,6 +48,11 @@ Side<Dim> read_side(OptionBlock& block, const std::string& name, int axis, End e
   if (free && side.velocity != Point<Dim>::Zero())
     throw InputError("-" + name + "_velocity " + list_text<Dim>(side.velocity) + ": the side is " + name_of(side.kind) +
                      " and takes no velocity");
+  Point<Dim> along = side.velocity;
+  along[axis] = 0;
+  if (side.kind == BoundaryKind::slip && along != Point<Dim>::Zero())
+    throw InputError("-" + name + "_velocity " + list_text<Dim>(side.velocity) +
+                     ": the side is slip, along which water moves freely; give wall, or a velocity across it");
   if (side.kind != BoundaryKind::inflow && side.profile != InflowProfile::uniform)
     throw InputError("-" + name + "_profile " + name_of(side.profile) +
                      ": only for a side that is inflow, this one is " + name_of(side.kind));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/output/frame_file.hpp"
 
+#include <cstdio>
 #include <filesystem>
 
 #include "washfsi/support/collective.hpp"
@@ -21,18 +22,37 @@ std::string six_digits(std::size_t number) {
 FrameFile::FrameFile(MPI_Comm comm, std::string folder, std::string name, long restart_step)
     : comm_(comm), folder_(std::move(folder)), name_(std::move(name)) {
   const bool exists = any_rank(comm_, rank_of(comm_) == 0 && std::filesystem::exists(path()));
-  if (restart_step >= 0 && exists) keep_until(restart_step);
+  if (restart_step >= 0 && exists) {
+    try {
+      keep_until(restart_step);
+    } catch (const FileError& error) {
+      set_aside(error.what());
+    }
+  }
   if (!frames_.empty()) return;
   Hdf5File file(comm_, path(), Hdf5File::Mode::create);
   file.create_group("/frames");
   file.close();
 }
 
+// A run that was killed while HDF5 wrote may leave a file that HDF5 does not read.
+void FrameFile::set_aside(const std::string& why) {
+  frames_.clear();
+  std::error_code ignored;
+  if (rank_of(comm_) == 0) {
+    std::filesystem::rename(path(), path() + ".damaged", ignored);
+    std::fprintf(stderr, "note: %s; it is kept as %s.h5.damaged, and the series begins anew\n", why.c_str(),
+                 name_.c_str());
+  }
+  MPI_Barrier(comm_);
+}
+
 void FrameFile::keep_until(long restart_step) {
   Hdf5File file = open();
   for (const std::string& member : file.members("/frames")) {
     const std::string group = "/frames/" + member;
-    if (file.attribute(group, "step") > static_cast<double>(restart_step))
+    // a frame gets its step last: without it, it is not finished
+    if (!file.has_attribute(group, "step") || file.attribute(group, "step") > static_cast<double>(restart_step))
       file.remove(group);
     else
       frames_.push_back({group, file.attribute(group, "time")});
@@ -45,9 +65,9 @@ void FrameFile::add(double time, long step, const std::function<void(Hdf5File&, 
   frames_.push_back({"/frames/" + six_digits(frames_.size()), time});
   Hdf5File file = open();
   file.create_group(frames_.back().group);
+  write(file, frames_.back().group);
   file.set_attribute(frames_.back().group, "time", time);
   file.set_attribute(frames_.back().group, "step", static_cast<double>(step));
-  write(file, frames_.back().group);
   file.close();
 
   std::string text = "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n<Domain>\n<Grid Name=\"" + name_ +

@@ -33,6 +33,7 @@ class FrameFile {
 
  private:
   void keep_until(long restart_step);
+  void set_aside(const std::string& why);
   std::string path() const { return folder_ + "/" + name_ + ".h5"; }
 
   MPI_Comm comm_;

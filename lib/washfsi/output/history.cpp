@@ -34,7 +34,7 @@ std::string earlier_rows(const std::string& path, const std::string& wanted_head
   std::string names, units, rows;
   if (!std::getline(file, names) || !std::getline(file, units) || names + "\n" + units + "\n" != wanted_header)
     return {};
-  for (std::string line; std::getline(file, line);)
+  for (std::string line; std::getline(file, line) && !file.eof();)  // a row without its end was cut off
     if (std::atol(line.c_str()) <= last_step) rows += line + "\n";
   return rows;
 }
@@ -47,8 +47,10 @@ History::History(MPI_Comm comm, const std::string& path, const std::vector<Colum
   if (rank_of(comm) == 0) {
     const std::string start = header(columns);
     const std::string text = start + (restart_step >= 0 ? earlier_rows(path, start, restart_step) : "");
-    file_.reset(std::fopen(path.c_str(), "w"));
-    failed = !file_ || std::fputs(text.c_str(), file_.get()) < 0 || std::fflush(file_.get()) != 0;
+    const std::string temporary = path + ".part";
+    file_.reset(std::fopen(temporary.c_str(), "w"));  // the earlier rows stay until all are written anew
+    failed = !file_ || std::fputs(text.c_str(), file_.get()) < 0 || std::fflush(file_.get()) != 0 ||
+             !commit_file(temporary, path);
   }
   if (any_rank(comm, failed)) throw FileError(path + ": cannot be written");
 }

@@ -26,6 +26,7 @@ const ChoiceNames<Mobility>& names_of(Mobility) {
 
 namespace {
 
+constexpr Range tight{0.0, 0.1, true, "a number > 0 and at most 0.1"};
 constexpr Range one_or_two{1.0, 2.0, false, "1 or 2"};
 
 template <int Dim>
@@ -103,7 +104,7 @@ void CouplingOptions::read_solution(Options& options) {
                  "what stands for the mobility of the markers: that without pressure, or its row sums (semi_implicit)");
     block.real("mobility_factor", mobility_factor, "-", positive,
                "of what stands for the markers' mobility; too small: unstable; large: slow to follow (semi_implicit)");
-    block.real("tolerance", tolerance, "-", positive,
+    block.real("tolerance", tolerance, "-", tight,
                "rms residual of the markers' velocities over the flow's speed (semi_implicit, implicit)");
     block.integer("sweeps", sweeps, at_least_one, "solves of the cloth and corrections at most (semi_implicit)");
     block.real("slip_tolerance", slip_tolerance, "-", non_negative,

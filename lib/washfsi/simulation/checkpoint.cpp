@@ -12,6 +12,19 @@ namespace washfsi {
 
 namespace {
 
+constexpr double format = 2;  ///< of the file; another number for any other content
+
+// The numbers that a state has besides its fields, in the order in which they are kept; as attributes for readers.
+constexpr std::array number_names{"step",
+                                  "time",
+                                  "time_step",
+                                  "cloth_bound",
+                                  "steps_at_rest",
+                                  "last_step",
+                                  "momentum_iterations",
+                                  "pressure_iterations",
+                                  "cloth_iterations"};
+
 void write_vector(Hdf5File& file, const std::string& name, const Slab& slab, Vec vector) {
   const double* values = nullptr;
   PetscInt size = 0;
@@ -19,11 +32,11 @@ void write_vector(Hdf5File& file, const std::string& name, const Slab& slab, Vec
   WASH_PETSC(VecGetArrayRead(vector, &values));
   const std::vector<double> copy(values, values + size);
   WASH_PETSC(VecRestoreArrayRead(vector, &values));
-  file.write(name, slab, copy);
+  file.write_sealed(name, slab, copy);
 }
 
 void read_vector(Hdf5File& file, const std::string& name, const Slab& slab, Vec vector) {
-  const std::vector<double> copy = file.read(name, slab);
+  const std::vector<double> copy = file.read_sealed(name, slab);
   double* values = nullptr;
   WASH_PETSC(VecGetArray(vector, &values));
   std::copy(copy.begin(), copy.end(), values);
@@ -43,7 +56,7 @@ Slab slab_of_integrals(const Cloths<Dim>& cloths) {
 
 template <int Dim>
 Points<Dim> read_points(Hdf5File& file, const std::string& name, const Cloths<Dim>& cloths) {
-  const std::vector<double> flat = file.read(name, slab_of_markers(cloths, Dim));
+  const std::vector<double> flat = file.read_sealed(name, slab_of_markers(cloths, Dim));
   Points<Dim> points(cloths.owned());
   for (std::size_t m = 0; m < points.size(); ++m) points[m] = Point<Dim>(&flat[m * Dim]);
   return points;
@@ -58,13 +71,14 @@ std::string dataset_of(const OutflowLayer<Dim>& layer) {
 template <int Dim>
 void write_outflow(Hdf5File& file, const System<Dim>& system) {
   for (const auto& layer : system.model.boundary.outflows())
-    file.write(dataset_of(layer), box_slab<Dim>(layer.all_cells(), layer.owned_cells(), Dim), layer.values());
+    file.write_sealed(dataset_of(layer), box_slab<Dim>(layer.all_cells(), layer.owned_cells(), Dim), layer.values());
 }
 
 template <int Dim>
 void read_outflow(Hdf5File& file, System<Dim>& system) {
   for (auto& layer : system.model.boundary.outflows())
-    layer.set_values(file.read(dataset_of(layer), box_slab<Dim>(layer.all_cells(), layer.all_cells(), Dim)));
+    layer.set_values(file.read_sealed(dataset_of(layer), box_slab<Dim>(layer.all_cells(), layer.all_cells(), Dim),
+                                      Hdf5File::Readers::whole));
 }
 
 // What a checkpoint must share with the run that goes on from it: the box, and every cloth's markers and spacings.
@@ -104,40 +118,44 @@ void write_checkpoint(const std::string& folder, const System<Dim>& system, Meas
   const std::string path = folder + "/checkpoint.h5", temporary = path + ".part";
   const MPI_Comm comm = system.model.grid.comm();
   Hdf5File file(comm, temporary, Hdf5File::Mode::create);
-  file.set_attribute("/", "step", static_cast<double>(system.state.clock.step));
-  file.set_attribute("/", "time", system.state.clock.time);
-  file.set_attribute("/", "time_step", state.dt);
-  file.set_attribute("/", "cloth_bound", state.cloth_bound);
-  file.set_attribute("/", "steps_at_rest", state.steps_at_rest);
-  file.set_attribute("/", "last_step", system.model.fluid.last_step());
+  file.set_attribute("/", "format", format);
   const SolverCounts& counts = system.model.fluid.counts();
-  file.set_attribute("/", "momentum_iterations", counts.momentum);
-  file.set_attribute("/", "pressure_iterations", counts.pressure);
-  file.set_attribute("/", "cloth_iterations", system.step.cloth_iterations);
+  const std::vector<double> numbers{static_cast<double>(system.state.clock.step),
+                                    system.state.clock.time,
+                                    state.dt,
+                                    state.cloth_bound,
+                                    static_cast<double>(state.steps_at_rest),
+                                    system.model.fluid.last_step(),
+                                    counts.momentum,
+                                    counts.pressure,
+                                    system.step.cloth_iterations};
+  for (std::size_t n = 0; n < numbers.size(); ++n) file.set_attribute("/", number_names[n], numbers[n]);
+  file.write_sealed("/numbers", shared_slab(comm, numbers.size(), true), numbers);
   for (const auto& [name, vector] : system.model.fluid.face_state())
     write_vector(file, "/fluid/" + name, field_slab(system.model.grid, Dim), vector);
   for (const auto& [name, vector] : system.model.fluid.cell_state())
     write_vector(file, "/fluid/" + name, field_slab(system.model.grid, 1), vector);
   write_outflow(file, system);
   if (system.model.cloths.marker_count() > 0) {
-    file.write("/cloth/position", slab_of_markers(system.model.cloths, Dim), flattened<Dim>(system.state.positions));
-    file.write("/cloth/velocity", slab_of_markers(system.model.cloths, Dim), flattened<Dim>(system.state.velocities));
+    file.write_sealed("/cloth/position", slab_of_markers(system.model.cloths, Dim),
+                      flattened<Dim>(system.state.positions));
+    file.write_sealed("/cloth/velocity", slab_of_markers(system.model.cloths, Dim),
+                      flattened<Dim>(system.state.velocities));
     for (const auto& [name, values] : motion_before(system.state))
-      file.write("/cloth/" + name, slab_of_markers(system.model.cloths, Dim), flattened<Dim>(*values));
-    file.write("/cloth/time_integrals", slab_of_integrals(system.model.cloths), measures.cloth().time_integrals());
+      file.write_sealed("/cloth/" + name, slab_of_markers(system.model.cloths, Dim), flattened<Dim>(*values));
+    file.write_sealed("/cloth/time_integrals", slab_of_integrals(system.model.cloths),
+                      measures.cloth().time_integrals());
   }
-  const std::vector<double> numbers = identity(system);
-  file.write("/identity", shared_slab(comm, numbers.size(), true), numbers);
+  const std::vector<double> letters(state.options.begin(), state.options.end());
+  file.write_sealed("/options", shared_slab(comm, letters.size(), true), letters);
+  const std::vector<double> same = identity(system);
+  file.write_sealed("/identity", shared_slab(comm, same.size(), true), same);
   for (const auto& [name, kept] : measures.quantities().kept())
-    file.write("/totals/" + name, shared_slab(comm, kept.size(), true), std::vector<double>(kept.begin(), kept.end()));
+    file.write_sealed("/totals/" + name, shared_slab(comm, kept.size(), true),
+                      std::vector<double>(kept.begin(), kept.end()));
   file.close();
-  bool renamed = true;
-  if (rank_of(comm) == 0) {
-    std::error_code error;
-    std::filesystem::rename(temporary, path, error);
-    renamed = !error;
-  }
-  if (any_rank(comm, !renamed)) throw FileError(path + ": cannot be written");
+  const bool committed = rank_of(comm) != 0 || commit_file(temporary, path, folder + "/checkpoint_before.h5");
+  if (any_rank(comm, !committed)) throw FileError(path + ": cannot be written");
 }
 
 template <int Dim>
@@ -145,8 +163,11 @@ RunState read_checkpoint(const std::string& path, System<Dim>& system, Measures<
   const MPI_Comm comm = system.model.grid.comm();
   try {
     Hdf5File file(comm, path, Hdf5File::Mode::read);
+    if (file.attribute("/", "format") != format)
+      throw InputError(path + ": its format is " + to_text(file.attribute("/", "format")) + ", this program reads " +
+                       to_text(format));
     const std::vector<double> numbers = identity(system);
-    if (file.read("/identity", shared_slab(comm, numbers.size(), false)) != numbers)
+    if (file.read_sealed("/identity", shared_slab(comm, numbers.size(), false), Hdf5File::Readers::whole) != numbers)
       throw InputError(path + ": the box or the cloths' markers are others");
     for (const auto& [name, vector] : system.model.fluid.face_state())
       read_vector(file, "/fluid/" + name, field_slab(system.model.grid, Dim), vector);
@@ -158,20 +179,25 @@ RunState read_checkpoint(const std::string& path, System<Dim>& system, Measures<
       system.state.velocities = read_points(file, "/cloth/velocity", system.model.cloths);
       for (const auto& [name, values] : motion_before(system.state))
         *values = read_points(file, "/cloth/" + name, system.model.cloths);
-      measures.cloth().time_integrals() = file.read("/cloth/time_integrals", slab_of_integrals(system.model.cloths));
+      measures.cloth().time_integrals() =
+          file.read_sealed("/cloth/time_integrals", slab_of_integrals(system.model.cloths));
     }
     for (const auto& [name, kept] : measures.quantities().kept())
-      std::ranges::copy(file.read("/totals/" + name, shared_slab(comm, kept.size(), false)), kept.begin());
+      std::ranges::copy(
+          file.read_sealed("/totals/" + name, shared_slab(comm, kept.size(), false), Hdf5File::Readers::whole),
+          kept.begin());
     system.model.locate_cloth(system.state.positions);
-    system.state.clock = {file.attribute("/", "time"), static_cast<long>(file.attribute("/", "step"))};
+    const std::vector<double> read =
+        file.read_sealed("/numbers", shared_slab(comm, number_names.size(), false), Hdf5File::Readers::whole);
+    system.state.clock = {read[1], static_cast<long>(read[0])};
     system.model.boundary.set_outflow_time(system.state.clock.time);
     system.model.mask.update(system.state.clock.time);
-    system.model.fluid.set_last_step(file.attribute("/", "last_step"));
-    system.step.cloth_iterations = file.attribute("/", "cloth_iterations");
-    system.model.fluid.set_counts({.momentum = file.attribute("/", "momentum_iterations"),
-                                   .pressure = file.attribute("/", "pressure_iterations")});
-    return {file.attribute("/", "time_step"), file.attribute("/", "cloth_bound"),
-            static_cast<int>(file.attribute("/", "steps_at_rest"))};
+    system.model.fluid.set_last_step(read[5]);
+    system.model.fluid.set_counts({.momentum = read[6], .pressure = read[7]});
+    system.step.cloth_iterations = read[8];
+    const std::vector<double> letters =
+        file.read_sealed("/options", shared_slab(comm, file.shape("/options").at(0), false), Hdf5File::Readers::whole);
+    return {read[2], read[3], static_cast<int>(read[4]), std::string(letters.begin(), letters.end())};
   } catch (const InputError& error) {
     throw InputError(std::string("-restart ") + error.what() +
                      "; it must be a checkpoint of this grid and these cloths");

@@ -13,6 +13,7 @@ struct RunState {
   double cloth_bound = 0;  ///< of the step, at the last step's places [s]; 0: not known
   int steps_at_rest = not_moved;
   static constexpr int not_moved = -1;  ///< no marker has yet been as fast as -rest_speed
+  std::string options;                  ///< of the case of the run that wrote it (`case_options`)
 };
 
 /// Writes the complete state to FOLDER/checkpoint.h5, under another name first, so that the last good one is never

@@ -39,10 +39,31 @@ bool Results<Dim>::holds_a_run(MPI_Comm comm, const std::string& folder) {
 }
 
 template <int Dim>
+bool Results<Dim>::holds_an_end(MPI_Comm comm, const std::string& folder) {
+  return any_rank(comm, rank_of(comm) == 0 && std::filesystem::exists(folder + "/summary.json"));
+}
+
+template <int Dim>
+void Results<Dim>::remove_summary(MPI_Comm comm, const std::string& folder) {
+  std::error_code ignored;
+  if (rank_of(comm) == 0) std::filesystem::remove(folder + "/summary.json", ignored);
+  MPI_Barrier(comm);
+}
+
+template <int Dim>
+void Results<Dim>::remove_parts(MPI_Comm comm, const std::string& folder) {
+  std::error_code ignored;
+  if (rank_of(comm) == 0)
+    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
+      if (entry.path().extension() == ".part") std::filesystem::remove(entry.path(), ignored);
+  MPI_Barrier(comm);
+}
+
+template <int Dim>
 void Results<Dim>::remove_ends(MPI_Comm comm, const std::string& folder) {
   std::error_code ignored;  // what cannot be removed cannot be written either, which tells more
   if (rank_of(comm) == 0) {
-    for (const char* name : {"checkpoint.h5", "summary.json", "cloth_final.csv"})
+    for (const char* name : {"checkpoint.h5", "checkpoint_before.h5", "summary.json", "cloth_final.csv"})
       std::filesystem::remove(folder + "/" + name, ignored);
     std::filesystem::remove_all(folder + "/profiles", ignored);
   }

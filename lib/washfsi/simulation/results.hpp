@@ -30,7 +30,14 @@ class Results {
   /// Whether a folder has the history of an earlier run. Collective.
   static bool holds_a_run(MPI_Comm comm, const std::string& folder);
 
-  /// Removes what an earlier run wrote at its end, or to go on from. Collective.
+  /// Whether it has the summary that a run writes last. Collective.
+  static bool holds_an_end(MPI_Comm comm, const std::string& folder);
+
+  /// Removes what an earlier run wrote last, for a run that goes on from it. Collective.
+  static void remove_summary(MPI_Comm comm, const std::string& folder);
+  /// Removes files that a killed run left half written. Collective.
+  static void remove_parts(MPI_Comm comm, const std::string& folder);
+  /// Removes all that an earlier run wrote at its end, or to go on from. Collective.
   static void remove_ends(MPI_Comm comm, const std::string& folder);
 
   /// Starts history.csv and tracks.csv, or continues them after `restart_step`. Collective. Errors: FileError.

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "washfsi/simulation/changed_options.hpp"
+#include "washfsi/simulation/size_check.hpp"
 #include "washfsi/support/errors.hpp"
 #include "washfsi/support/hdf5_file.hpp"
 
@@ -42,6 +44,7 @@ Simulation<Dim>::Simulation(Options& options, std::string case_name)
   profiles_ = profiles_from_options<Dim>(options, shape.lower, shape.upper);
   if (options.help()) return;
 
+  refuse_what_cannot_fit<Dim>(options.comm(), chosen);
   system_ = start_system<Dim>(options.comm(), chosen, std::move(bodies));
   coupling_ = system_->model.has_fluid ? chosen.coupling.scheme : "to nothing";
   scheme_ = make_coupling_scheme<Dim>(chosen.coupling, *system_);
@@ -50,7 +53,7 @@ Simulation<Dim>::Simulation(Options& options, std::string case_name)
   if (!run_.restart.empty()) {
     state_ = read_checkpoint<Dim>(run_.restart, *system_, *measures_);
     first_step_ = clock().step;
-    if (finished())
+    if (finished() && Results<Dim>::holds_an_end(options.comm(), run_.output_dir))
       throw InputError("-time_end " + to_text(run_.time_end) +
                        ": must be later than the checkpoint of -restart, which is at " + to_text(clock().time) + " s");
   }
@@ -58,18 +61,32 @@ Simulation<Dim>::Simulation(Options& options, std::string case_name)
   if (run_.time_cfl == 0) options.record("time_step", state_.dt);
   options.reject_unread();
   notes_ = options.notes();
+  const std::string now = case_options(options.resolved());
+  for (const std::string& change : changed_options(state_.options, now)) notes_.push_back(change);
+  state_.options = now;
   start_results(options);
 }
 
 template <int Dim>
 void Simulation<Dim>::choose_time_step() {
   if (run_.time_step > 0 && run_.time_cfl == 0) state_.dt = run_.time_step;
+  refuse_unseen_oscillations();
   if (state_.cloth_bound == 0) find_cloth_bound();
   if (state_.dt > 0) return;  // the user's, or that of the checkpoint
   const double courant = run_.time_cfl > 0 ? run_.time_cfl : 0.3;
   state_.dt = std::min(longest_step(), courant * flow_time<Dim>(system_->model, *body_speeds_));
   if (!std::isfinite(state_.dt))
     throw InputError("-time_step is missing: nothing moves at the start from which it could be chosen");
+}
+
+// Steps longer than a part of its period would see an oscillation as another, or as rest.
+template <int Dim>
+void Simulation<Dim>::refuse_unseen_oscillations() const {
+  constexpr double fewest_steps = 10;
+  for (const auto& body : system_->model.bodies)
+    if (body.motion.frequency * run_.time_step * fewest_steps > 1)
+      throw InputError("-" + body.name + "_frequency " + to_text(body.motion.frequency) + ": -time_step " +
+                       to_text(run_.time_step) + " is longer than a tenth of its period");
 }
 
 // The bound of the coupling where the cloth was located last, so that a restarted run, which locates it anew, has the
@@ -102,9 +119,12 @@ void Simulation<Dim>::start_results(Options& options) {
     run_.output_dir += "/check";  // a check must not spoil the results of a run
     make_writable_folder(options.comm(), run_.output_dir);
   }
+  lock_ = std::make_unique<FolderLock>(options.comm(), run_.output_dir);
+  Results<Dim>::remove_parts(options.comm(), run_.output_dir);
   write_text_file(options.comm(), run_.output_dir + "/resolved.opts", options.resolved());
   const long continues_from = run_.restart.empty() || run_.check ? -1 : clock().step;
   if (continues_from < 0 && !run_.check) Results<Dim>::remove_ends(options.comm(), run_.output_dir);
+  if (continues_from >= 0) Results<Dim>::remove_summary(options.comm(), run_.output_dir);
   results_ = std::make_unique<Results<Dim>>(*system_, *measures_, profiles_, run_.output_dir, continues_from);
   if (!run_.check) results_->open_history(continues_from);
   measures_->observe_start(state_.dt);

@@ -9,6 +9,7 @@
 #include "washfsi/simulation/options.hpp"
 #include "washfsi/simulation/results.hpp"
 #include "washfsi/simulation/stop_signals.hpp"
+#include "washfsi/support/folder_lock.hpp"
 
 namespace washfsi {
 
@@ -24,6 +25,7 @@ class Simulation {
 
  private:
   void choose_time_step();
+  void refuse_unseen_oscillations() const;
   void find_cloth_bound();
   double longest_step() const;
   void adapt_time_step();
@@ -48,6 +50,7 @@ class Simulation {
   std::string case_name_, coupling_;
   std::vector<std::string> notes_;  ///< on the options
   std::vector<Profile<Dim>> profiles_;
+  std::unique_ptr<FolderLock> lock_;
   std::unique_ptr<System<Dim>> system_;
   std::unique_ptr<CouplingScheme<Dim>> scheme_;
   std::unique_ptr<BodySpeeds<Dim>> body_speeds_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/simulation/stop_signals.hpp"
 
+#include <array>
 #include <csignal>
 
 #include "washfsi/support/collective.hpp"
@@ -11,6 +12,8 @@ namespace {
 
 volatile std::sig_atomic_t stop_requested = 0;  // a signal handler can reach nothing else
 
+constexpr std::array stopping{SIGTERM, SIGINT, SIGHUP, SIGQUIT, SIGXCPU, SIGUSR1};
+
 void request_stop(int) {
   stop_requested = 1;
 }
@@ -19,13 +22,11 @@ void request_stop(int) {
 
 StopSignals::StopSignals() {
   stop_requested = 0;
-  (void)std::signal(SIGTERM, request_stop);
-  (void)std::signal(SIGINT, request_stop);
+  for (const int signal : stopping) (void)std::signal(signal, request_stop);
 }
 
 StopSignals::~StopSignals() {
-  (void)std::signal(SIGTERM, SIG_DFL);
-  (void)std::signal(SIGINT, SIG_DFL);
+  for (const int signal : stopping) (void)std::signal(signal, SIG_DFL);
 }
 
 bool StopSignals::requested(MPI_Comm comm) const {

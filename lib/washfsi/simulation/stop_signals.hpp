@@ -5,7 +5,8 @@
 
 namespace washfsi {
 
-/// While it lives, SIGTERM and SIGINT ask for a stop after the step instead of killing the program.
+/// While it lives, SIGTERM, SIGINT, SIGHUP, SIGQUIT, SIGXCPU and SIGUSR1 ask for a stop after the step instead of
+/// killing the program.
 class StopSignals {
  public:
   StopSignals();

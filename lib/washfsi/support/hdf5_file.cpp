@@ -2,11 +2,15 @@
 #include "washfsi/support/hdf5_file.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <numeric>
 #include <utility>
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include "washfsi/support/collective.hpp"
@@ -127,11 +131,70 @@ void Hdf5File::set_attribute(const std::string& object, const std::string& name,
   agree(attribute >= 0 && H5Awrite(attribute, H5T_NATIVE_DOUBLE, &value) >= 0, "cannot write attribute " + name);
 }
 
+namespace {
+
+// Mixes the bits of two numbers (splitmix64's finaliser).
+std::uint64_t mixed(std::uint64_t a, std::uint64_t b) {
+  std::uint64_t x = a + 0x9e3779b97f4a7c15ULL * (b + 1);
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
+  return x ^ (x >> 31);
+}
+
+// Of the values with their places in the dataset: a sum, so that it does not depend on how ranks share it.
+std::uint64_t digest(MPI_Comm comm, const Slab& slab, const std::vector<double>& values) {
+  std::uint64_t sum = 0;
+  const std::size_t held = empty(slab) ? 0 : values.size();
+  for (std::size_t n = 0; n < held; ++n) {
+    std::uint64_t place = 0, stride = 1, rest = n;
+    for (std::size_t d = slab.shape.size(); d-- > 0;) {
+      place += stride * (slab.offset[d] + rest % slab.count[d]);
+      stride *= slab.shape[d];
+      rest /= slab.count[d];
+    }
+    sum += mixed(std::bit_cast<std::uint64_t>(values[n]), place);
+  }
+  std::uint64_t all = 0;
+  MPI_Allreduce(&sum, &all, 1, MPI_UINT64_T, MPI_SUM, comm);
+  return all;
+}
+
+// In two halves, which a double holds exactly.
+constexpr std::uint64_t half = 1ULL << 32;
+constexpr const char *upper_digest = "digest_upper", *lower_digest = "digest_lower";
+
+}  // namespace
+
+void Hdf5File::write_sealed(const std::string& dataset, const Slab& slab, const std::vector<double>& values) {
+  write(dataset, slab, values);
+  const std::uint64_t sum = digest(comm_, slab, values);
+  set_attribute(dataset, upper_digest, static_cast<double>(sum / half));
+  set_attribute(dataset, lower_digest, static_cast<double>(sum % half));
+}
+
+std::vector<double> Hdf5File::read_sealed(const std::string& dataset, const Slab& slab, Readers readers) {
+  std::vector<double> values = read(dataset, slab);
+  const bool counts = readers == Readers::parts || rank_of(comm_) == 0;
+  const std::uint64_t sum = digest(comm_, slab, counts ? values : std::vector<double>());
+  const bool same = attribute(dataset, upper_digest) == static_cast<double>(sum / half) &&
+                    attribute(dataset, lower_digest) == static_cast<double>(sum % half);
+  agree(same, "dataset " + dataset + " is damaged: its digest is another");
+  return values;
+}
+
 double Hdf5File::attribute(const std::string& object, const std::string& name) {
   double value = 0;
   const Identifier attribute(H5Aopen_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-  agree(attribute >= 0 && H5Aread(attribute, H5T_NATIVE_DOUBLE, &value) >= 0, "has no attribute " + name);
+  agree(attribute >= 0, "has no attribute " + name);
+  const Identifier space(H5Aget_space(attribute), H5Sclose), type(H5Aget_type(attribute), H5Tclose);
+  const bool number = H5Sget_simple_extent_npoints(space) == 1 && H5Tget_class(type) == H5T_FLOAT;
+  agree(number && H5Aread(attribute, H5T_NATIVE_DOUBLE, &value) >= 0 && std::isfinite(value),
+        "attribute " + name + " is not a finite number");
   return value;
+}
+
+bool Hdf5File::has_attribute(const std::string& object, const std::string& name) {
+  return H5Aexists_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT) > 0;
 }
 
 bool Hdf5File::contains(const std::string& name) {
@@ -181,6 +244,30 @@ void make_writable_folder(MPI_Comm comm, const std::string& path) {
   if (any_rank(comm, !writable)) throw FileError("-output_dir " + path + ": this folder cannot be made or written to");
 }
 
+namespace {
+
+bool synced(const std::string& path, int flags) {
+  const int file = open(path.c_str(), flags);
+  const bool done = file >= 0 && fsync(file) == 0;
+  if (file >= 0) (void)::close(file);
+  return done;
+}
+
+}  // namespace
+
+bool commit_file(const std::string& temporary, const std::string& path, const std::string& keep) {
+  if (!synced(temporary, O_RDONLY)) return false;
+  std::error_code error;
+  if (!keep.empty() && std::filesystem::exists(path)) {
+    std::filesystem::remove(keep, error);
+    std::filesystem::create_hard_link(path, keep, error);
+    if (error) std::filesystem::copy_file(path, keep, error);  // a file system without links
+  }
+  std::filesystem::rename(temporary, path, error);
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  return !error && synced(folder.empty() ? "." : folder, O_RDONLY | O_DIRECTORY);
+}
+
 void write_text_file(MPI_Comm comm, const std::string& path, const std::string& text) {
   bool written = true;
   if (rank_of(comm) == 0) {
@@ -188,9 +275,7 @@ void write_text_file(MPI_Comm comm, const std::string& path, const std::string& 
     std::ofstream file(temporary);
     file << text;
     file.close();
-    std::error_code error;
-    if (file) std::filesystem::rename(temporary, path, error);
-    written = file && !error;
+    written = file && commit_file(temporary, path);
   }
   if (any_rank(comm, !written)) throw FileError(path + ": cannot be written");
 }

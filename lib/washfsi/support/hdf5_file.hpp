@@ -31,12 +31,17 @@ class Hdf5File {
   void write(const std::string& dataset, const Slab& slab, const std::vector<double>& values);
   void write(const std::string& dataset, const Slab& slab, const std::vector<long long>& values);
   std::vector<double> read(const std::string& dataset, const Slab& slab);
+  /// The same with a digest of the values beside them, which reading compares: no bit of them changes unseen.
+  void write_sealed(const std::string& dataset, const Slab& slab, const std::vector<double>& values);
+  enum class Readers { parts, whole };  ///< whether each rank reads its part, or all of them the same
+  std::vector<double> read_sealed(const std::string& dataset, const Slab& slab, Readers readers = Readers::parts);
   /// Whole shape of a dataset.
   std::vector<hsize_t> shape(const std::string& dataset);
 
-  /// Attributes of an existing object ("/" is the file itself).
+  /// Attributes of an existing object ("/" is the file itself): single finite numbers.
   void set_attribute(const std::string& object, const std::string& name, double value);
   double attribute(const std::string& object, const std::string& name);
+  bool has_attribute(const std::string& object, const std::string& name);
 
   /// Names in a group, sorted; empty if there is no such group.
   std::vector<std::string> members(const std::string& group);
@@ -59,6 +64,10 @@ class Hdf5File {
 
 /// Makes a folder and its parents; throws FileError on all ranks if it cannot be written to. Collective.
 void make_writable_folder(MPI_Comm comm, const std::string& path);
+
+/// Puts a file that is complete on disk under another name, so that one of them is there whenever the machine stops;
+/// `keep`, if any, is a further name for what the new one replaces. On rank 0; returns whether it succeeded.
+bool commit_file(const std::string& temporary, const std::string& path, const std::string& keep = "");
 
 /// Writes a text file on rank 0, completely or not at all. Collective. Errors: FileError on all ranks.
 void write_text_file(MPI_Comm comm, const std::string& path, const std::string& text);

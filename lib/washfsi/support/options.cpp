@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "washfsi/support/errors.hpp"
+#include "washfsi/support/petsc_options.hpp"
 
 namespace washfsi {
 
@@ -22,6 +23,12 @@ std::string to_text(double value) {
 std::string join(const std::vector<std::string>& words, const std::string& separator) {
   std::string text;
   for (const auto& word : words) text += (text.empty() ? "" : separator) + word;
+  return text;
+}
+
+std::string lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
 }
 
@@ -73,27 +80,6 @@ bool is_on_command_line(const std::string& option) {
   return std::find(words, words + count, option) != words + count;
 }
 
-// Options that PETSc itself reads, some of them only when it finalizes.
-bool belongs_to_petsc(const std::string& name) {
-  static constexpr std::array<std::string_view, 40> starts{
-      "log_",      "options_", "malloc", "memory_",  "info",      "help",     "version",  "citations",
-      "on_error_", "fp_trap",  "check_", "error_",   "no_signal", "start_in", "stop_for", "debugger_",
-      "get_total", "mpi_",     "petsc_", "objects_", "python",    "display",  "x_",       "draw_",
-      "viewer_",   "vec_",     "mat_",   "is_",      "sf_",       "dm_",      "da_",      "pc_",
-      "ksp_",      "snes_",    "ts_",    "tao_",     "use_gpu",   "device_",  "cuda_",    "saws_"};
-  return std::any_of(starts.begin(), starts.end(), [&](std::string_view start) { return name.starts_with(start); });
-}
-
-// Options of our solvers that PETSc reads when one has solved: too late to tell whether it will.
-bool is_read_after_solving(const std::string& name) {
-  static constexpr std::array<std::string_view, 3> prefixes{"momentum_", "pressure_", "cloth_"};
-  static constexpr std::array<std::string_view, 6> reports{"ksp_view",         "pc_view",        "snes_view",
-                                                           "converged_reason", "converged_rate", "final_residual"};
-  const auto starts = [&](std::string_view prefix) { return name.starts_with(prefix); };
-  const auto contains = [&](std::string_view report) { return name.find(report) != std::string::npos; };
-  return std::any_of(prefixes.begin(), prefixes.end(), starts) && std::any_of(reports.begin(), reports.end(), contains);
-}
-
 }  // namespace
 
 Options::Options(MPI_Comm comm, bool documents) : comm_(comm), documents_(documents) {
@@ -125,8 +111,9 @@ void Options::claim_prefix(const std::string& name, const std::string& option) {
   static constexpr std::array<std::string_view, 16> ours{
       "grid",  "bc",      "fluid",    "body",     "bodies", "machine", "cloth",      "cloths",
       "delta", "contact", "momentum", "pressure", "time",   "output",  "checkpoint", "coupling"};
-  const bool reserved = std::find(ours.begin(), ours.end(), name) != ours.end() || belongs_to_petsc(name + "_");
-  if (reserved || !claimed_.insert(name).second)
+  const std::string lower = documents_ ? name : lower_case(name);  // PETSc takes no notice of case
+  const bool reserved = std::find(ours.begin(), ours.end(), lower) != ours.end() || belongs_to_petsc(lower + "_");
+  if (reserved || !claimed_.insert(lower).second)
     throw InputError(option + " " + name + ": this name is taken by another part of the run; choose another");
 }
 
@@ -188,6 +175,10 @@ void Options::reject_unread() const {
   for (const auto& [name, value] : database()) {
     PetscBool used = PETSC_FALSE;
     WASH_PETSC(PetscOptionsUsed(nullptr, name.c_str(), &used));
+    if (!used && lacks_prefix(name))
+      throw InputError("-" + name + (value.empty() ? "" : " " + value) +
+                       ": no solver is without a prefix; say -pressure_" + name + ", -momentum_" + name +
+                       " or -cloth_" + name);
     if (used || values_.contains(name) || belongs_to_petsc(name) || is_read_after_solving(name)) continue;
     const std::string suggestion = nearest(name);
     throw InputError("-" + name + (value.empty() ? "" : " " + value) + ": no part of this run reads this option" +
@@ -236,6 +227,9 @@ double OptionBlock::number(const std::string& name, const std::string& word, con
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   const bool whole_word = error == std::errc{} && end == word.data() + word.size();
   if (!whole_word || !std::isfinite(value) || !range.contains(value)) refuse(name, word, range.text);
+  constexpr double huge = 1e100;  // beyond it, squares and quotients leave the range of numbers
+  if (value != 0 && (std::abs(value) > huge || std::abs(value) < 1 / huge))
+    refuse(name, word, "0, or between 1e-100 and 1e100 in size");
   return value;
 }
 

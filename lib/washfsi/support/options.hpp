@@ -184,6 +184,7 @@ std::string list_text(const Point<Dim>& point) {
   return text;
 }
 std::string join(const std::vector<std::string>& words, const std::string& separator);
+std::string lower_case(std::string text);
 std::vector<std::string> split(const std::string& list, char separator);
 
 }  // namespace washfsi

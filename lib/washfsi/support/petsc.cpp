@@ -37,6 +37,19 @@ PetscErrorCode MutedErrors::remember(MPI_Comm, int, const char*, const char*, Pe
   return code;
 }
 
+PetscErrorCode ErrorTrace::remember(MPI_Comm, int line, const char* function, const char* file, PetscErrorCode code,
+                                    PetscErrorType type, const char* text, void* self) {
+  auto& trace = *static_cast<ErrorTrace*>(self);
+  if (type == PETSC_ERROR_INITIAL) {
+    trace.message_ = text ? text : "";
+    trace.calls_.clear();
+    trace.code_ = code;
+  }
+  if (file)
+    trace.calls_ += "  " + std::string(function ? function : "?") + " at " + file + ":" + std::to_string(line) + "\n";
+  return code;
+}
+
 bool option_given(const std::string& prefix, const std::string& name) {
   PetscBool given = PETSC_FALSE;
   WASH_PETSC(PetscOptionsHasName(nullptr, prefix.empty() ? nullptr : prefix.c_str(), name.c_str(), &given));

@@ -148,6 +148,24 @@ class MutedErrors {
   std::string message_;
 };
 
+/// While it lives, and no `MutedErrors`, failing PETSc calls print nothing; it keeps what the last failure was and the
+/// calls that led to it.
+class ErrorTrace {
+ public:
+  ErrorTrace() { (void)PetscPushErrorHandler(remember, this); }
+  ErrorTrace(const ErrorTrace&) = delete;
+  ErrorTrace& operator=(const ErrorTrace&) = delete;
+  const std::string& message() const noexcept { return message_; }
+  PetscErrorCode code() const noexcept { return code_; }
+  const std::string& calls() const noexcept { return calls_; }  ///< one a line, the innermost first
+
+ private:
+  static PetscErrorCode remember(MPI_Comm, int line, const char* function, const char* file, PetscErrorCode code,
+                                 PetscErrorType type, const char* text, void* self);
+  std::string message_, calls_;
+  PetscErrorCode code_ = 0;
+};
+
 /// Whether an option is in the database, set by the user or as a default of ours. Names begin with a dash.
 bool option_given(const std::string& prefix, const std::string& name);
 /// Its value there, or another.

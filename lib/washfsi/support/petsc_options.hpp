@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Which options are for PETSc. Names are without the dash.
+#pragma once
+
+#include <string>
+
+namespace washfsi {
+
+/// Whether PETSc itself reads an option, or a solver of ours that it sets up.
+bool is_for_petsc(const std::string& name);
+/// Options that PETSc itself reads, some of them only when it finalizes.
+bool belongs_to_petsc(const std::string& name);
+/// Options of our solvers that PETSc reads when one has solved: too late to tell whether it will.
+bool is_read_after_solving(const std::string& name);
+/// PETSc's names of solvers' options, of which none of ours goes without a prefix.
+bool lacks_prefix(const std::string& name);
+
+}  // namespace washfsi
