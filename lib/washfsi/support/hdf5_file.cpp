@@ -168,16 +168,18 @@ constexpr const char *upper_digest = "digest_upper", *lower_digest = "digest_low
 void Hdf5File::write_sealed(const std::string& dataset, const Slab& slab, const std::vector<double>& values) {
   write(dataset, slab, values);
   const std::uint64_t sum = digest(comm_, slab, values);
-  set_attribute(dataset, upper_digest, static_cast<double>(sum / half));
-  set_attribute(dataset, lower_digest, static_cast<double>(sum % half));
+  const std::uint64_t upper = sum / half, lower = sum % half;
+  set_attribute(dataset, upper_digest, static_cast<double>(upper));
+  set_attribute(dataset, lower_digest, static_cast<double>(lower));
 }
 
 std::vector<double> Hdf5File::read_sealed(const std::string& dataset, const Slab& slab, Readers readers) {
   std::vector<double> values = read(dataset, slab);
   const bool counts = readers == Readers::parts || rank_of(comm_) == 0;
   const std::uint64_t sum = digest(comm_, slab, counts ? values : std::vector<double>());
-  const bool same = attribute(dataset, upper_digest) == static_cast<double>(sum / half) &&
-                    attribute(dataset, lower_digest) == static_cast<double>(sum % half);
+  const std::uint64_t upper = sum / half, lower = sum % half;
+  const bool same = attribute(dataset, upper_digest) == static_cast<double>(upper) &&
+                    attribute(dataset, lower_digest) == static_cast<double>(lower);
   agree(same, "dataset " + dataset + " is damaged: its digest is another");
   return values;
 }
