@@ -4,6 +4,7 @@
 import json
 import os
 import pathlib
+import shutil
 import signal
 import subprocess
 import time
@@ -70,6 +71,12 @@ class Signals(ProgramTest):
 
     def test_stops_after_sigint_to_the_first_rank(self):
         self.assert_stops_well_after(signal.SIGINT, rank=0)
+
+    def test_finishes_after_other_signals(self):
+        for number in (signal.SIGHUP, signal.SIGQUIT, signal.SIGXCPU, signal.SIGUSR1):
+            with self.subTest(number):
+                self.assert_stops_well_after(number, rank=0)
+                shutil.rmtree(self.folder / "out")
 
 
 if __name__ == "__main__":
