@@ -7,6 +7,7 @@ import subprocess
 import unittest
 
 import h5py
+import numpy as np
 
 from support import SOURCE, ProgramTest, command, read_columns, run
 
@@ -73,19 +74,30 @@ class Durability(ProgramTest):
         outcome = self.restart(checkpoint="out/checkpoint_before.h5")
         self.assertEqual(outcome.returncode, 0, outcome.stderr)
 
+    def times_of_frames(self, name):
+        """Returns the times of a series' frames, which NAME.h5 links to."""
+        with h5py.File(self.out / f"{name}.h5") as file:
+            return [frame.attrs["time"] for frame in file["frames"].values()]
+
     def test_an_unfinished_frame_is_dropped(self):
-        with h5py.File(self.out / "flow.h5", "a") as file:
-            file.create_group("frames/000099").create_dataset("velocity", data=[1.0])
-        (self.out / "checkpoint.h5.part").write_text("half", encoding="utf-8")
+        for part in ("checkpoint.h5.part", "flow/000002.h5.part"):
+            (self.out / part).write_text("half", encoding="utf-8")
         outcome = self.restart()
         self.assertEqual(outcome.returncode, 0, outcome.stderr)
-        with h5py.File(self.out / "flow.h5") as file:
-            self.assertEqual(len(file["frames"]), 4)
-            self.assertTrue(all("step" in frame.attrs for frame in file["frames"].values()))
-        self.assertEqual([path.name for path in self.out.glob("*.part")], [])
+        np.testing.assert_allclose(self.times_of_frames("flow"), [0, 0.01, 0.02, 0.03])
+        self.assertEqual(list(self.out.rglob("*.part")), [])
 
-    def test_a_series_that_cannot_be_read_is_set_aside(self):
-        (self.out / "flow.h5").write_bytes(b"not an HDF5 file")
+    def test_a_damaged_frame_is_put_aside_alone(self):
+        (self.out / "flow" / "000001.h5").write_bytes(b"not an HDF5 file")
+        (self.out / "flow.h5").write_bytes(b"nor this")
+        outcome = self.restart()
+        self.assertEqual(outcome.returncode, 0, outcome.stderr)
+        self.assertIn("flow/000001.h5.damaged", outcome.stderr)
+        np.testing.assert_allclose(self.times_of_frames("flow"), [0, 0.02, 0.03])
+        np.testing.assert_allclose(self.times_of_frames("cloth"), [0, 0.01, 0.02, 0.03])
+
+    def test_a_series_of_an_earlier_version_is_put_aside(self):
+        shutil.rmtree(self.out / "flow")
         outcome = self.restart()
         self.assertEqual(outcome.returncode, 0, outcome.stderr)
         self.assertIn("flow.h5.damaged", outcome.stderr)

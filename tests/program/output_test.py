@@ -18,7 +18,9 @@ CASE = [*EXPLICIT_WASH, "-time_end", 0.05, "-output_interval", 0.01,
         "-profiles", "middle", "-middle_from", "-0.3,0", "-middle_to", "0.3,0", "-middle_points", 61]
 TIMES = [0, 0.01, 0.02, 0.03, 0.04, 0.05]
 FILES = ["resolved.opts", "summary.json", "history.csv", "profiles/middle.csv", "cloth_final.csv", "tracks.csv", "checkpoint.h5",
-         "flow.xdmf", "flow.h5", "cloth.xdmf", "cloth.h5", "bodies.xdmf", "bodies.h5"]
+         "flow/constants.h5", "cloth/constants.h5", "bodies/constants.h5",
+         *(name + end for name in ("flow", "cloth", "bodies")
+           for end in (".xdmf", ".h5", *(f"/{frame:06d}.h5" for frame in range(len(TIMES)))))]
 SUMMARY = ["program", "version", "git", "case", "status", "ranks", "steps", "time", "wall_seconds", "seconds_per_step",
            "iterations", "max_divergence", "peak_memory_bytes", "bodies", "walls", "cloths"]
 HISTORY = ["step", "time", "dt", "cfl", "kinetic_energy", "max_divergence"]
@@ -202,6 +204,12 @@ class Output(ProgramTest):
                 file_name, dataset = item.text.strip().split(":")
                 with self.subTest(item.text), h5py.File(self.out / file_name) as file:
                     self.assertEqual(file[dataset].shape, tuple(map(int, item.get("Dimensions").split())))
+
+    def test_nodes_of_the_plane_are_those_of_the_grid(self):
+        lower, upper, cells = (np.array(self.options[f"-grid_{name}"].split(","), float) for name in ("lower", "upper", "cells"))
+        with h5py.File(self.out / "flow.h5") as file:
+            for d, axis in enumerate("xy"):
+                np.testing.assert_allclose(file[axis][()], np.linspace(lower[d], upper[d], int(cells[d]) + 1), atol=1e-12)
 
     def test_xdmf_has_the_times_of_the_frames(self):
         for name in ("flow", "cloth", "bodies"):

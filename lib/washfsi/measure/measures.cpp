@@ -70,7 +70,7 @@ void Measures<Dim>::observe_start(double dt) {
   cloth_.observe_start(seen);
   coupling_.observe_start(seen);
   for (const auto& measure : further_) measure->observe_start(seen);
-  quantities_.accumulate();
+  if (system_.state.clock.step == 0) quantities_.accumulate();  // else as the checkpoint has them
 }
 
 template <int Dim>

@@ -6,6 +6,7 @@
 namespace washfsi {
 
 void QuantityList::add(Quantity quantity) {
+  taken_.push_back(0.0);
   double& largest = largest_.emplace_back(0.0);
   if (quantity.accumulation != Accumulation::none)
     keep("largest_" + (quantity.name.empty() ? quantity.summary : quantity.name), {&largest, 1});
@@ -19,12 +20,14 @@ void QuantityList::keep(const std::string& name, std::span<double> numbers) {
 }
 
 void QuantityList::accumulate() {
-  for (std::size_t n = 0; n < quantities_.size(); ++n)
-    if (quantities_[n].accumulation != Accumulation::none) largest_[n] = std::max(largest_[n], quantities_[n].value());
+  for (std::size_t n = 0; n < quantities_.size(); ++n) {
+    taken_[n] = quantities_[n].value();
+    if (quantities_[n].accumulation != Accumulation::none) largest_[n] = std::max(largest_[n], taken_[n]);
+  }
 }
 
 double QuantityList::shown(std::size_t n) const {
-  return quantities_[n].accumulation == Accumulation::largest_so_far ? largest_[n] : quantities_[n].value();
+  return quantities_[n].accumulation == Accumulation::largest_so_far ? largest_[n] : taken_[n];
 }
 
 std::vector<Column> QuantityList::columns() const {
@@ -47,7 +50,7 @@ std::vector<QuantityList::SummaryEntry> QuantityList::summary() const {
     const Quantity& quantity = quantities_[n];
     if (quantity.summary.empty()) continue;
     const bool of_run = quantity.accumulation != Accumulation::none;
-    entries.push_back({quantity.summary, of_run ? largest_[n] : quantity.value(), quantity.is_count});
+    entries.push_back({quantity.summary, of_run ? largest_[n] : taken_[n], quantity.is_count});
   }
   return entries;
 }

@@ -37,8 +37,11 @@ class QuantityList {
   /// Numbers that go on from step to step and that a checkpoint must keep. They must outlive the list.
   void keep(const std::string& name, std::span<double> numbers);
 
-  /// Takes the present values into the largest ones.
+  /// Takes the present values, and them into the largest ones.
   void accumulate();
+  /// The values taken last, which a checkpoint keeps for a run that has no step left to take.
+  const std::vector<double>& taken() const { return taken_; }
+  void set_taken(const std::vector<double>& values) { taken_ = values; }
 
   /// The history's columns, and their values now.
   std::vector<Column> columns() const;
@@ -68,6 +71,7 @@ class QuantityList {
   double shown(std::size_t n) const;
 
   std::vector<Quantity> quantities_;
+  std::vector<double> taken_;
   std::deque<double> largest_;  ///< of each quantity; does not move as it grows
   std::vector<Kept> kept_;
 };

@@ -9,32 +9,52 @@ namespace washfsi {
 
 namespace {
 
-// The grid's corner and spacing as attributes of the file, for readers other than ParaView.
+// The grid's corner and spacing, for readers other than ParaView.
 template <int Dim>
-void write_grid_attributes(const Grid<Dim>& grid, const FrameFile& frames) {
-  Hdf5File file = frames.open();
+FrameFolder::Attributes attributes_of(const Grid<Dim>& grid) {
+  FrameFolder::Attributes attributes;
   for (int d = 0; d < Dim; ++d) {
     const std::string axis(1, "xyz"[d]);
-    file.set_attribute("/", "lower_" + axis, grid.lower()[d]);
-    file.set_attribute("/", "spacing_" + axis, grid.spacing()[d]);
+    attributes.emplace_back("lower_" + axis, grid.lower()[d]);
+    attributes.emplace_back("spacing_" + axis, grid.spacing()[d]);
   }
-  file.close();
+  return attributes;
 }
 
-// XDMF text of the grid of cells: counts of nodes, origin and spacing, slowest axis first. A plane is one layer of
-// nodes in three dimensions: ParaView puts two-dimensional meshes into the y,z plane.
+// The places of the nodes of a plane grid, along each axis. ParaView reads no cells' values on a plane that is one
+// layer of nodes of a regular grid in space, and puts a regular grid in the plane into the y,z plane.
 template <int Dim>
-std::string xdmf_mesh(const Grid<Dim>& grid) {
+void write_nodes(const Grid<Dim>& grid, FrameFolder& frames) {
+  if constexpr (Dim == 2)
+    frames.write_constants({"x", "y"}, [&](Hdf5File& file) {
+      for (int d = 0; d < Dim; ++d) {
+        std::vector<double> nodes;
+        for (PetscInt n = 0; n <= grid.cells()[d]; ++n) nodes.push_back(grid.lower()[d] + n * grid.spacing()[d]);
+        const bool writes = rank_of(grid.comm()) == 0;  // for all
+        file.write(d == 0 ? "/x" : "/y", {{nodes.size()}, {0}, {writes ? nodes.size() : 0}}, nodes);
+      }
+    });
+}
+
+// XDMF text of the grid of cells, slowest axis first: in space by counts of nodes, origin and spacing.
+template <int Dim>
+std::string xdmf_mesh(const Grid<Dim>& grid, const FrameFolder& frames) {
   std::vector<std::string> nodes, origin, spacing;
-  for (int d = 3; d-- > 0;) {
-    nodes.push_back(std::to_string(d < Dim ? grid.cells()[d] + 1 : 1));
-    origin.push_back(d < Dim ? to_text(grid.lower()[d]) : "0");
-    spacing.push_back(d < Dim ? to_text(grid.spacing()[d]) : "1");
+  for (int d = Dim; d-- > 0;) {
+    nodes.push_back(std::to_string(grid.cells()[d] + 1));
+    origin.push_back(to_text(grid.lower()[d]));
+    spacing.push_back(to_text(grid.spacing()[d]));
   }
-  const std::string item = "<DataItem Format=\"XML\" NumberType=\"Float\" Precision=\"8\" Dimensions=\"3\">";
-  return "<Topology TopologyType=\"3DCoRectMesh\" Dimensions=\"" + join(nodes, " ") + "\"/>\n" +
-         "<Geometry GeometryType=\"ORIGIN_DXDYDZ\">\n" + item + join(origin, " ") + "</DataItem>\n" + item +
-         join(spacing, " ") + "</DataItem>\n</Geometry>\n";
+  const std::string counts = " Dimensions=\"" + join(nodes, " ") + "\"/>\n";
+  if constexpr (Dim == 2) {
+    const auto size = [&](int d) { return std::vector<hsize_t>{static_cast<hsize_t>(grid.cells()[d] + 1)}; };
+    return "<Topology TopologyType=\"2DRectMesh\"" + counts + "<Geometry GeometryType=\"VXVY\">\n" +
+           frames.constant_item("/x", size(0)) + frames.constant_item("/y", size(1)) + "</Geometry>\n";
+  } else {
+    const std::string item = "<DataItem Format=\"XML\" NumberType=\"Float\" Precision=\"8\" Dimensions=\"3\">";
+    return "<Topology TopologyType=\"3DCoRectMesh\"" + counts + "<Geometry GeometryType=\"ORIGIN_DXDYDZ\">\n" + item +
+           join(origin, " ") + "</DataItem>\n" + item + join(spacing, " ") + "</DataItem>\n</Geometry>\n";
+  }
 }
 
 /// Velocity at cell centres with three components, and the curl of it by central differences.
@@ -67,8 +87,8 @@ struct CentredFlow {
 template <int Dim>
 FlowSeries<Dim>::FlowSeries(const Grid<Dim>& grid, const Boundary<Dim>& boundary, const std::string& folder,
                             long restart_step)
-    : grid_(grid), boundary_(boundary), file_(grid.comm(), folder, "flow", restart_step) {
-  if (file_.is_new()) write_grid_attributes(grid, file_);
+    : grid_(grid), boundary_(boundary), frames_(grid.comm(), folder, "flow", restart_step, attributes_of(grid)) {
+  write_nodes(grid, frames_);
 }
 
 template <int Dim>
@@ -82,58 +102,57 @@ void FlowSeries<Dim>::write(double time, long step, Vec velocity, Vec pressure) 
   }
   constexpr int curl_components = Dim == 2 ? 1 : 3;
   const Slab vector = field_slab(grid_, 3), scalar = field_slab(grid_, 1), curl = field_slab(grid_, curl_components);
-  file_.add(
+  frames_.add(
       time, step,
-      [&](Hdf5File& file, const std::string& group) {
-        file.write(group + "/velocity", vector, flow.velocity);
-        file.write(group + "/pressure", scalar, p);
-        file.write(group + "/vorticity", curl, flow.vorticity);
+      [&](Hdf5File& file) {
+        file.write("/velocity", vector, flow.velocity);
+        file.write("/pressure", scalar, p);
+        file.write("/vorticity", curl, flow.vorticity);
       },
       [&](const Frame& frame) {
         const auto item = [&](const char* name, const Slab& slab) {
-          return xdmf_data_item("flow", frame.group + "/" + name, slab.shape);
+          return frames_.frame_item(frame, name, slab.shape);
         };
-        return xdmf_mesh(grid_) + xdmf_attribute("velocity", "Vector", "Cell", item("velocity", vector)) +
-               xdmf_attribute("pressure", "Scalar", "Cell", item("pressure", scalar)) +
-               xdmf_attribute("vorticity", Dim == 2 ? "Scalar" : "Vector", "Cell", item("vorticity", curl));
+        return xdmf_mesh(grid_, frames_) + xdmf_attribute("velocity", "Vector", "Cell", item("/velocity", vector)) +
+               xdmf_attribute("pressure", "Scalar", "Cell", item("/pressure", scalar)) +
+               xdmf_attribute("vorticity", Dim == 2 ? "Scalar" : "Vector", "Cell", item("/vorticity", curl));
       });
 }
 
 template <int Dim>
 BodySeries<Dim>::BodySeries(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies, const std::string& folder,
                             long restart_step)
-    : grid_(grid), bodies_(bodies), file_(grid.comm(), folder, "bodies", restart_step) {
-  if (file_.is_new()) write_grid_attributes(grid, file_);
+    : grid_(grid), bodies_(bodies), frames_(grid.comm(), folder, "bodies", restart_step, attributes_of(grid)) {
+  write_nodes(grid, frames_);
 }
 
 template <int Dim>
 void BodySeries<Dim>::write(double time, long step) {
   const petsc::LogPart part("output");
   const Slab scalar = field_slab(grid_, 1);
-  file_.add(
+  frames_.add(
       time, step,
-      [&](Hdf5File& file, const std::string& group) {
+      [&](Hdf5File& file) {
         for (const auto& body : bodies_) {
           std::vector<double> distance;
           for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) {
             distance.push_back(body.distance(grid_.cell_center(cell), time));
           });
-          file.write(group + "/" + body.name, scalar, distance);
+          file.write("/" + body.name, scalar, distance);
         }
       },
       [&](const Frame& frame) {
-        std::string text = xdmf_mesh(grid_);
+        std::string text = xdmf_mesh(grid_, frames_);
         for (const auto& body : bodies_)
-          text += xdmf_attribute(body.name, "Scalar", "Cell",
-                                 xdmf_data_item("bodies", frame.group + "/" + body.name, scalar.shape));
+          text += xdmf_attribute(body.name, "Scalar", "Cell", frames_.frame_item(frame, "/" + body.name, scalar.shape));
         return text;
       });
 }
 
 template <int Dim>
 ClothSeries<Dim>::ClothSeries(MPI_Comm comm, const Cloths<Dim>& cloths, const std::string& folder, long restart_step)
-    : comm_(comm), cloths_(cloths), file_(comm, folder, "cloth", restart_step) {
-  if (file_.is_new()) write_topology();
+    : comm_(comm), cloths_(cloths), topology_(topology()), frames_(comm, folder, "cloth", restart_step) {
+  frames_.write_constants({"topology", "group", "cloth"}, [&](Hdf5File& file) { write_constants(file); });
 }
 
 // XDMF's mixed topology: a polyline (type 2, number of markers, markers) for each fibre, a quadrilateral (type 5, its
@@ -158,12 +177,10 @@ typename ClothSeries<Dim>::Topology ClothSeries<Dim>::topology() const {
 }
 
 template <int Dim>
-void ClothSeries<Dim>::write_topology() {
-  Hdf5File file = file_.open();
-  std::vector<long long> entries = topology().entries;
-  Slab slab{{entries.size()}, {0}, {entries.size()}};
-  if (rank_of(comm_) != 0) slab.count = {0};  // rank 0 writes for all
-  file.write("/topology", slab, entries);
+void ClothSeries<Dim>::write_constants(Hdf5File& file) const {
+  const hsize_t size = topology_.entries.size();
+  const bool writes = rank_of(comm_) == 0;  // for all
+  file.write("/topology", {{size}, {0}, {writes ? size : 0}}, topology_.entries);
   std::vector<double> group, cloth;
   for (const std::size_t piece : cloths_.piece_of_marker()) {
     group.push_back(static_cast<double>(cloths_.pieces()[piece].group));
@@ -172,7 +189,6 @@ void ClothSeries<Dim>::write_topology() {
   const Slab markers = marker_slab(cloths_.marker_count(), cloths_.begin(), cloths_.end(), 1);
   file.write("/group", markers, group);
   file.write("/cloth", markers, cloth);
-  file.close();
 }
 
 template <int Dim>
@@ -181,27 +197,27 @@ void ClothSeries<Dim>::write(double time, long step, const Points<Dim>& position
   const petsc::LogPart part("output");
   const Slab vector = marker_slab(cloths_.marker_count(), cloths_.begin(), cloths_.end(), 3);
   const Slab scalar = marker_slab(cloths_.marker_count(), cloths_.begin(), cloths_.end(), 1);
-  file_.add(
+  frames_.add(
       time, step,
-      [&](Hdf5File& file, const std::string& group) {
-        file.write(group + "/position", vector, flattened<Dim>(positions, 3));
-        file.write(group + "/velocity", vector, flattened<Dim>(velocities, 3));
-        for (const MarkerField& field : fields) file.write(group + "/" + field.name, scalar, field.values);
+      [&](Hdf5File& file) {
+        file.write("/position", vector, flattened<Dim>(positions, 3));
+        file.write("/velocity", vector, flattened<Dim>(velocities, 3));
+        for (const MarkerField& field : fields) file.write("/" + field.name, scalar, field.values);
       },
       [&](const Frame& frame) {
         const auto item = [&](const std::string& dataset, const Slab& slab) {
-          return xdmf_data_item("cloth", dataset, slab.shape);
+          return frames_.frame_item(frame, dataset, slab.shape);
         };
-        const Topology mesh = topology();
-        std::string attributes;
+        std::string attributes = xdmf_attribute("velocity", "Vector", "Node", item("/velocity", vector));
         for (const MarkerField& field : fields)
-          attributes += xdmf_attribute(field.name, "Scalar", "Node", item(frame.group + "/" + field.name, scalar));
-        return "<Topology TopologyType=\"Mixed\" NumberOfElements=\"" + std::to_string(mesh.elements) + "\">\n" +
-               xdmf_data_item("cloth", "/topology", {mesh.entries.size()}, "NumberType=\"Int\" Precision=\"8\"") +
-               "</Topology>\n<Geometry GeometryType=\"XYZ\">\n" + item(frame.group + "/position", vector) +
-               "</Geometry>\n" + xdmf_attribute("velocity", "Vector", "Node", item(frame.group + "/velocity", vector)) +
-               attributes + xdmf_attribute("group", "Scalar", "Node", item("/group", scalar)) +
-               xdmf_attribute("cloth", "Scalar", "Node", item("/cloth", scalar));
+          attributes += xdmf_attribute(field.name, "Scalar", "Node", item("/" + field.name, scalar));
+        for (const char* name : {"group", "cloth"})
+          attributes +=
+              xdmf_attribute(name, "Scalar", "Node", frames_.constant_item(std::string("/") + name, scalar.shape));
+        return "<Topology TopologyType=\"Mixed\" NumberOfElements=\"" + std::to_string(topology_.elements) + "\">\n" +
+               frames_.constant_item("/topology", {topology_.entries.size()}, "NumberType=\"Int\" Precision=\"8\"") +
+               "</Topology>\n<Geometry GeometryType=\"XYZ\">\n" + item("/position", vector) + "</Geometry>\n" +
+               attributes;
       });
 }
 

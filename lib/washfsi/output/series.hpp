@@ -4,7 +4,7 @@
 #include "washfsi/body/body.hpp"
 #include "washfsi/cloth/cloths.hpp"
 #include "washfsi/grid/boundary.hpp"
-#include "washfsi/output/frame_file.hpp"
+#include "washfsi/output/frame_folder.hpp"
 
 namespace washfsi {
 
@@ -13,14 +13,14 @@ template <int Dim>
 class FlowSeries {
  public:
   FlowSeries(const Grid<Dim>& grid, const Boundary<Dim>& boundary, const std::string& folder, long restart_step);
-  bool is_new() const { return file_.is_new(); }
+  bool is_new() const { return frames_.is_new(); }
   /// Collective.
   void write(double time, long step, Vec velocity, Vec pressure);
 
  private:
   const Grid<Dim>& grid_;
   const Boundary<Dim>& boundary_;
-  FrameFile file_;
+  FrameFolder frames_;
 };
 
 /// bodies.h5, bodies.xdmf: the signed distance [m] of each body at cell centres; its zero contour is the surface.
@@ -34,7 +34,7 @@ class BodySeries {
  private:
   const Grid<Dim>& grid_;
   const std::vector<Body<Dim>>& bodies_;
-  FrameFile file_;
+  FrameFolder frames_;
 };
 
 /// A number of each of this rank's markers, by name.
@@ -57,12 +57,13 @@ class ClothSeries {
     std::vector<long long> entries;
     std::size_t elements = 0;
   };
-  void write_topology();
   Topology topology() const;
+  void write_constants(Hdf5File& file) const;
 
   MPI_Comm comm_;
   const Cloths<Dim>& cloths_;
-  FrameFile file_;
+  Topology topology_;
+  FrameFolder frames_;
 };
 
 }  // namespace washfsi

@@ -12,7 +12,7 @@ namespace washfsi {
 
 namespace {
 
-constexpr double format = 2;  ///< of the file; another number for any other content
+constexpr double format = 3;  ///< of the file; another number for any other content
 
 // The numbers that a state has besides its fields, in the order in which they are kept; as attributes for readers.
 constexpr std::array number_names{"step",
@@ -150,6 +150,8 @@ void write_checkpoint(const std::string& folder, const System<Dim>& system, Meas
   file.write_sealed("/options", shared_slab(comm, letters.size(), true), letters);
   const std::vector<double> same = identity(system);
   file.write_sealed("/identity", shared_slab(comm, same.size(), true), same);
+  const std::vector<double>& taken = measures.quantities().taken();
+  file.write_sealed("/measured", shared_slab(comm, taken.size(), true), taken);
   for (const auto& [name, kept] : measures.quantities().kept())
     file.write_sealed("/totals/" + name, shared_slab(comm, kept.size(), true),
                       std::vector<double>(kept.begin(), kept.end()));
@@ -182,6 +184,10 @@ RunState read_checkpoint(const std::string& path, System<Dim>& system, Measures<
       measures.cloth().time_integrals() =
           file.read_sealed("/cloth/time_integrals", slab_of_integrals(system.model.cloths));
     }
+    const std::size_t quantities = measures.quantities().taken().size();
+    if (file.shape("/measured").at(0) == quantities)  // no other measures than before
+      measures.quantities().set_taken(
+          file.read_sealed("/measured", shared_slab(comm, quantities, false), Hdf5File::Readers::whole));
     for (const auto& [name, kept] : measures.quantities().kept())
       std::ranges::copy(
           file.read_sealed("/totals/" + name, shared_slab(comm, kept.size(), false), Hdf5File::Readers::whole),

@@ -51,15 +51,6 @@ void Results<Dim>::remove_summary(MPI_Comm comm, const std::string& folder) {
 }
 
 template <int Dim>
-void Results<Dim>::remove_parts(MPI_Comm comm, const std::string& folder) {
-  std::error_code ignored;
-  if (rank_of(comm) == 0)
-    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
-      if (entry.path().extension() == ".part") std::filesystem::remove(entry.path(), ignored);
-  MPI_Barrier(comm);
-}
-
-template <int Dim>
 void Results<Dim>::remove_ends(MPI_Comm comm, const std::string& folder) {
   std::error_code ignored;  // what cannot be removed cannot be written either, which tells more
   if (rank_of(comm) == 0) {

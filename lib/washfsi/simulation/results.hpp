@@ -35,8 +35,6 @@ class Results {
 
   /// Removes what an earlier run wrote last, for a run that goes on from it. Collective.
   static void remove_summary(MPI_Comm comm, const std::string& folder);
-  /// Removes files that a killed run left half written. Collective.
-  static void remove_parts(MPI_Comm comm, const std::string& folder);
   /// Removes all that an earlier run wrote at its end, or to go on from. Collective.
   static void remove_ends(MPI_Comm comm, const std::string& folder);
 

@@ -120,7 +120,7 @@ void Simulation<Dim>::start_results(Options& options) {
     make_writable_folder(options.comm(), run_.output_dir);
   }
   lock_ = std::make_unique<FolderLock>(options.comm(), run_.output_dir);
-  Results<Dim>::remove_parts(options.comm(), run_.output_dir);
+  if (rank_of(options.comm()) == 0) remove_parts(run_.output_dir);
   write_text_file(options.comm(), run_.output_dir + "/resolved.opts", options.resolved());
   const long continues_from = run_.restart.empty() || run_.check ? -1 : clock().step;
   if (continues_from < 0 && !run_.check) Results<Dim>::remove_ends(options.comm(), run_.output_dir);
@@ -322,9 +322,9 @@ void Simulation<Dim>::print_summary(const RunSummary& summary) {
       format("  iterations a step  momentum %.2f, pressure %.2f", counts.momentum / steps, counts.pressure / steps));
   const QuantityList& quantities = measures_->quantities();
   progress_.note(format("  max divergence     %.3e 1/s", quantities.summary_value("/max_divergence")));
-  for (std::size_t b = 0; b < system_->model.bodies.size(); ++b)
-    progress_.note(format("  %-18s torque %.4g", system_->model.bodies[b].name.c_str(),
-                          measures_->loads()[b].torque[rotation_components<Dim> - 1]) +
+  for (const auto& body : system_->model.bodies)
+    progress_.note(format("  %-18s torque %.4g", body.name.c_str(),
+                          quantities.summary_value("/bodies/" + body.name + "/torque" + (Dim == 3 ? "/2" : ""))) +
                    (Dim == 2 ? " N (per metre: N m/m)" : " N m"));
   for (std::size_t g = 0; g < measures_->cloth().groups().size(); ++g) {
     const std::string& name = system_->model.cloths.groups()[g].name;

@@ -66,7 +66,7 @@ Hdf5File::Hdf5File(MPI_Comm comm, const std::string& path, Mode mode) : comm_(co
   if (mode == Mode::create)
     file_ = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
   else
-    file_ = H5Fopen(path.c_str(), mode == Mode::append ? H5F_ACC_RDWR : H5F_ACC_RDONLY, access);
+    file_ = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
   agree(file_ >= 0, "cannot be opened as an HDF5 file");
 }
 
@@ -195,38 +195,14 @@ double Hdf5File::attribute(const std::string& object, const std::string& name) {
   return value;
 }
 
-bool Hdf5File::has_attribute(const std::string& object, const std::string& name) {
-  return H5Aexists_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT) > 0;
-}
-
-bool Hdf5File::contains(const std::string& name) {
-  // each group on the way must be asked for
-  for (std::size_t slash = name.find('/', 1); slash != std::string::npos; slash = name.find('/', slash + 1))
-    if (H5Lexists(file_, name.substr(0, slash).c_str(), H5P_DEFAULT) <= 0) return false;
-  return H5Lexists(file_, name.c_str(), H5P_DEFAULT) > 0;
-}
-
 void Hdf5File::create_group(const std::string& name) {
   const Identifier group(H5Gcreate2(file_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
   agree(group >= 0, "cannot create group " + name);
 }
 
-std::vector<std::string> Hdf5File::members(const std::string& group) {
-  std::vector<std::string> names;
-  if (group != "/" && !contains(group)) return names;
-  const Identifier id(H5Gopen2(file_, group.c_str(), H5P_DEFAULT), H5Gclose);
-  H5G_info_t info{};
-  agree(id >= 0 && H5Gget_info(id, &info) >= 0, "cannot list " + group);
-  for (hsize_t i = 0; i < info.nlinks; ++i) {
-    std::vector<char> name(256);
-    (void)H5Lget_name_by_idx(id, ".", H5_INDEX_NAME, H5_ITER_INC, i, name.data(), name.size(), H5P_DEFAULT);
-    names.emplace_back(name.data());
-  }
-  return names;
-}
-
-void Hdf5File::remove(const std::string& name) {
-  agree(H5Ldelete(file_, name.c_str(), H5P_DEFAULT) >= 0, "cannot remove " + name);
+void Hdf5File::link(const std::string& name, const std::string& file, const std::string& object) {
+  const herr_t status = H5Lcreate_external(file.c_str(), object.c_str(), file_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT);
+  agree(status >= 0, "cannot write the link " + name);
 }
 
 void Hdf5File::close() {
@@ -268,6 +244,13 @@ bool commit_file(const std::string& temporary, const std::string& path, const st
   std::filesystem::rename(temporary, path, error);
   const std::string folder = std::filesystem::path(path).parent_path().string();
   return !error && synced(folder.empty() ? "." : folder, O_RDONLY | O_DIRECTORY);
+}
+
+void remove_parts(const std::string& folder) {
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
+    if (entry.path().extension() == ".part" || entry.path().string().find(".part.locktest.") != std::string::npos)
+      std::filesystem::remove(entry.path(), ignored);  // the latter Open MPI's, of the former
 }
 
 void write_text_file(MPI_Comm comm, const std::string& path, const std::string& text) {

@@ -20,7 +20,7 @@ struct Slab {
 /// InputError when reading.
 class Hdf5File {
  public:
-  enum class Mode { create, append, read };
+  enum class Mode { create, read };
 
   Hdf5File(MPI_Comm comm, const std::string& path, Mode mode);
   ~Hdf5File();
@@ -41,13 +41,10 @@ class Hdf5File {
   /// Attributes of an existing object ("/" is the file itself): single finite numbers.
   void set_attribute(const std::string& object, const std::string& name, double value);
   double attribute(const std::string& object, const std::string& name);
-  bool has_attribute(const std::string& object, const std::string& name);
 
-  /// Names in a group, sorted; empty if there is no such group.
-  std::vector<std::string> members(const std::string& group);
-  bool contains(const std::string& name);
   void create_group(const std::string& name);
-  void remove(const std::string& name);
+  /// Makes `name` stand for an object in another file, given by a path from this one's folder.
+  void link(const std::string& name, const std::string& file, const std::string& object);
 
   /// Closes and reports what only closing can tell, such as a full disk.
   void close();
@@ -68,6 +65,9 @@ void make_writable_folder(MPI_Comm comm, const std::string& path);
 /// Puts a file that is complete on disk under another name, so that one of them is there whenever the machine stops;
 /// `keep`, if any, is a further name for what the new one replaces. On rank 0; returns whether it succeeded.
 bool commit_file(const std::string& temporary, const std::string& path, const std::string& keep = "");
+
+/// Removes what killed runs left half written in a folder. On rank 0.
+void remove_parts(const std::string& folder);
 
 /// Writes a text file on rank 0, completely or not at all. Collective. Errors: FileError on all ranks.
 void write_text_file(MPI_Comm comm, const std::string& path, const std::string& text);
