@@ -16,7 +16,7 @@ import unittest
 import h5py
 import numpy as np
 
-from support import PATIENCE, PROGRAM, SOURCE, ProgramTest
+from support import PATIENCE, PROGRAM, SOURCE, ProgramTest, alone
 
 FULL = "full" in sys.argv
 LIBRARY = os.environ["WASHFSI_FAILING_WRITES"]
@@ -25,8 +25,8 @@ SAMPLE = 5  # calls of each kind, in a run and in a restart of it
 NOT_WRITTEN, KILLED = 4, -9
 CASE = ["-options_file", SOURCE / "inputs" / "wash2d.opts", "-grid_cells", "16,16", "-time_cfl", 0, "-time_step", 1e-3,
         "-long_markers", 10, "-long_count", 2, "-short_markers", 5, "-short_count", 1,
-        "-output_interval", 2e-3, "-checkpoint_interval", 2e-3]
-HALF, END = 2e-3, 4e-3  # [s]
+        "-output_interval", 1e-3, "-checkpoint_interval", 1e-3]
+HALF, END = 1e-3, 2e-3  # [s]
 
 
 def frames_of(path):
@@ -70,7 +70,7 @@ class FailingWrites(ProgramTest):
         """Runs the case into a folder, from its checkpoint if it has one, with a fault if any."""
         checkpoints = [out / name for name in ("checkpoint.h5", "checkpoint_before.h5")]
         restart = [word for path in checkpoints if path.exists() for word in ("-restart", path)][:2]
-        environment = dict(os.environ)
+        environment = alone(self.folder)
         if faults:
             environment |= {"LD_PRELOAD": LIBRARY, "FAULT_FOLDER": str(out), **{key: str(faults[key]) for key in faults}}
         return subprocess.run([PROGRAM, *map(str, CASE), "-time_end", str(END), "-output_dir", out, *restart,

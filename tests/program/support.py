@@ -48,6 +48,11 @@ def command(ranks, *options):
             "-n", str(ranks), str(PROGRAM), *map(str, options)]
 
 
+def alone(folder):
+    """Returns the environment of a run without mpirun, which starts sooner; several at once need folders of their own."""
+    return {**os.environ, "OMPI_MCA_ess_singleton_isolated": "1", "TMPDIR": str(folder)}
+
+
 def run(ranks, *options, folder, seconds=120, launcher=()):
     """Runs the program in a folder; its status is 124 when it had to be ended after some seconds."""
     return subprocess.run(["timeout", "--kill-after=10", str(PATIENCE * seconds), *launcher, *command(ranks, *options)],

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/simulation/case.hpp"
 
+#include <optional>
+
+#include "washfsi/support/long_task.hpp"
+
 namespace washfsi {
 
 template <int Dim>
@@ -19,7 +23,9 @@ CaseOptions<Dim> CaseOptions<Dim>::from_options(Options& options) {
 template <int Dim>
 std::unique_ptr<System<Dim>> start_system(MPI_Comm comm, const CaseOptions<Dim>& options,
                                           std::vector<Body<Dim>> bodies) {
+  std::optional<LongTask> task(std::in_place, comm, "setting up the grid and its solvers");
   const auto place = [&](const Model<Dim>& model) {
+    task.emplace(comm, "placing the cloths");
     return place_cloths<Dim>(model.cloths, options.placements, model.bodies, model.grid.lower(), model.grid.upper());
   };
   auto system = std::make_unique<System<Dim>>(comm, options.model, std::move(bodies), place);

@@ -5,11 +5,13 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 
 #include "washfsi/simulation/changed_options.hpp"
 #include "washfsi/simulation/size_check.hpp"
 #include "washfsi/support/errors.hpp"
 #include "washfsi/support/hdf5_file.hpp"
+#include "washfsi/support/long_task.hpp"
 
 namespace washfsi {
 
@@ -40,12 +42,15 @@ Simulation<Dim>::Simulation(Options& options, std::string case_name)
   run_ = RunOptions::from_options(options);
   const auto chosen = CaseOptions<Dim>::from_options(options);
   const GridShape<Dim>& shape = chosen.model.grid.shape;
+  std::optional<LongTask> task(std::in_place, options.comm(), "preparing the bodies");
   std::vector<Body<Dim>> bodies = bodies_from_options<Dim>(options, shape.spacing().minCoeff());
+  task.reset();
   profiles_ = profiles_from_options<Dim>(options, shape.lower, shape.upper);
   if (options.help()) return;
 
   refuse_what_cannot_fit<Dim>(options.comm(), chosen);
   system_ = start_system<Dim>(options.comm(), chosen, std::move(bodies));
+  task.emplace(options.comm(), "preparing the coupling, the measures and the start");
   coupling_ = system_->model.has_fluid ? chosen.coupling.scheme : "to nothing";
   scheme_ = make_coupling_scheme<Dim>(chosen.coupling, *system_);
   body_speeds_ = std::make_unique<BodySpeeds<Dim>>(system_->model);

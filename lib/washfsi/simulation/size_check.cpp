@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/simulation/size_check.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -38,6 +39,20 @@ void refuse_beyond_indices(double numbers, const std::string& what) {
     throw InputError(what + ": " + to_text(numbers) + " unknowns, but this PETSc counts to " + to_text(most));
 }
 
+// Pairs of markers of one cloth whose deltas overlap: what the matrix of mobilities has at least.
+template <int Dim>
+double overlapping_pairs(const ClothGroup<Dim>& group, const DeltaOptions& delta, const Point<Dim>& spacing) {
+  const double reach = (delta.spread_width + delta.interpolate_width) * spacing.minCoeff();
+  double near = 1, markers = static_cast<double>(group.count);
+  for (int d = 0; d < 2; ++d) {
+    const auto count = static_cast<double>(group.markers[d]);
+    const double share = std::min(1.0, reach / group.size[d]);
+    if (count > 1) near *= 1 + (2 - share) * share * (count - 1);  // less beside the edges
+    markers *= count;
+  }
+  return near * markers;
+}
+
 template <int Dim>
 std::string text_of(const Index<Dim>& counts) {
   std::vector<std::string> words;
@@ -57,7 +72,10 @@ void refuse_what_cannot_fit(MPI_Comm comm, const CaseOptions<Dim>& options) {
   const std::string grid = "-grid_cells " + text_of<Dim>(options.model.grid.shape.cells);
   refuse_beyond_indices(Dim * cells, grid);
   refuse_beyond(memory, of_cell * cells, grid);
-  double markers = 0;
+  const bool has_matrix = options.model.medium == Medium::water && options.coupling.scheme == "semi_implicit" &&
+                          options.coupling.mobility == Mobility::matrix;
+  constexpr double of_pair = 60;  // as measured: it, and its part in the matrix that is solved
+  double markers = 0, pairs = 0;
   for (const ClothGroup<Dim>& group : options.model.cloths) {
     const std::string what = "-" + group.name + "_markers " + std::to_string(group.markers[0]) +
                              (Dim == 3 ? "," + std::to_string(group.markers[1]) : "") + " of -" + group.name +
@@ -65,7 +83,8 @@ void refuse_what_cannot_fit(MPI_Comm comm, const CaseOptions<Dim>& options) {
     markers += static_cast<double>(group.markers[0]) * static_cast<double>(group.markers[1]) *
                static_cast<double>(group.count);
     refuse_beyond_indices(Dim * markers, what);
-    refuse_beyond(memory, of_cell * cells + of_marker * markers, what);
+    if (has_matrix) pairs += overlapping_pairs<Dim>(group, options.model.delta, options.model.grid.shape.spacing());
+    refuse_beyond(memory, of_cell * cells + of_marker * markers + of_pair * pairs, what);
   }
 }
 

@@ -2,7 +2,6 @@
 #include "washfsi/support/command_line.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -10,14 +9,11 @@
 
 #include "washfsi/support/collective.hpp"
 #include "washfsi/support/errors.hpp"
+#include "washfsi/support/petsc_options.hpp"
 
 namespace washfsi {
 
 namespace {
-
-bool is_option(const std::string& word) {
-  return word.size() > 1 && word[0] == '-' && (std::isalpha(static_cast<unsigned char>(word[1])) || word[1] == '-');
-}
 
 // Files under way, each with what named it: a file that comes back includes itself.
 using Inclusion = std::vector<std::filesystem::path>;
@@ -31,7 +27,7 @@ void check_line(const std::string& line, const std::string& where, const Inclusi
   std::string option, value, third;
   words >> option >> value >> third;
   if (option.empty() || option[0] == '#') return;
-  if (!is_option(option)) throw InputError(where + "must begin with - and a name (an option) or # (a comment)");
+  if (!is_option_name(option)) throw InputError(where + "must begin with - and a name (an option) or # (a comment)");
   if (!third.empty() && value[0] != '#' && third[0] != '#')
     throw InputError(where + "one option and one value (lists without blanks), not " + option + " " + value + " " +
                      third);
@@ -63,16 +59,16 @@ void check_petsc_resources() {
   std::istringstream words(variable ? variable : "");
   bool after_option = false;
   for (std::string word; words >> word;) {
-    if (!is_option(word) && !after_option)
+    if (!is_option_name(word) && !after_option)
       throw InputError("PETSC_OPTIONS: " + word + " belongs to no option (options begin with -)");
-    after_option = is_option(word);
+    after_option = is_option_name(word);
   }
 }
 
 // PETSc passes over a word that belongs to no option: most often a forgotten dash.
 void check_for_stray_words(int argc, char** argv) {
   for (int i = 1; i < argc; ++i)
-    if (!is_option(argv[i]) && !is_option(argv[i - 1]))
+    if (!is_option_name(argv[i]) && !is_option_name(argv[i - 1]))
       throw InputError(std::string(argv[i]) + ": this word belongs to no option (options begin with -)");
 }
 
@@ -81,7 +77,7 @@ void check_all(int argc, char** argv) {
   check_petsc_resources();
   for (int i = 1; i < argc; ++i) {
     if (std::string(argv[i]) != "-options_file") continue;
-    if (i + 1 == argc || is_option(argv[i + 1])) throw InputError("-options_file: the name of a file is missing");
+    if (i + 1 == argc || is_option_name(argv[i + 1])) throw InputError("-options_file: the name of a file is missing");
     check_file(argv[i + 1], std::string("-options_file ") + argv[i + 1], {});
   }
 }

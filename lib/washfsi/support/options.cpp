@@ -148,8 +148,7 @@ std::map<std::string, std::string> Options::database() {
   std::istringstream words(text);
   std::string key;
   for (std::string word; words >> word;) {
-    const bool is_key = word.size() > 1 && word[0] == '-' && std::isalpha(static_cast<unsigned char>(word[1]));
-    if (is_key)
+    if (is_option_name(word))
       entries[key = word.substr(1)];
     else if (!key.empty())
       entries[key] += (entries[key].empty() ? "" : " ") + word;

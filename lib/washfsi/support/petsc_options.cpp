@@ -3,9 +3,19 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <cstdlib>
 #include <string_view>
 
 namespace washfsi {
+
+bool is_option_name(const std::string& word) {
+  const std::string name = word.starts_with("--") ? word.substr(1) : word;
+  if (name.size() < 2 || name[0] != '-' || !std::isalpha(static_cast<unsigned char>(name[1]))) return false;
+  char* end = nullptr;
+  (void)std::strtod(name.c_str(), &end);  // -inf is a value
+  return end == name.c_str() || *end == '_' || std::isalnum(static_cast<unsigned char>(*end));
+}
 
 bool belongs_to_petsc(const std::string& name) {
   static constexpr std::array<std::string_view, 40> starts{

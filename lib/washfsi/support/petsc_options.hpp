@@ -7,6 +7,9 @@
 
 namespace washfsi {
 
+/// Whether a word is the name of an option by PETSc's rule: a dash or two and a letter, and no number such as -inf.
+bool is_option_name(const std::string& word);
+
 /// Whether PETSc itself reads an option, or a solver of ours that it sets up.
 bool is_for_petsc(const std::string& name);
 /// Options that PETSc itself reads, some of them only when it finalizes.

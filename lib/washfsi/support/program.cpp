@@ -62,11 +62,12 @@ void tell(const char* name, const std::string& text, bool on_all) {
 [[noreturn]] void end_for_petsc(const char* name, const petsc::ErrorTrace& trace) {
   PetscBool initialized = PETSC_FALSE;
   (void)PetscInitialized(&initialized);
-  const std::string options = initialized ? options_behind(trace.message()) : "";
+  const std::string options = options_behind(trace.message());
   const bool out_of_memory = trace.code() == PETSC_ERR_MEM;
-  if (may_be_the_user(trace.code()) && (!options.empty() || out_of_memory)) {
+  if (!initialized || (may_be_the_user(trace.code()) && (!options.empty() || out_of_memory))) {
     const bool together = all_come();
-    tell(name, (options.empty() ? "out of memory" : options) + ": " + trace.message(), !together);
+    const char* otherwise = initialized ? "out of memory" : "options for PETSc";
+    tell(name, (options.empty() ? otherwise : options) + ": " + trace.message(), !together);
     std::_Exit(2);
   }
   tell(name,
@@ -78,13 +79,13 @@ void tell(const char* name, const std::string& text, bool on_all) {
   std::_Exit(1);
 }
 
-// PETSc writes reports such as -log_view at its end.
-int finalize(const char* name, const petsc::ErrorTrace& trace) {
+// PETSc writes reports such as -log_view at its end. After an error that was told, another would only distract.
+int finalize(const char* name, const petsc::ErrorTrace& trace, bool failed) {
   PetscBool initialized = PETSC_FALSE;
   (void)PetscInitialized(&initialized);
   if (!initialized) return 0;
   const std::string reports = options_behind("");
-  if (PetscFinalize() == 0) return 0;
+  if (PetscFinalize() == 0 || failed) return 0;
   tell(name, "at the end: " + trace.message() + (reports.empty() ? "" : " (" + reports + ")"), false);
   leave(2);
 }
@@ -116,7 +117,7 @@ int run_program(const char* name, const std::function<void()>& body) {
     std::fprintf(stderr, "%s: rank %d: %s\n", name, rank_of(MPI_COMM_WORLD), error.what());
     MPI_Abort(MPI_COMM_WORLD, 1);
   }
-  status = std::max(status, finalize(name, trace));
+  status = std::max(status, finalize(name, trace, status != 0));
   MPI_Finalize();
   return status;
 }
