@@ -6,11 +6,14 @@ leaves what an undisturbed run leaves, to the bit.
     failing_writes_test.py full    all of them
 """
 
+import concurrent.futures
 import json
 import os
+import pathlib
 import shutil
 import subprocess
 import sys
+import tempfile
 import unittest
 
 import h5py
@@ -70,12 +73,12 @@ class FailingWrites(ProgramTest):
         """Runs the case into a folder, from its checkpoint if it has one, with a fault if any."""
         checkpoints = [out / name for name in ("checkpoint.h5", "checkpoint_before.h5")]
         restart = [word for path in checkpoints if path.exists() for word in ("-restart", path)][:2]
-        environment = alone(self.folder)
+        environment = alone(out.parent)
         if faults:
             environment |= {"LD_PRELOAD": LIBRARY, "FAULT_FOLDER": str(out), **{key: str(faults[key]) for key in faults}}
         return subprocess.run([PROGRAM, *map(str, CASE), "-time_end", str(END), "-output_dir", out, *restart,
                                *map(str, options)],
-                              cwd=self.folder, env=environment, capture_output=True, text=True, timeout=60 * PATIENCE,
+                              cwd=out.parent, env=environment, capture_output=True, text=True, timeout=60 * PATIENCE,
                               check=False)
 
     def assert_well(self, outcome):
@@ -101,20 +104,20 @@ class FailingWrites(ProgramTest):
 
     def assert_recovers(self, start, kind, call):
         """Runs with a fault, finishes the run without, and compares; `start` is the folder to begin from, if any."""
-        out = self.folder / "out"
-        shutil.rmtree(out, ignore_errors=True)
-        if start:
-            shutil.copytree(start, out)
-        outcome = self.run_in(out, FAULT_KIND=kind, FAULT_AT=call)
-        if kind in ("kill", "torn"):
-            self.assertEqual(outcome.returncode, KILLED, outcome.stderr)
-        else:
-            self.assertIn(outcome.returncode, (0, NOT_WRITTEN), outcome.stderr)
-            lines = [line for line in outcome.stderr.splitlines() if "mca_" not in line]  # Open MPI's own
-            self.assertEqual(len(lines), int(outcome.returncode != 0), outcome.stderr)
-        if (summary_of(out) or {}).get("status") != "finished":
-            self.assert_well(self.run_in(out))
-        self.assert_as_expected(out)
+        with tempfile.TemporaryDirectory(dir=self.folder) as folder:
+            out = pathlib.Path(folder) / "out"
+            if start:
+                shutil.copytree(start, out)
+            outcome = self.run_in(out, FAULT_KIND=kind, FAULT_AT=call)
+            if kind in ("kill", "torn"):
+                self.assertEqual(outcome.returncode, KILLED, outcome.stderr)
+            else:
+                self.assertIn(outcome.returncode, (0, NOT_WRITTEN), outcome.stderr)
+                lines = [line for line in outcome.stderr.splitlines() if "mca_" not in line]  # Open MPI's own
+                self.assertEqual(len(lines), int(outcome.returncode != 0), outcome.stderr)
+            if (summary_of(out) or {}).get("status") != "finished":
+                self.assert_well(self.run_in(out))
+            self.assert_as_expected(out)
 
     def number_of_calls(self, start):
         """Returns how many calls of a run change its folder."""
@@ -129,12 +132,15 @@ class FailingWrites(ProgramTest):
         """Tries all calls of a run, or some of them spread over it, with all kinds of faults."""
         calls = self.number_of_calls(start)
         self.assertGreater(calls, 100)
-        for place, kind in enumerate(KINDS):
-            step = 1 if FULL else calls // SAMPLE
-            for call in range(1 if FULL else 1 + place * step // len(KINDS), calls + 1, step):
+        step = 1 if FULL else calls // SAMPLE
+        tries = [(kind, call) for place, kind in enumerate(KINDS)
+                 for call in range(1 if FULL else 1 + place * step // len(KINDS), calls + 1, step)]
+        with concurrent.futures.ThreadPoolExecutor(2) as workers:  # a run waits for the disk most of its time
+            jobs = {one: workers.submit(self.assert_recovers, start, *one) for one in tries}
+            for (kind, call), job in jobs.items():
                 with self.subTest(kind=kind, call=call, calls=calls):
-                    self.assert_recovers(start, kind, call)
-        print(f"{calls} calls of a {'restart' if start else 'run'}, every {step}, {len(KINDS)} kinds of faults", flush=True)
+                    job.result()
+        print(f"{calls} calls of a {'restart' if start else 'run'}, {len(tries)} faults", flush=True)
 
     def test_a_run(self):
         self.assert_recovers_from_all(None)

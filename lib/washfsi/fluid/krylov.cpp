@@ -8,9 +8,6 @@
 
 namespace washfsi {
 
-namespace {
-
-// What the user said of a solver, as he would type it.
 std::string options_with_prefix(const std::string& prefix) {
   std::string text;
   for (const auto& [name, value] : Options::database())
@@ -18,7 +15,6 @@ std::string options_with_prefix(const std::string& prefix) {
   return text;
 }
 
-// Numbers that PETSc takes without a look and dies of.
 void refuse_deadly_options(const std::string& prefix) {
   static constexpr Range restart{1, 1000, false, "a whole number from 1 to 1000"};
   static constexpr Range levels{1, 30, false, "a whole number from 1 to 30"};
@@ -29,8 +25,6 @@ void refuse_deadly_options(const std::string& prefix) {
     if (*end != '\0' || !range.contains(number)) throw InputError(name + " " + value + ": must be " + range.text);
   }
 }
-
-}  // namespace
 
 bool set_up_from_options(KSP solver) {
   const char* prefix = nullptr;

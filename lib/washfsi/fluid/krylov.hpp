@@ -7,6 +7,12 @@
 
 namespace washfsi {
 
+/// Refuses numbers in a solver's options that PETSc takes without a look and dies of. Errors: InputError.
+void refuse_deadly_options(const std::string& prefix);
+
+/// What the user said of a solver, as he would type it.
+std::string options_with_prefix(const std::string& prefix);
+
 /// Reads the solver's options and sets it up, so that a wrong setting is met before the first step.
 /// Returns whether the user fixed the absolute tolerance himself. Collective. Errors: InputError.
 bool set_up_from_options(KSP solver);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "washfsi/fluid/krylov.hpp"
 #include "washfsi/scheme/marker_vectors.hpp"
 #include "washfsi/support/collective.hpp"
 #include "washfsi/support/errors.hpp"
@@ -23,12 +24,14 @@ ClothSolver<Dim>::ClothSolver(const Forces<Dim>& forces, const Points<Dim>& posi
   if (plan_.searches_descent) search_.attach(solver_, matrix_);
   if (plan_.uses_product) WASH_PETSC(SNESSetConvergenceTest(solver_, &ClothSolver::test_convergence, this, nullptr));
   WASH_PETSC(SNESSetTolerances(solver_, 0, 1e-10, defaults.approximate ? 1e-7 : 1e-10, 60, 10000));
+  refuse_deadly_options("cloth_");
   const petsc::MutedErrors muted;
   try {
     WASH_PETSC(SNESSetFromOptions(solver_));
     if (plan_.solves_linearly) set_up_linear_solver(positions);
   } catch (const petsc::Error&) {
-    throw InputError("-cloth_...: the solver of the cloth cannot be set up with this (" + muted.message() + ")");
+    throw InputError(options_with_prefix("cloth_") + ": the solver of the cloth cannot be set up with this (" +
+                     muted.message() + ")");
   }
   create_matrix_free_jacobian();
   const Mat jacobian = matrix_free_ ? matrix_free_ : matrix_;
