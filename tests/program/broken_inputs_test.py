@@ -160,6 +160,9 @@ def tetrahedron(ascii_form):
         struct.pack("<12fH", 0, 0, 0, *facet.ravel(), 0) for facet in facets)
 
 
+MOTION = "\n".join(["# time, x, y, angle", *(f"{0.001 * n},{1e-5 * n},0,{0.01 * n}" for n in range(9)), ""]).encode()
+
+
 class Tries:
     """The inputs to break, and how to run with them. Each try has a folder of its own."""
 
@@ -171,6 +174,10 @@ class Tries:
                 self.inputs[path.stem] = (path, self.resolved(path))
         self.wash = ["-options_file", SOURCE / "inputs" / "wash2d.opts", "-grid_cells", "16,16", "-long_markers", 10,
                      "-long_count", 2, "-short_markers", 5, "-short_count", 1, "-time_cfl", 0, "-time_step", 1e-3]
+        (root / "motion.csv").write_bytes(MOTION)
+        self.must_run("motion", *self.wash, "-drum_motion_file", root / "motion.csv", "-max_steps", 1, "-output_dir", "out")
+        (root / "ball.stl").write_bytes(tetrahedron(True))
+        self.must_run("stl", *self.ball(root / "ball.stl"))
         self.must_run("checkpoint", *self.wash, "-max_steps", 2, "-output_dir", "out")
         self.checkpoint = (root / "checkpoint" / "out" / "checkpoint.h5").read_bytes()
         self.must_run("straight", *self.wash, "-max_steps", 3, "-output_dir", "out")
@@ -197,7 +204,7 @@ class Tries:
 
     def options(self, draw, folder):
         """Breaks a file of options."""
-        stem = draw.choice(sorted(self.inputs) if FULL else sorted(SAMPLE))
+        stem = draw.choice(sorted(self.inputs))
         path = draw.choice(self.inputs[stem])
         lines = path.read_text().splitlines()
         for _ in range(draw.choice([1, 1, 1, 2, 4])):
@@ -212,14 +219,18 @@ class Tries:
         """Breaks an STL file."""
         content = tetrahedron(draw.random() < 0.5)
         (folder / "broken.stl").write_bytes(break_bytes(draw, content))
+        return self.ball("broken.stl")
+
+    @staticmethod
+    def ball(path):
+        """Returns the options of a body from an STL file."""
         return ["-grid_cells", "8,8,8", "-grid_lower", "-1,-1,-1", "-grid_upper", "1,1,1", "-fluid_viscosity", 0.05,
-                "-fluid_density", 1, "-bodies", "ball", "-ball_shape", "stl", "-ball_file", "broken.stl", "-time_step", 0.02,
+                "-fluid_density", 1, "-bodies", "ball", "-ball_shape", "stl", "-ball_file", path, "-time_step", 0.02,
                 "-time_end", 1, "-max_steps", 1, "-output_dir", "out"]
 
     def motion(self, draw, folder):
         """Breaks the table of a motion."""
-        rows = [f"{0.001 * n},{0.001 * n},0,{0.01 * n}" for n in range(9)]
-        content = "\n".join(["time,x,y,angle", *rows, ""]).encode()
+        content = MOTION
         for _ in range(draw.choice([1, 2])):
             if draw.random() < 0.5:
                 lines = content.decode("utf-8", "replace").split("\n")
@@ -229,7 +240,7 @@ class Tries:
             else:
                 content = break_bytes(draw, content)
         (folder / "broken.csv").write_bytes(content)
-        return [*self.wash, "-agitator_motion_file", "broken.csv", "-max_steps", 1, "-output_dir", "out"]
+        return [*self.wash, "-drum_motion_file", "broken.csv", "-max_steps", 1, "-output_dir", "out"]
 
     def checkpoints(self, draw, folder):
         """Breaks a checkpoint."""
