@@ -10,7 +10,8 @@
 namespace washfsi::test {
 namespace {
 
-std::vector<ClothGroup<2>> two_groups(ElasticModel model, bool closed = false) {
+std::vector<ClothGroup<2>> two_groups(ElasticModel model, bool closed = false,
+                                      MarkerLattice lattice = MarkerLattice::centred) {
   ClothGroup<2> large, small;
   large.name = "large";
   large.count = 2;
@@ -22,6 +23,7 @@ std::vector<ClothGroup<2>> two_groups(ElasticModel model, bool closed = false) {
   large.sheet =
       small.sheet = {.ds = 0.1, .fabric = LinearFabric({.ke_s = 50, .kb_s = 0.02}), .damping = 0.1, .thickness = 1e-3};
   large.sheet.closed = closed;
+  large.sheet.lattice = small.sheet.lattice = lattice;
   large.hold = Hold::middle;
   small.hold = Hold::edge;
   large.hold_stiffness = small.hold_stiffness = 300;
@@ -97,7 +99,7 @@ TEST(Cloths, StiffnessIsTheJacobianOfTheForces) {
 }
 
 // One large sheet, cut wherever the ranks' shares end, and small ones.
-std::vector<ClothGroup<3>> sheets(ElasticModel model) {
+std::vector<ClothGroup<3>> sheets(ElasticModel model, MarkerLattice lattice = MarkerLattice::centred) {
   ClothGroup<3> large, small;
   large.name = "large";
   large.markers = {9, 7};
@@ -112,7 +114,8 @@ std::vector<ClothGroup<3>> sheets(ElasticModel model) {
                     .dr = 0.1,
                     .fabric = LinearFabric(moduli),
                     .damping = 0.1,
-                    .thickness = 1e-3};
+                    .thickness = 1e-3,
+                    .lattice = lattice};
     group->hold_stiffness = 300;
   }
   large.hold = Hold::corners;
@@ -133,6 +136,13 @@ Points<3> crumpled(const Cloths<3>& cloths) {
 TEST(Cloths, SheetsDoNotDependOnTheDistribution) {
   for (const ElasticModel model : {ElasticModel::energy, ElasticModel::love})
     expect_same_as_undistributed<3>(sheets(model), crumpled(Cloths<3>(PETSC_COMM_SELF, sheets(model))));
+}
+
+TEST(Cloths, NodalLatticesDoNotDependOnTheDistribution) {
+  expect_same_as_undistributed<2>(two_groups(ElasticModel::energy, false, MarkerLattice::nodal),
+                                  crumpled_fibre<2>(34, 0.1, 11));
+  const std::vector<ClothGroup<3>> groups = sheets(ElasticModel::energy, MarkerLattice::nodal);
+  expect_same_as_undistributed<3>(groups, crumpled(Cloths<3>(PETSC_COMM_SELF, groups)));
 }
 
 // The product of the matrix with random velocities against differences of the forces.

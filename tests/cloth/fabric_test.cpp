@@ -34,7 +34,7 @@ Points<3> strained(std::size_t rows, std::size_t width, double e11, double e22) 
 double expect_stiffness_below_bound(const Fabric& fabric, std::size_t rows, std::size_t width, double strain) {
   const Sheet sheet = sheet_of(fabric, width);
   const Eigen::MatrixXd matrix =
-      stiffness_of<3>(sheet, strained(rows, width, strain, strain), GeometricStiffness::all) / sheet.marker_area();
+      stiffness_of<3>(sheet, strained(rows, width, strain, strain), GeometricStiffness::all) / sheet.part_area();
   const double largest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix).eigenvalues().maxCoeff();
   EXPECT_LE(largest, 4 * largest_stiffness(sheet));
   return largest / (4 * largest_stiffness(sheet));

@@ -159,6 +159,30 @@ TEST(Placement, StartsSheetsUnstretched) {
   }
 }
 
+// The edges of a cloth are where they are whatever its markers.
+TEST(Placement, LaysCornersOfNodalLatticesOnTheEdges) {
+  ClothGroup<3> cloth = towels(1);
+  cloth.sheet.lattice = MarkerLattice::nodal;
+  const Cloths<3> cloths(PETSC_COMM_WORLD, {cloth});
+  const Points<3> places =
+      place_cloths<3>(cloths, {in_the_tub(PlacementRule::line, 0.1)}, {}, floor_corner, lid_corner);
+  for (const std::size_t k : {0U, 4U, 25U, 29U})
+    EXPECT_LE((places[k] - Point<3>(k < 25 ? -0.075 : 0.075, k % 5 == 0 ? -0.06 : 0.06, 0.1)).norm(), 1e-16) << k;
+}
+
+TEST(Placement, RefiningANodalFibreKeepsItsNodes) {
+  const auto places_of = [](PetscInt markers) {
+    ClothGroup<2> fibre = group("towel", 1, 0.3, markers);
+    fibre.sheet.lattice = MarkerLattice::nodal;
+    fibre.shape = ClothShape::mode;
+    PlacementOptions<2> options = placed(PlacementRule::line);
+    options.direction = {1, 2};
+    return place_cloths<2>(Cloths<2>(PETSC_COMM_WORLD, {fibre}), {options}, {}, lower, upper);
+  };
+  const Points<2> coarse = places_of(9), fine = places_of(17);
+  for (std::size_t k = 0; k < 9; ++k) EXPECT_LE((coarse[k] - fine[2 * k]).norm(), 1e-16) << k;
+}
+
 TEST(RadialPlacement, StandsFinsRoundThePost) {
   const Cloths<3> cloths(PETSC_COMM_WORLD, {towels(8)});
   PlacementOptions<3> options = in_the_tub(PlacementRule::radial, 0.1);

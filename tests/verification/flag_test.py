@@ -3,8 +3,9 @@
 
 In the plane Huang, Shin and Sung (2007) and de Tullio and Pascazio (2016), in space Huang and Sung (2010) and Lee and Choi.
 Prints the tables of docs/verification/flag.md. Arguments, by default 512 (h = L/64): cells a side of the box of 8 L, and, after
-a colon, markers on L; or 3d. The free end lies half a spacing beyond the last marker, in space it is the middle of the trailing
-edge. Fails where frequency, swing, drag or one of the first ten extrema is farther off than the bounds say.
+a colon, markers on L; or 3d. Then, after a colon, nodal for the lattice whose first and last marker lie at the ends of L, by
+default a cell apart: 512:nodal, 512:77:nodal. On the centred one the free end lies half a spacing beyond the last marker; in space
+it is the middle of the trailing edge. Fails where frequency, swing, drag or one of the first ten extrema is farther off than the bounds say.
 """
 
 import json
@@ -52,13 +53,25 @@ PLANE = Flag(2, "flag.opts", "plane.csv", 0.310, 0.68, 0.72, 1.61, 18,
 SPACE = Flag(3, "flag3d.opts", "space.csv", 0.263, 0.765, 0.55, 0.84, 8, {32: Bounds(0.03, 0.08, 0.10)})
 
 
-def plane_options(cells, markers):
-    """The size keeps the hinge, the first marker, and the free end 1 L apart."""
-    size = markers / (markers - 0.5)
-    middle = 0.5 * size * (1 - 1 / markers)
-    direction = np.cos(0.1 * np.pi), np.sin(0.1 * np.pi)
-    return ["-grid_cells", f"{cells},{cells}", "-flag_markers", markers, "-flag_size", size,
-            "-flag_center", f"{middle * direction[0]},{middle * direction[1]}"]
+def start(lattice, size):
+    """The hinge, the first row of markers, is at the origin and the free end 1 L from it."""
+    middle = 0.5 if lattice == "nodal" else 1 - 0.5 * size
+    return ["-flag_lattice", lattice, "-flag_size", size], (middle * np.cos(0.1 * np.pi), middle * np.sin(0.1 * np.pi))
+
+
+def plane_options(cells, lattice, markers):
+    """So many cells a side of the box."""
+    markers = int(markers or cells // 8 + (lattice == "nodal"))
+    options, middle = start(lattice, 1 if lattice == "nodal" else markers / (markers - 0.5))
+    return ["-grid_cells", f"{cells},{cells}", "-flag_markers", markers, *options, "-flag_center", "{},{}".format(*middle)]
+
+
+def space_options(lattice):
+    """The input has the centred lattice."""
+    if lattice == "centred":
+        return []
+    options, middle = start(lattice, 1)
+    return ["-flag_markers", "33,33", *options, "-flag_center", "{},0,{}".format(*middle)]
 
 
 def extrema(time, height):
@@ -69,13 +82,14 @@ def extrema(time, height):
     return time[at] + off * (time[at + 1] - time[at]), here - 0.25 * (before - after) * off
 
 
-def free_end(flag, folder):
+def free_end(flag, lattice, folder):
     """Times, and heights of the free end."""
     time, markers = read_markers(folder, flag.dimension)
     across = 1 if flag.dimension == 2 else round(np.sqrt(markers.shape[1]))
     rows = markers.reshape(len(time), -1, across, flag.dimension)
     middle = rows[:, :, [(across - 1) // 2, across // 2]].mean(axis=2)
-    return time, (1.5 * middle[:, -1] - 0.5 * middle[:, -2])[:, -1]
+    overhang = 0 if lattice == "nodal" else 0.5
+    return time, ((1 + overhang) * middle[:, -1] - overhang * middle[:, -2])[:, -1]
 
 
 def late(flag, times, heights, history):
@@ -87,11 +101,11 @@ def late(flag, times, heights, history):
             np.abs(force[1]).max())
 
 
-def evaluate(flag, cells_on_length, folder):
+def evaluate(flag, cells_on_length, lattice, folder):
     """What a row of the table says of a run, and whether it is within the bounds."""
     history = read_columns(Path(folder) / "history.csv")
     wall = json.loads((Path(folder) / "summary.json").read_text(encoding="utf-8"))["wall_seconds"]
-    times, heights = extrema(*free_end(flag, folder))
+    times, heights = extrema(*free_end(flag, lattice, folder))
     frequency, swing, drag, lift = late(flag, times, heights, history)
     expected_times, expected_heights = flag.expected_extrema()
     count = min(EXTREMA, len(times))
@@ -107,14 +121,16 @@ def evaluate(flag, cells_on_length, folder):
 
 def run(word):
     """Prints the row of one argument; returns whether it is within the bounds."""
-    cells, _, markers = word.partition(":")
-    flag = SPACE if word == "3d" else PLANE
-    cells_on_length = 32 if word == "3d" else 64 if int(cells) >= 512 else 32
-    options = [] if word == "3d" else plane_options(int(cells), int(markers or int(cells) // 8))
+    cells, *rest = word.split(":")
+    lattice = "nodal" if "nodal" in rest else "centred"
+    markers = rest[0] if rest and rest[0] != "nodal" else None
+    flag = SPACE if cells == "3d" else PLANE
+    cells_on_length = 32 if flag is SPACE or int(cells) < 512 else 64
+    options = space_options(lattice) if flag is SPACE else plane_options(int(cells), lattice, markers)
     with tempfile.TemporaryDirectory(prefix="washfsi_") as folder:
         subprocess.run(command(RANKS, "-options_file", SOURCE / "inputs" / flag.input, *options, "-output_interval",
                                0.05, "-output_dir", folder), check=True, stdout=subprocess.DEVNULL)
-        figures, passed = evaluate(flag, cells_on_length, folder)
+        figures, passed = evaluate(flag, cells_on_length, lattice, folder)
     print_record(word, *figures, arguments=[word])
     return passed
 
@@ -124,7 +140,7 @@ def main():
     print_record_head("cells : markers", "step [L/U]", "f L/U", "peak to peak/L", "C_D", "C_L", "extrema off by [L], [L/U]",
                       "slip", "largest stretch", "wall [s]")
     for flag in (PLANE, SPACE):
-        if any((word == "3d") == (flag is SPACE) for word in words):
+        if any(word.startswith("3d") == (flag is SPACE) for word in words):
             print_row("reference", "", flag.frequency, flag.swing, flag.drag, flag.lift, *[""] * 6)
     return 0 if all([run(word) for word in words]) else 1
 

@@ -72,11 +72,13 @@ template <int Dim>
 void Cloths<Dim>::find_markers() {
   for (const Patch& patch : patches_) {
     const ClothGroup<Dim>& group = group_of(patch);
-    const double area = group.sheet.marker_area();
-    const std::size_t count = patch.own_end - patch.own_begin;
-    piece_of_marker_.insert(piece_of_marker_.end(), count, patch.piece);
-    marker_areas_.insert(marker_areas_.end(), count, area);
-    marker_masses_.insert(marker_masses_.end(), count, group.excess_mass * area);
+    for (std::size_t i = patch.own_begin; i < patch.own_end; ++i) {
+      const double share = group.marker_share(patch.markers[i] - pieces_[patch.piece].first);
+      piece_of_marker_.push_back(patch.piece);
+      marker_shares_.push_back(share);
+      marker_areas_.push_back(share * group.sheet.part_area());
+      marker_masses_.push_back(group.excess_mass * marker_areas_.back());
+    }
   }
 }
 

@@ -61,6 +61,8 @@ class Cloths {
   Points<Dim> of_all_ranks(const Points<Dim>& values) const;
   /// Undeformed area that each of this rank's markers stands for [m2; m in the plane].
   const std::vector<double>& marker_areas() const { return marker_areas_; }
+  /// That area over the one of a marker inside its cloth: below 1 on the edges of a nodal lattice.
+  const std::vector<double>& marker_shares() const { return marker_shares_; }
   /// Excess mass of each of this rank's markers [kg; per unit depth in the plane].
   const std::vector<double>& marker_masses() const { return marker_masses_; }
 
@@ -102,7 +104,7 @@ class Cloths {
   std::vector<Piece> pieces_;
   std::vector<Patch> patches_;
   std::vector<std::size_t> piece_of_marker_;
-  std::vector<double> marker_areas_, marker_masses_;
+  std::vector<double> marker_shares_, marker_areas_, marker_masses_;
   PetscInt total_ = 0, begin_ = 0, end_ = 0;
   std::size_t halo_count_ = 0;
   PointType<Dim> point_type_;

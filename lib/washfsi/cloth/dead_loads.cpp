@@ -5,10 +5,21 @@ namespace washfsi {
 
 namespace {
 
-// A force at the very edge, half a spacing beyond the first or last row: the share of the row so many places from
+// A force at the very edge, a spacing's overhang beyond the first or last row: the share of the row so many places from
 // there, with the right force and torque.
-double end_force_share(PetscInt from_end) {
-  return from_end == 0 ? 1.5 : from_end == 1 ? -0.5 : 0;
+double end_force_share(const MarkerRow& row, PetscInt from_end) {
+  return from_end == 0 ? 1 + row.overhang() : from_end == 1 ? -row.overhang() : 0;
+}
+
+// On a marker of a cloth.
+template <int Dim>
+Point<Dim> load_on(const ClothGroup<Dim>& group, PetscInt marker) {
+  const PetscInt row = marker / group.markers[1], rows = group.markers[0];
+  const MarkerRow along = group.row(0), across = group.row(1);
+  const double area = group.marker_share(marker) * group.sheet.part_area();
+  const double of_row = across.share(static_cast<std::size_t>(marker % group.markers[1])) / across.parts();
+  return area * group.load + of_row * end_force_share(along, row) * group.end_force_first +
+         of_row * end_force_share(along, rows - 1 - row) * group.end_force_last;
 }
 
 }  // namespace
@@ -17,13 +28,9 @@ template <int Dim>
 DeadLoads<Dim>::DeadLoads(const Cloths<Dim>& cloths, const Point<Dim>& gravity) {
   for (const Patch& patch : cloths.patches()) {
     const ClothGroup<Dim>& group = cloths.group_of(patch);
-    const double area = group.sheet.marker_area(), of_row = 1 / static_cast<double>(group.sheet.width);
     for (std::size_t i = patch.own_begin; i < patch.own_end; ++i) {
-      const PetscInt along = patch.markers[i] - cloths.pieces()[patch.piece].first;
-      const PetscInt row = along / static_cast<PetscInt>(group.sheet.width), rows = group.markers[0];
-      const Point<Dim> load = area * group.load + of_row * end_force_share(row) * group.end_force_first +
-                              of_row * end_force_share(rows - 1 - row) * group.end_force_last;
-      loads_.push_back(group.excess_mass * area * gravity + load);
+      const double mass = cloths.marker_masses()[loads_.size()];
+      loads_.push_back(mass * gravity + load_on(group, patch.markers[i] - cloths.pieces()[patch.piece].first));
     }
   }
 }

@@ -50,13 +50,17 @@ void HoldingSprings<Dim>::add_cancelling_size(const Points<Dim>& positions, std:
   for (const Spring& spring : springs_) sizes[spring.marker] += spring.stiffness * positions[spring.marker].norm();
 }
 
-// All markers of a cloth that is held may take part in the oscillation of those that are.
+// All markers of a cloth that is held may take part in the oscillation of those that are, of which the smallest counts.
 template <int Dim>
 void HoldingSprings<Dim>::add_bound(std::span<StiffnessBound> bounds) const {
-  for (std::size_t m = 0; m < bounds.size(); ++m) {
-    const ClothGroup<Dim>& group = cloths_.group_of(m);
-    if (!group.held_markers().empty()) bounds[m].stiffness += 0.25 * group.hold_stiffness / group.sheet.marker_area();
+  std::vector<double> of_groups;
+  for (const ClothGroup<Dim>& group : cloths_.groups()) {
+    double least_share = 1;
+    const std::vector<PetscInt> held = group.held_markers();
+    for (const PetscInt marker : held) least_share = std::min(least_share, group.marker_share(marker));
+    of_groups.push_back(held.empty() ? 0 : 0.25 * group.hold_stiffness / (least_share * group.sheet.part_area()));
   }
+  for (std::size_t m = 0; m < bounds.size(); ++m) bounds[m].stiffness += of_groups[cloths_.group_number(m)];
 }
 
 template class HoldingSprings<2>;

@@ -28,6 +28,11 @@ const ChoiceNames<ClothShape>& names_of(ClothShape) {
   return names;
 }
 
+const ChoiceNames<MarkerLattice>& names_of(MarkerLattice) {
+  static const ChoiceNames<MarkerLattice> names{{"centred", MarkerLattice::centred}, {"nodal", MarkerLattice::nodal}};
+  return names;
+}
+
 const ChoiceNames<ElasticModel>& names_of(ElasticModel) {
   static const ChoiceNames<ElasticModel> names{{"energy", ElasticModel::energy}, {"love", ElasticModel::love}};
   return names;
@@ -47,6 +52,8 @@ void check_closed(const ClothGroup<Dim>& group) {
            "a closed cloth (-..._shape ellipse) needs at least 4");
   if (group.model == ElasticModel::love)
     refuse(group, "model love", "not for a closed cloth (-..._shape ellipse); use energy");
+  if (group.sheet.lattice == MarkerLattice::nodal)
+    refuse(group, "lattice nodal", "a closed cloth (-..._shape ellipse) has no edges; use centred");
   for (const Point<Dim>& force : {group.end_force_first, group.end_force_last})
     if (force != Point<Dim>::Zero()) refuse(group, "end_force_...", "a closed cloth (-..._shape ellipse) has no ends");
 }
@@ -57,6 +64,8 @@ void check_love(const ClothGroup<Dim>& group) {
   if (!linear) refuse(group, "model love", "is for linear fabric only (-..._fabric linear); use energy");
   if (Dim == 3 && !linear->is_isotropic())
     refuse(group, "model love", "is for isotropic cloth only (one value in -..._ke and -..._kb); use energy");
+  if (group.sheet.lattice == MarkerLattice::nodal)
+    refuse(group, "model love", "is for the centred lattice only (-..._lattice centred); use energy");
   if (Dim == 3 && (group.markers[0] < 3 || group.markers[1] < 3))
     refuse(group, "model love", "needs at least 3,3 markers; use energy");
 }
@@ -66,8 +75,9 @@ void read_lattice(OptionBlock& block, ClothGroup<Dim>& group) {
   constexpr std::size_t directions = Dim - 1;
   WarpWeft markers{static_cast<double>(group.markers[0]), static_cast<double>(group.markers[1])};
   read_warp_weft(block, "markers", markers, directions, "-", any_number, "markers of a cloth");
-  read_warp_weft(block, "size", group.size, directions, "m", positive,
-                 "physical length of a cloth, markers times spacing,");
+  read_warp_weft(block, "size", group.size, directions, "m", positive, "physical length of a cloth,");
+  block.choice("lattice", group.sheet.lattice,
+               "of the markers: centred, each in the middle of an equal part; or nodal, the outermost on the edges");
   for (std::size_t d = 0; d < directions; ++d) {
     const double fewest = d == 0 ? 2 : 1;
     if (markers[d] != std::floor(markers[d]) || markers[d] < fewest || markers[d] > 1e6)
@@ -130,8 +140,8 @@ ClothGroup<Dim> ClothGroup<Dim>::from_options(Options& options, const std::strin
       "cloths_");
   sheet.fabric = fabric_from_options(options, name, Dim - 1);
   sheet.width = static_cast<std::size_t>(group.markers[1]);
-  sheet.ds = group.size[0] / static_cast<double>(group.markers[0]);
-  sheet.dr = group.size[1] / static_cast<double>(group.markers[1]);
+  sheet.ds = group.size[0] / group.row(0).parts();
+  sheet.dr = group.size[1] / group.row(1).parts();
   sheet.closed = group.shape == ClothShape::ellipse;
   if (group.hold_stiffness == 0) group.hold_stiffness = largest_moduli_of(sheet.fabric).s * sheet.dr / sheet.ds;
   if (sheet.closed) check_closed(group);

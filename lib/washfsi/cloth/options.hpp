@@ -30,7 +30,7 @@ struct ClothGroup {
   PetscInt count = 1;
   /// Markers of each cloth along s and r; a fibre, as cloth is in the plane, has one along r.
   std::array<PetscInt, 2> markers{12, 1};
-  /// Physical length along s and r [m] = markers times spacing; in the plane the unit depth along r.
+  /// Physical length along s and r [m] = parts of the lattice times spacing; in the plane the unit depth along r.
   std::array<double, 2> size{0.25, 1};
   double excess_mass = 0.093;  ///< over the water displaced, rho_s [kg/m2]
   ElasticModel model = ElasticModel::energy;
@@ -47,6 +47,13 @@ struct ClothGroup {
   static ClothGroup from_options(Options& options, const std::string& name);
 
   PetscInt marker_count() const { return markers[0] * markers[1]; }  ///< of one cloth
+  /// The markers along s (0) or r (1).
+  MarkerRow row(std::size_t axis) const { return {sheet.lattice, static_cast<std::size_t>(markers[axis])}; }
+  /// Undeformed area of a marker of a cloth over that of one inside.
+  double marker_share(PetscInt marker) const {
+    return row(0).share(static_cast<std::size_t>(marker / markers[1])) *
+           row(1).share(static_cast<std::size_t>(marker % markers[1]));
+  }
   /// Which markers of a cloth the springs hold, in ascending order.
   std::vector<PetscInt> held_markers() const;
 };

@@ -12,13 +12,13 @@ void add_bending_forces(const SheetLattice<Dim>& lattice, std::span<Point<Dim>> 
   for (std::size_t k = 0; k < lattice.x.size(); ++k) {
     const Moments<Dim> moments(lattice, k);
     if (lattice.bends_along_s(k)) {
-      const Point<Dim> couple = sheet.dr / sheet.ds * moments.s;
+      const Point<Dim> couple = lattice.share(k) * sheet.dr / sheet.ds * moments.s;
       forces[k - m] -= couple;
       forces[k] += 2 * couple;
       forces[k + m] -= couple;
     }
     if (lattice.bends_along_r(k)) {
-      const Point<Dim> couple = sheet.ds / sheet.dr * moments.r;
+      const Point<Dim> couple = lattice.share(k) * sheet.ds / sheet.dr * moments.r;
       forces[k - 1] -= couple;
       forces[k] += 2 * couple;
       forces[k + 1] -= couple;
@@ -65,8 +65,9 @@ void add_damping_forces_of(const Law& law, const SheetLattice<Dim>& lattice, std
   };
   for (std::size_t k = 0; k < lattice.x.size(); ++k) {
     if (lattice.has_edge_s(k))
-      damp(k, k + lattice.m, beta * law.warp_modulus(lattice.strain_s(k)) * dr / (ds * ds * ds));
-    if (lattice.has_edge_r(k)) damp(k, k + 1, beta * law.weft_modulus(lattice.strain_r(k)) * ds / (dr * dr * dr));
+      damp(k, k + lattice.m, beta * lattice.share_s(k) * law.warp_modulus(lattice.strain_s(k)) * dr / (ds * ds * ds));
+    if (lattice.has_edge_r(k))
+      damp(k, k + 1, beta * lattice.share_r(k) * law.weft_modulus(lattice.strain_r(k)) * ds / (dr * dr * dr));
   }
 }
 

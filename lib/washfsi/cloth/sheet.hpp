@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Elasticity of a sheet: a lattice of n x m markers X_ij, i along s (warp), j along r (weft), spacings ds and dr on the
-// undeformed cloth, edges half a spacing beyond the outermost markers. Marker (i, j) has the number i m + j. A fibre is
-// a sheet one marker wide. Formulation 3.1, 3.2, thesis 3.3.3 to 3.3.5.
+// undeformed cloth, edges half a spacing beyond the outermost markers or, on a nodal lattice, at them
+// (cloth/marker_row.hpp). Marker (i, j) has the number i m + j. A fibre is a sheet one marker wide.
+// Formulation 3.1, 3.2, thesis 3.3.3 to 3.3.5.
 //
 // Energy form (default), forces F_ij = -dE/dX_ij; all conditions at free edges are natural. With the energies per area
 // and the bending moduli of a law of fabric (cloth/fabric_law.hpp):
-//   E = sum over s-edges    ds dr warp(E11, bare),  E11 = (|X_(i+1,j) - X_ij|^2/ds^2 - 1)/2
-//     + sum over r-edges    ds dr weft(E22, bare),  E22 likewise
+//   E = sum over s-edges    c_j ds dr warp(E11, bare),  E11 = (|X_(i+1,j) - X_ij|^2/ds^2 - 1)/2
+//     + sum over r-edges    c_i ds dr weft(E22, bare),  E22 likewise
 //     + sum over quads      ds dr quad(E11 of two edges, E22 of two edges, a.b)
-//     + sum over markers    1/2 ds dr (f B_s |D_s|^2 + f B_r |D_r|^2 + 2 B_sr D_s.D_r)
+//     + sum over markers    1/2 c_i c_j ds dr (f B_s |D_s|^2 + f B_r |D_r|^2 + 2 B_sr D_s.D_r)
 //     + sum over quads      g ds dr B_t |D_q|^2
 // a and b are a quad's mean tangents X_s and X_r, so that a.b = 2 E12; D_s and D_r second differences (absent where a
-// neighbour is missing), D_q the mixed one. The strip of half a spacing round the markers has no quads: there an edge
-// is bare on one or both sides, f is not 1 where D_s or D_r is absent, and g = 1 + 1/2 per side without a next row of
-// quads. The form conserves linear and angular momentum to round-off and cannot create energy; bending is linear in X,
-// so that nothing is singular on crumpled cloth.
+// neighbour is missing), D_q the mixed one, f is not 1 where D_s or D_r is absent, and c_i and c_j are the shares of
+// rows and columns. On the centred lattice they are 1; the strip of half a spacing round the markers has no quads:
+// there an edge is bare on one or both sides, and g = 1 + 1/2 per side without a next row of quads. On the nodal one
+// quads fill the cloth, c = 1/2 on its edges, and g = 1. The form conserves linear and angular momentum to round-off
+// and cannot create energy; bending is linear in X, so that nothing is singular on crumpled cloth.
 #pragma once
 
 #include <array>
@@ -23,6 +25,7 @@
 #include <span>
 
 #include "washfsi/cloth/fabric.hpp"
+#include "washfsi/cloth/marker_row.hpp"
 #include "washfsi/support/point.hpp"
 
 namespace washfsi {
@@ -35,8 +38,10 @@ struct Sheet {
   double damping = 0;     ///< Kelvin-Voigt time beta of the edges [s]
   double thickness = 1;   ///< q [m], for stresses only
   bool closed = false;    ///< a ring along s: no ends
+  MarkerLattice lattice = MarkerLattice::centred;
 
-  double marker_area() const { return ds * dr; }  ///< undeformed [m2; m in the plane]
+  /// Undeformed, of what a marker inside stands for [m2; m in the plane].
+  double part_area() const { return ds * dr; }
 };
 
 /// A block of a stiffness matrix K = d2E/dX2, between two markers [N/m; per unit depth in the plane].
@@ -101,7 +106,7 @@ enum StressComponent : std::size_t { ss, rr, sr, stress_components };
 /// What a marker bears. The stress at the surface of the cloth is the sum of both (5.2-2 to 5.2-4).
 struct MarkerState {
   std::array<double, stress_components> membrane_stress{};  ///< |N|/q, N the mean over the edges or quads beside,
-                                                            ///< zero beyond an edge of the cloth [Pa]
+                                                            ///< zero beyond a centred lattice [Pa]
   std::array<double, stress_components> bending_stress{};   ///< 6 |M|/q^2 [Pa]
   double stretch = 0;                                       ///< mean of | |X_s| - 1 | of the edges beside
   double curvature = 0;                                     ///< sqrt(kappa_s^2 + kappa_r^2 + 2 tau^2) [1/m]

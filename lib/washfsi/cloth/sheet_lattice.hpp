@@ -19,12 +19,15 @@ class SheetLattice {
         x(positions),
         m(std::max<std::size_t>(sheet.width, 1)),
         n(positions.size() / m),
-        bending(bending_of(sheet.fabric)) {}
+        bending(bending_of(sheet.fabric)),
+        along_s(sheet.lattice, n),
+        along_r(sheet.lattice, m) {}
 
   const Sheet& sheet;
   std::span<const Point<Dim>> x;
   const std::size_t m, n;  ///< markers along r, rows
   const BendingModuli bending;
+  const MarkerRow along_s, along_r;
 
   bool has_edge_s(std::size_t k) const { return k + m < n * m; }
   bool has_edge_r(std::size_t k) const { return k % m + 1 < m; }
@@ -46,16 +49,20 @@ class SheetLattice {
     return (x[k + 1] - 2 * x[k] + x[k - 1]) / (sheet.dr * sheet.dr);
   }
   Point<Dim> mixed_difference(std::size_t k) const { return (edge_s(k + 1) - edge_s(k)) / (sheet.ds * sheet.dr); }
+  /// Area of an edge along s, an edge along r, and a marker with its bends, over ds dr.
+  double share_s(std::size_t k) const { return along_r.share(k % m); }
+  double share_r(std::size_t k) const { return along_s.share(k / m); }
+  double share(std::size_t k) const { return share_r(k) * share_s(k); }
   /// Share of an edge's area that has no quad.
-  double bare_s(std::size_t k) const { return 0.5 * ((k % m == 0) + !has_edge_r(k)); }
-  double bare_r(std::size_t k) const { return 0.5 * ((k < m) + !has_edge_s(k)); }
+  double bare_s(std::size_t k) const { return along_r.overhang() * ((k % m == 0) + !has_edge_r(k)); }
+  double bare_r(std::size_t k) const { return along_s.overhang() * ((k < m) + !has_edge_s(k)); }
   /// f
   double bend_weight(std::size_t k) const { return bends_along_s(k) && bends_along_r(k) ? 1 : bending.alone; }
   /// g_i g_j
   double twist_weight(std::size_t k) const {
-    const double along_s = 1 + 0.5 * (k < m) + 0.5 * !has_edge_s(k + m);
-    const double along_r = 1 + 0.5 * (k % m == 0) + 0.5 * (k % m + 2 == m);
-    return along_s * along_r;
+    const double of_s = 1 + along_s.overhang() * ((k < m) + !has_edge_s(k + m));
+    const double of_r = 1 + along_r.overhang() * ((k % m == 0) + (k % m + 2 == m));
+    return of_s * of_r;
   }
 };
 

@@ -41,12 +41,12 @@ Membrane sum_of_resultants(const SheetLattice<Dim>& lattice, const OfS& of_s, co
   return result;
 }
 
-/// dE/dE11, dE/dE22 and dE/d(2 E12) per area ds dr.
+/// dE/dE11, dE/dE22 and dE/d(2 E12) per area ds dr, whatever the edge's own.
 template <int Dim, FabricLaw Law>
 Membrane resultants_of(const Law& law, const SheetLattice<Dim>& lattice, const Membrane& strains) {
   return sum_of_resultants(
-      lattice, [&](std::size_t k) { return law.warp(strains.s[k], lattice.bare_s(k)).resultant; },
-      [&](std::size_t k) { return law.weft(strains.r[k], lattice.bare_r(k)).resultant; },
+      lattice, [&](std::size_t k) { return lattice.share_s(k) * law.warp(strains.s[k], lattice.bare_s(k)).resultant; },
+      [&](std::size_t k) { return lattice.share_r(k) * law.weft(strains.r[k], lattice.bare_r(k)).resultant; },
       [&](std::size_t k) -> QuadVector { return law.quad(strains.quad(k, lattice.m)).resultants(); });
 }
 
@@ -55,8 +55,13 @@ template <int Dim, FabricLaw Law>
 Membrane resultant_rates_of(const Law& law, const SheetLattice<Dim>& lattice, const Membrane& strains,
                             const Membrane& rates) {
   return sum_of_resultants(
-      lattice, [&](std::size_t k) { return law.warp(strains.s[k], lattice.bare_s(k)).tangent * rates.s[k]; },
-      [&](std::size_t k) { return law.weft(strains.r[k], lattice.bare_r(k)).tangent * rates.r[k]; },
+      lattice,
+      [&](std::size_t k) {
+        return lattice.share_s(k) * law.warp(strains.s[k], lattice.bare_s(k)).tangent * rates.s[k];
+      },
+      [&](std::size_t k) {
+        return lattice.share_r(k) * law.weft(strains.r[k], lattice.bare_r(k)).tangent * rates.r[k];
+      },
       [&](std::size_t k) -> QuadVector {
         return law.quad(strains.quad(k, lattice.m)).tangent() * rates.quad(k, lattice.m);
       });
@@ -105,9 +110,10 @@ double elastic_energy_of(const Law& law, const SheetLattice<Dim>& lattice, std::
   const BendingModuli& bending = lattice.bending;
   double energy = 0;
   for (std::size_t k = first; k < last; ++k) {
-    energy += law.warp(strains.s[k], lattice.bare_s(k)).energy + law.weft(strains.r[k], lattice.bare_r(k)).energy;
+    energy += lattice.share_s(k) * law.warp(strains.s[k], lattice.bare_s(k)).energy +
+              lattice.share_r(k) * law.weft(strains.r[k], lattice.bare_r(k)).energy;
     const bool along_s = lattice.bends_along_s(k), along_r = lattice.bends_along_r(k);
-    const double weight = 0.5 * lattice.bend_weight(k);
+    const double weight = 0.5 * lattice.share(k) * lattice.bend_weight(k);
     if (along_s) energy += weight * bending.s * lattice.second_difference_s(k).squaredNorm();
     if (along_r) energy += weight * bending.r * lattice.second_difference_r(k).squaredNorm();
     if (along_s && along_r)
@@ -116,7 +122,7 @@ double elastic_energy_of(const Law& law, const SheetLattice<Dim>& lattice, std::
       energy += law.quad(strains.quad(k, lattice.m)).energy() +
                 lattice.twist_weight(k) * bending.twist * lattice.mixed_difference(k).squaredNorm();
   }
-  return lattice.sheet.marker_area() * energy;
+  return lattice.sheet.part_area() * energy;
 }
 
 /// The same by the law of the sheet.

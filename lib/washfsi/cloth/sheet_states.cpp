@@ -45,6 +45,8 @@ struct Beside {
     ++count;
   }
   double mean() const { return count > 0 ? sum / count : 0; }
+  /// With zeros up to so many on the centred lattice, whose outermost markers lie within the edges.
+  double mean_of(int all, MarkerLattice lattice) const { return lattice == MarkerLattice::nodal ? mean() : sum / all; }
 };
 
 template <int Dim>
@@ -55,11 +57,11 @@ MarkerState marker_state(const SheetLattice<Dim>& lattice, const Membrane& pulls
   Beside pull_s, pull_r, pull_shear, stretch, angle;
   Point<Dim> twist = Point<Dim>::Zero();
   const auto see_s = [&](std::size_t e) {
-    pull_s.add(pulls.s[e]);
+    pull_s.add(pulls.s[e] / lattice.share_s(e));
     stretch.add(std::abs(lattice.edge_s(e).norm() / sheet.ds - 1));
   };
   const auto see_r = [&](std::size_t e) {
-    pull_r.add(pulls.r[e]);
+    pull_r.add(pulls.r[e] / lattice.share_r(e));
     stretch.add(std::abs(lattice.edge_r(e).norm() / sheet.dr - 1));
   };
   const auto see_quad = [&](std::size_t e) {
@@ -80,13 +82,13 @@ MarkerState marker_state(const SheetLattice<Dim>& lattice, const Membrane& pulls
   if (angle.count > 0) twist /= angle.count;
 
   MarkerState state;
-  // the resultants vanish at the free edges, half a spacing beyond the outermost markers
-  state.membrane_stress = {0.5 * std::abs(pull_s.sum) / q, 0.5 * std::abs(pull_r.sum) / q,
-                           0.25 * std::abs(pull_shear.sum) / q};
+  state.membrane_stress = {std::abs(pull_s.mean_of(2, sheet.lattice)) / q,
+                           std::abs(pull_r.mean_of(2, sheet.lattice)) / q,
+                           std::abs(pull_shear.mean_of(4, sheet.lattice)) / q};
   const Moments<Dim> moments(lattice, k);
   state.bending_stress = {per_section * moments.s.norm(), per_section * moments.r.norm(),
                           per_section * lattice.bending.twist * twist.norm()};
-  state.stretch = 0.5 * stretch.sum / (sheet.width > 1 ? 2 : 1);
+  state.stretch = stretch.mean_of(sheet.width > 1 ? 4 : 2, sheet.lattice);
   double squares = 2 * twist.squaredNorm();
   if (lattice.bends_along_s(k)) squares += lattice.second_difference_s(k).squaredNorm();
   if (lattice.bends_along_r(k)) squares += lattice.second_difference_r(k).squaredNorm();

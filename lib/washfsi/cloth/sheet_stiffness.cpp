@@ -11,10 +11,10 @@ void add_bending_stiffness(const SheetLattice<Dim>& lattice, const AddBlock<Dim>
   const Sheet& sheet = lattice.sheet;
   const BendingModuli& bending = lattice.bending;
   const std::size_t m = lattice.m;
-  const double area = sheet.marker_area(), per_s = 1 / (sheet.ds * sheet.ds), per_r = 1 / (sheet.dr * sheet.dr);
+  const double area = sheet.part_area(), per_s = 1 / (sheet.ds * sheet.ds), per_r = 1 / (sheet.dr * sheet.dr);
   const std::array second_s{per_s, 0.0, -2 * per_s, 0.0, per_s}, second_r{0.0, per_r, -2 * per_r, per_r, 0.0};
   for (std::size_t k = 0; k < lattice.x.size(); ++k) {
-    const double weight = area * lattice.bend_weight(k);
+    const double weight = area * lattice.share(k) * lattice.bend_weight(k);
     const bool along_s = lattice.bends_along_s(k), along_r = lattice.bends_along_r(k);
     ElementStiffness<Dim, 5> element({k - m, k - 1, k, k + 1, k + m});
     if (along_s) element.add(weight * bending.s, second_s, second_s);

@@ -105,7 +105,7 @@ template <int Dim, class Tangent>
 void add_quad_stiffness(const SheetLattice<Dim>& lattice, std::size_t k, const Tangent& tangent, double shear,
                         bool geometric, const AddBlock<Dim>& add) {
   const Sheet& sheet = lattice.sheet;
-  const double area = sheet.marker_area();
+  const double area = sheet.part_area();
   const QuadGradients<Dim> gradients(lattice, k);
   ElementStiffness<Dim, 4> element({k, k + 1, k + lattice.m, k + lattice.m + 1});
   add_material(element, tangent, area, gradients);
@@ -129,13 +129,15 @@ void add_membrane_stiffness(const Law& law, const SheetLattice<Dim>& lattice, Ge
   const double ds = lattice.sheet.ds, dr = lattice.sheet.dr;
   for (std::size_t k = 0; k < lattice.x.size(); ++k) {
     if (lattice.has_edge_s(k))
-      add_edge_stiffness<Dim>({k, k + lattice.m}, lattice.edge_s(k),
-                              law.warp(strains.s[k], lattice.bare_s(k)).tangent * dr / (ds * ds * ds),
-                              kept(pulls.s[k]) * dr / ds, add);
+      add_edge_stiffness<Dim>(
+          {k, k + lattice.m}, lattice.edge_s(k),
+          lattice.share_s(k) * law.warp(strains.s[k], lattice.bare_s(k)).tangent * dr / (ds * ds * ds),
+          kept(pulls.s[k]) * dr / ds, add);
     if (lattice.has_edge_r(k))
-      add_edge_stiffness<Dim>({k, k + 1}, lattice.edge_r(k),
-                              law.weft(strains.r[k], lattice.bare_r(k)).tangent * ds / (dr * dr * dr),
-                              kept(pulls.r[k]) * ds / dr, add);
+      add_edge_stiffness<Dim>(
+          {k, k + 1}, lattice.edge_r(k),
+          lattice.share_r(k) * law.weft(strains.r[k], lattice.bare_r(k)).tangent * ds / (dr * dr * dr),
+          kept(pulls.r[k]) * ds / dr, add);
     if (lattice.has_quad(k))
       add_quad_stiffness<Dim>(lattice, k, law.quad(strains.quad(k, lattice.m)).tangent(), pulls.shear[k], all, add);
   }

@@ -12,11 +12,6 @@ namespace washfsi {
 
 namespace {
 
-// Where along its length a marker is, 0 to 1.
-double place_along(PetscInt marker, PetscInt markers) {
-  return (static_cast<double>(marker) + 0.5) / static_cast<double>(markers);
-}
-
 // Roots of cosh(b) cos(b) = 1: wave numbers times length of a free beam's modes.
 double free_beam_root(PetscInt mode) {
   double root = (static_cast<double>(mode) + 0.5) * std::numbers::pi;
@@ -37,6 +32,7 @@ double free_beam_mode(double root, double s) {
 std::vector<double> equal_parts(double a, double b, PetscInt parts) {
   constexpr int fineness = 200;
   const PetscInt samples = fineness * parts;
+  const MarkerRow row(MarkerLattice::centred, static_cast<std::size_t>(parts));
   const double step = 2 * std::numbers::pi / static_cast<double>(samples);
   std::vector<double> length{0};
   for (PetscInt n = 0; n < samples; ++n) {
@@ -46,7 +42,7 @@ std::vector<double> equal_parts(double a, double b, PetscInt parts) {
   std::vector<double> angles;
   std::size_t n = 0;
   for (PetscInt k = 0; k < parts; ++k) {
-    const double wanted = length.back() * place_along(k, parts);
+    const double wanted = length.back() * row.place(static_cast<std::size_t>(k));
     while (length[n + 1] < wanted) ++n;
     angles.push_back(step * (static_cast<double>(n) + (wanted - length[n]) / (length[n + 1] - length[n])));
   }
@@ -57,8 +53,8 @@ std::vector<double> equal_parts(double a, double b, PetscInt parts) {
 template <int Dim>
 typename FlatCloth<Dim>::Coordinates place_in(const ClothGroup<Dim>& group, PetscInt i, PetscInt j) {
   typename FlatCloth<Dim>::Coordinates place;
-  place[0] = 2 * place_along(i, group.markers[0]) - 1;
-  if constexpr (Dim == 3) place[1] = 2 * place_along(j, group.markers[1]) - 1;
+  place[0] = 2 * group.row(0).place(static_cast<std::size_t>(i)) - 1;
+  if constexpr (Dim == 3) place[1] = 2 * group.row(1).place(static_cast<std::size_t>(j)) - 1;
   return place;
 }
 
@@ -79,11 +75,12 @@ Points<Dim> crumpled(const ClothGroup<Dim>& group, double crumpling, const FlatC
   Points<Dim> line{Point<Dim>::Zero()};
   double heading = 0;
   Point<Dim> center = Point<Dim>::Zero();
+  const MarkerRow row = group.row(0);
   for (PetscInt i = 1; i < group.markers[0]; ++i) {
     heading += crumpling * (2 * uniform() - 1);
     line.push_back(line.back() +
                    group.sheet.ds * (std::cos(heading) * flat.along() + std::sin(heading) * flat.normal()));
-    center += line.back() / static_cast<double>(group.markers[0]);
+    center += row.share(static_cast<std::size_t>(i)) * line.back() / row.parts();
   }
   auto straight = flat;
   straight.half[0] = 0;

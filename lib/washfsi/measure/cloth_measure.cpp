@@ -16,7 +16,9 @@ ClothMeasure<Dim>::ClothMeasure(const System<Dim>& system, const MachineAxis& ma
       time_integrals_(marker_quantities<Dim>().size() * system.model.cloths.owned(), 0.0) {
   const Cloths<Dim>& cloths = system.model.cloths;
   for (const std::size_t piece : cloths.piece_of_marker()) group_of_.push_back(cloths.pieces()[piece].group);
-  counts_ = sums_by(group_of_, groups_.size(), std::vector<double>(group_of_.size(), 1.0));
+  const std::vector<double> ones(group_of_.size(), 1.0);
+  of_groups_ = sums_by(group_of_, groups_.size(), ones);
+  of_cloths_ = sums_by(cloths.piece_of_marker(), cloths.pieces().size(), ones);
   if constexpr (Dim == 3) {
     if (groups_.empty()) return;
     tumbles_.emplace(machine.axis, machine.orbit_center, centers_.size());
@@ -91,12 +93,13 @@ double ClothMeasure<Dim>::elastic_energy() const {
   return energy;
 }
 
-// Sums over the markers by the number that each has, of its group or cloth.
+// Sums over the markers, each by its share, by the number that each has, of its group or cloth.
 template <int Dim>
 std::vector<double> ClothMeasure<Dim>::sums_by(const std::vector<std::size_t>& number_of, std::size_t count,
                                                const std::vector<double>& marker_values) const {
+  const std::vector<double>& shares = system_.model.cloths.marker_shares();
   std::vector<double> sums(count, 0.0);
-  for (std::size_t m = 0; m < marker_values.size(); ++m) sums[number_of[m]] += marker_values[m];
+  for (std::size_t m = 0; m < marker_values.size(); ++m) sums[number_of[m]] += shares[m] * marker_values[m];
   return ordered_sum(system_.model.grid.comm(), sums);
 }
 
@@ -105,12 +108,14 @@ template <int Dim>
 std::vector<std::vector<double>> ClothMeasure<Dim>::means_of(const std::vector<double>& values) const {
   const std::size_t each = marker_quantities<Dim>().size();
   std::vector<double> sums(groups_.size() * each, 0.0);
-  for (std::size_t n = 0; n < values.size(); ++n) sums[group_of_[n / each] * each + n % each] += values[n];
+  const std::vector<double>& shares = system_.model.cloths.marker_shares();
+  for (std::size_t n = 0; n < values.size(); ++n)
+    sums[group_of_[n / each] * each + n % each] += shares[n / each] * values[n];
   sums = ordered_sum(system_.model.grid.comm(), sums);
   std::vector<std::vector<double>> means;
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     means.emplace_back(sums.begin() + static_cast<long>(g * each), sums.begin() + static_cast<long>((g + 1) * each));
-    for (double& mean : means.back()) mean /= counts_[g];
+    for (double& mean : means.back()) mean /= of_groups_[g];
   }
   return means;
 }
@@ -208,7 +213,7 @@ void ClothMeasure<Dim>::measure_places() {
     std::vector<double> coordinate;
     for (const auto& position : system_.state.positions) coordinate.push_back(position[d]);
     const std::vector<double> sums = sums_by(system_.model.cloths.piece_of_marker(), pieces.size(), coordinate);
-    for (std::size_t p = 0; p < pieces.size(); ++p) centers_[p][d] = sums[p] / static_cast<double>(pieces[p].count);
+    for (std::size_t p = 0; p < pieces.size(); ++p) centers_[p][d] = sums[p] / of_cloths_[p];
   }
   for (std::size_t g = 0; g < groups_.size(); ++g)
     groups_[g].center = mean_over_cloths<Point<Dim>>(g, centers_, Point<Dim>::Zero());

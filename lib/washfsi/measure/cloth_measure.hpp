@@ -66,7 +66,8 @@ class ClothMeasure : public Measure<Dim> {
   const System<Dim>& system_;
   std::vector<GroupMeasures<Dim>> groups_;
   std::vector<std::size_t> group_of_;   ///< of each of this rank's markers
-  std::vector<double> counts_;          ///< markers of each group
+  std::vector<double> of_groups_;       ///< markers of each group, each by its share of a whole one's area
+  std::vector<double> of_cloths_;       ///< the same of each cloth
   std::vector<Point<Dim>> centers_;     ///< of each cloth [m]
   std::vector<double> time_integrals_;  ///< of the quantities of each marker
   double averaged_time_ = 0;            ///< [s]
