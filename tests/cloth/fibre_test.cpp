@@ -103,7 +103,7 @@ TEST(FibreEnergy, BendingFrequencyConvergesAtSecondOrder) {
     const double coarse = first_bending_frequency(17, add, lattice) / exact_bending_frequency - 1;
     const double fine = first_bending_frequency(33, add, lattice) / exact_bending_frequency - 1;
     std::printf("%s: %.3f %% of 17, %.3f %% of 33 markers\n", name_of(lattice).c_str(), 100 * coarse, 100 * fine);
-    EXPECT_LT(std::abs(coarse), lattice == MarkerLattice::nodal ? 0.01 : 0.003);
+    EXPECT_LT(std::abs(coarse), lattice == MarkerLattice::nodal ? 0.02 : 0.003);
     EXPECT_GT(std::log2(coarse / fine), 1.7);
   }
 }
