@@ -126,9 +126,10 @@ Points<3> crumpled(const Cloths<3>& cloths) {
   Points<3> x = random_points<3>(static_cast<std::size_t>(cloths.marker_count()), 21, 0.03);
   for (const Piece& piece : cloths.pieces()) {
     const PetscInt width = cloths.groups()[piece.group].markers[1];
-    for (PetscInt k = 0; k < piece.count; ++k)
-      x[static_cast<std::size_t>(piece.first + k)] +=
-          0.1 * Point<3>(static_cast<double>(k / width), static_cast<double>(k % width), 0);
+    for (PetscInt k = 0; k < piece.count; ++k) {
+      const PetscInt row = k / width, column = k % width, marker = piece.first + k;
+      x[static_cast<std::size_t>(marker)] += 0.1 * Point<3>(static_cast<double>(row), static_cast<double>(column), 0);
+    }
   }
   return x;
 }
