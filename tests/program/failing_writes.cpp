@@ -105,17 +105,6 @@ Function* next(const char* name) {
 
 constexpr int creates = O_CREAT | O_TRUNC;
 
-template <class... Arguments>
-int open_with_faults(const char* name, const char* path, int flags, Arguments... mode) {
-  static auto* real = next<int(const char*, int, ...)>(name);
-  if ((flags & creates) == 0) return real(path, flags, mode...);
-  return faults().around(path, Need::room, -1, [&] { return real(path, flags, mode...); });
-}
-
-mode_t mode_of(int flags, va_list arguments) {
-  return (flags & O_CREAT) != 0 ? va_arg(arguments, mode_t) : 0;
-}
-
 }  // namespace
 
 extern "C" {
@@ -170,20 +159,17 @@ int ftruncate64(int file, off64_t size) {
 }
 
 int open(const char* path, int flags, ...) {
+  static auto* real = next<int(const char*, int, ...)>("open");
   va_list arguments;
   va_start(arguments, flags);
-  const mode_t mode = mode_of(flags, arguments);
+  const mode_t mode = (flags & O_CREAT) != 0 ? va_arg(arguments, mode_t) : 0;
   va_end(arguments);
-  return open_with_faults("open", path, flags, mode);
+  if ((flags & creates) == 0) return real(path, flags, mode);
+  return faults().around(path, Need::room, -1, [&] { return real(path, flags, mode); });
 }
 
-int open64(const char* path, int flags, ...) {
-  va_list arguments;
-  va_start(arguments, flags);
-  const mode_t mode = mode_of(flags, arguments);
-  va_end(arguments);
-  return open_with_faults("open64", path, flags, mode);
-}
+// where off_t has 64 bits, the same
+int open64(const char* path, int flags, ...) __attribute__((alias("open")));
 
 int rename(const char* from, const char* to) {
   static auto* real = next<int(const char*, const char*)>("rename");

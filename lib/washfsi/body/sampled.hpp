@@ -18,9 +18,8 @@ struct Lattice {
   /// One that covers a box and `margin` [m] around it.
   static Lattice around(const Point<Dim>& lower, const Point<Dim>& upper, double margin, double spacing);
 
-  double size() const;
-  /// Of which each rank keeps all: 400 MB.
-  static constexpr double most_points = 5e7;  ///< number of points; may be more than fit anywhere
+  double size() const;                        ///< number of points; may be more than fit anywhere
+  static constexpr double most_points = 5e7;  ///< that are kept, all of them by each rank: 400 MB
   Box<Dim> points() const { return {{}, count}; }
   Point<Dim> place(const Index<Dim>& point) const;
 };

@@ -11,12 +11,11 @@ double end_force_share(const MarkerRow& row, PetscInt from_end) {
   return from_end == 0 ? 1 + row.overhang() : from_end == 1 ? -row.overhang() : 0;
 }
 
-// On a marker of a cloth.
+// On a marker of a cloth that stands for an area.
 template <int Dim>
-Point<Dim> load_on(const ClothGroup<Dim>& group, PetscInt marker) {
+Point<Dim> load_on(const ClothGroup<Dim>& group, PetscInt marker, double area) {
   const PetscInt row = marker / group.markers[1], rows = group.markers[0];
   const MarkerRow along = group.row(0), across = group.row(1);
-  const double area = group.marker_share(marker) * group.sheet.part_area();
   const double of_row = across.share(static_cast<std::size_t>(marker % group.markers[1])) / across.parts();
   return area * group.load + of_row * end_force_share(along, row) * group.end_force_first +
          of_row * end_force_share(along, rows - 1 - row) * group.end_force_last;
@@ -29,8 +28,9 @@ DeadLoads<Dim>::DeadLoads(const Cloths<Dim>& cloths, const Point<Dim>& gravity) 
   for (const Patch& patch : cloths.patches()) {
     const ClothGroup<Dim>& group = cloths.group_of(patch);
     for (std::size_t i = patch.own_begin; i < patch.own_end; ++i) {
-      const double mass = cloths.marker_masses()[loads_.size()];
-      loads_.push_back(mass * gravity + load_on(group, patch.markers[i] - cloths.pieces()[patch.piece].first));
+      const std::size_t m = loads_.size();
+      const PetscInt marker = patch.markers[i] - cloths.pieces()[patch.piece].first;
+      loads_.push_back(cloths.marker_masses()[m] * gravity + load_on(group, marker, cloths.marker_areas()[m]));
     }
   }
 }

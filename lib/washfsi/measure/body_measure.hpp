@@ -25,8 +25,6 @@ class BodyMeasure : public Measure<Dim> {
   void declare(QuantityList& quantities) override;
   void observe(const Observation<Dim>& seen) override;
 
-  const Loads<Dim>& loads() const { return loads_; }  ///< in the last step, by what held the water
-
  private:
   const System<Dim>& system_;
   std::optional<ControlVolumes<Dim>> control_volumes_;

@@ -41,7 +41,6 @@ class Measures {
   QuantityList& quantities() { return quantities_; }
   const QuantityList& quantities() const { return quantities_; }
   const FlowDiagnostics<Dim>& flow() const { return flow_.flow(); }
-  const Loads<Dim>& loads() const { return bodies_.loads(); }
   ClothMeasure<Dim>& cloth() { return cloth_; }
   const ClothMeasure<Dim>& cloth() const { return cloth_; }
 

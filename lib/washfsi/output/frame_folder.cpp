@@ -7,6 +7,7 @@
 
 #include "washfsi/support/collective.hpp"
 #include "washfsi/support/errors.hpp"
+#include "washfsi/support/first_rank.hpp"
 #include "washfsi/support/options.hpp"
 
 namespace washfsi {
@@ -20,20 +21,6 @@ std::string six_digits(long number) {
 
 std::string file_of(long number) {
   return "/" + six_digits(number) + ".h5";
-}
-
-// Does on rank 0 what one process does best; an error of it is one on all ranks.
-void on_first_rank(MPI_Comm comm, const std::function<void()>& work) {
-  std::string problem;
-  if (rank_of(comm) == 0) {
-    try {
-      work();
-    } catch (const std::exception& error) {
-      problem = error.what();
-    }
-  }
-  problem = from_first_rank(comm, problem);
-  if (!problem.empty()) throw FileError(problem);
 }
 
 // The frames' numbers, from the names of their files.
@@ -53,15 +40,20 @@ std::vector<Frame> shared(MPI_Comm comm, std::vector<Frame> frames) {
   unsigned long long count = frames.size();
   MPI_Bcast(&count, 1, MPI_UNSIGNED_LONG_LONG, 0, comm);
   frames.resize(count);
-  for (Frame& frame : frames) MPI_Bcast(&frame, sizeof(Frame), MPI_BYTE, 0, comm);
+  MPI_Bcast(frames.data(), static_cast<int>(count * sizeof(Frame)), MPI_BYTE, 0, comm);
   return frames;
 }
 
 }  // namespace
 
-FrameFolder::FrameFolder(MPI_Comm comm, std::string folder, std::string name, long restart_step, Attributes attributes)
-    : comm_(comm), folder_(std::move(folder)), name_(std::move(name)), attributes_(std::move(attributes)) {
-  on_first_rank(comm_, [&] {
+FrameFolder::FrameFolder(MPI_Comm comm, std::string folder, std::string name, long restart_step, Attributes attributes,
+                         std::vector<std::string> constants)
+    : comm_(comm),
+      folder_(std::move(folder)),
+      name_(std::move(name)),
+      attributes_(std::move(attributes)),
+      constants_(std::move(constants)) {
+  on_first_rank<FileError>(comm_, [&] {
     const std::string index = path(".h5");
     if (restart_step >= 0 && std::filesystem::exists(index) && !std::filesystem::exists(path("")))
       set_aside(index, index + ": has its frames within, as earlier versions wrote them");
@@ -95,10 +87,8 @@ void FrameFolder::set_aside(const std::string& file, const std::string& why) {
   std::fprintf(stderr, "note: %s; it is kept as %s.damaged\n", why.c_str(), file.c_str());
 }
 
-void FrameFolder::write_constants(const std::vector<std::string>& names, const std::function<void(Hdf5File&)>& write) {
-  constants_ = names;
+void FrameFolder::write_constants(const std::function<void(Hdf5File&)>& write) const {
   write_whole(path("/constants.h5"), write);
-  if (!is_new()) write_index();
 }
 
 void FrameFolder::add(double time, long step, const std::function<void(Hdf5File&)>& write,
@@ -126,7 +116,7 @@ void FrameFolder::write_whole(const std::string& file, const std::function<void(
 
 // NAME.h5, which a restart writes anew from the files of the frames: it need not reach the disk with each frame.
 void FrameFolder::write_index() const {
-  on_first_rank(comm_, [&] {
+  on_first_rank<FileError>(comm_, [&] {
     const std::string temporary = path(".h5.part");
     Hdf5File index(MPI_COMM_SELF, temporary, Hdf5File::Mode::create);
     for (const auto& [attribute, value] : attributes_) index.set_attribute("/", attribute, value);

@@ -25,13 +25,15 @@ class FrameFolder {
   using Attributes = std::vector<std::pair<std::string, double>>;
 
   /// Starts a new series, or continues one up to and including `restart_step` (frames after it are removed).
-  FrameFolder(MPI_Comm comm, std::string folder, std::string name, long restart_step, Attributes attributes = {});
+  /// `constants` are the datasets that do not change in time, which NAME.h5 has at its root.
+  FrameFolder(MPI_Comm comm, std::string folder, std::string name, long restart_step, Attributes attributes,
+              std::vector<std::string> constants);
 
   /// Whether the series holds no frame yet.
   bool is_new() const { return frames_.empty(); }
 
-  /// Writes what does not change in time, into NAME/constants.h5; NAME.h5 has `names` of it at its root.
-  void write_constants(const std::vector<std::string>& names, const std::function<void(Hdf5File&)>& write);
+  /// Writes what does not change in time, into NAME/constants.h5.
+  void write_constants(const std::function<void(Hdf5File&)>& write) const;
 
   /// Adds a frame: `write(file)` writes its datasets, `describe(frame)` gives its XDMF grid element.
   void add(double time, long step, const std::function<void(Hdf5File&)>& write,

@@ -21,12 +21,17 @@ FrameFolder::Attributes attributes_of(const Grid<Dim>& grid) {
   return attributes;
 }
 
+template <int Dim>
+std::vector<std::string> nodes() {
+  return Dim == 2 ? std::vector<std::string>{"x", "y"} : std::vector<std::string>{};
+}
+
 // The places of the nodes of a plane grid, along each axis. ParaView reads no cells' values on a plane that is one
 // layer of nodes of a regular grid in space, and puts a regular grid in the plane into the y,z plane.
 template <int Dim>
-void write_nodes(const Grid<Dim>& grid, FrameFolder& frames) {
+void write_nodes(const Grid<Dim>& grid, const FrameFolder& frames) {
   if constexpr (Dim == 2)
-    frames.write_constants({"x", "y"}, [&](Hdf5File& file) {
+    frames.write_constants([&](Hdf5File& file) {
       for (int d = 0; d < Dim; ++d) {
         std::vector<double> nodes;
         for (PetscInt n = 0; n <= grid.cells()[d]; ++n) nodes.push_back(grid.lower()[d] + n * grid.spacing()[d]);
@@ -87,7 +92,9 @@ struct CentredFlow {
 template <int Dim>
 FlowSeries<Dim>::FlowSeries(const Grid<Dim>& grid, const Boundary<Dim>& boundary, const std::string& folder,
                             long restart_step)
-    : grid_(grid), boundary_(boundary), frames_(grid.comm(), folder, "flow", restart_step, attributes_of(grid)) {
+    : grid_(grid),
+      boundary_(boundary),
+      frames_(grid.comm(), folder, "flow", restart_step, attributes_of(grid), nodes<Dim>()) {
   write_nodes(grid, frames_);
 }
 
@@ -122,7 +129,9 @@ void FlowSeries<Dim>::write(double time, long step, Vec velocity, Vec pressure) 
 template <int Dim>
 BodySeries<Dim>::BodySeries(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies, const std::string& folder,
                             long restart_step)
-    : grid_(grid), bodies_(bodies), frames_(grid.comm(), folder, "bodies", restart_step, attributes_of(grid)) {
+    : grid_(grid),
+      bodies_(bodies),
+      frames_(grid.comm(), folder, "bodies", restart_step, attributes_of(grid), nodes<Dim>()) {
   write_nodes(grid, frames_);
 }
 
@@ -151,8 +160,11 @@ void BodySeries<Dim>::write(double time, long step) {
 
 template <int Dim>
 ClothSeries<Dim>::ClothSeries(MPI_Comm comm, const Cloths<Dim>& cloths, const std::string& folder, long restart_step)
-    : comm_(comm), cloths_(cloths), topology_(topology()), frames_(comm, folder, "cloth", restart_step) {
-  frames_.write_constants({"topology", "group", "cloth"}, [&](Hdf5File& file) { write_constants(file); });
+    : comm_(comm),
+      cloths_(cloths),
+      topology_(topology()),
+      frames_(comm, folder, "cloth", restart_step, {}, {"topology", "group", "cloth"}) {
+  frames_.write_constants([&](Hdf5File& file) { write_constants(file); });
 }
 
 // XDMF's mixed topology: a polyline (type 2, number of markers, markers) for each fibre, a quadrilateral (type 5, its

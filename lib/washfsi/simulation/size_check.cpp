@@ -2,6 +2,7 @@
 #include "washfsi/simulation/size_check.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <limits>

@@ -7,8 +7,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "washfsi/support/collective.hpp"
 #include "washfsi/support/errors.hpp"
+#include "washfsi/support/first_rank.hpp"
 #include "washfsi/support/petsc_options.hpp"
 
 namespace washfsi {
@@ -85,14 +85,7 @@ void check_all(int argc, char** argv) {
 }  // namespace
 
 CommandLine::CommandLine(MPI_Comm comm, int argc, char** argv) {
-  std::string problem;
-  try {
-    if (rank_of(comm) == 0) check_all(argc, argv);
-  } catch (const InputError& error) {
-    problem = error.what();
-  }
-  problem = from_first_rank(comm, problem);
-  if (!problem.empty()) throw InputError(problem);
+  on_first_rank<InputError>(comm, [&] { check_all(argc, argv); });
   sort(argc, argv);
 }
 
