@@ -17,12 +17,13 @@ from support import CHANNEL, CAVITY, COUETTE, EXPLICIT_WASH, TIGHT, ProgramTest,
 CASE = [*EXPLICIT_WASH, "-time_end", 0.05, "-output_interval", 0.01,
         "-profiles", "middle", "-middle_from", "-0.3,0", "-middle_to", "0.3,0", "-middle_points", 61]
 TIMES = [0, 0.01, 0.02, 0.03, 0.04, 0.05]
-FILES = ["resolved.opts", "summary.json", "history.csv", "profiles/middle.csv", "cloth_final.csv", "tracks.csv", "checkpoint.h5",
+FILES = ["resolved.opts", "summary.json", "history.csv", "profiles/middle.csv", "cloth_final.csv", "tracks.csv", "cycles.csv",
+         "checkpoint.h5",
          "flow/constants.h5", "cloth/constants.h5", "bodies/constants.h5",
          *(name + end for name in ("flow", "cloth", "bodies")
            for end in (".xdmf", ".h5", *(f"/{frame:06d}.h5" for frame in range(len(TIMES)))))]
 SUMMARY = ["program", "version", "git", "case", "status", "ranks", "steps", "time", "wall_seconds", "seconds_per_step",
-           "iterations", "max_divergence", "peak_memory_bytes", "bodies", "walls", "cloths"]
+           "iterations", "max_divergence", "max_cfl", "peak_memory_bytes", "bodies", "walls", "cloths", "cycles"]
 HISTORY = ["step", "time", "dt", "cfl", "kinetic_energy", "max_divergence"]
 BODIES, CLOTHS, MARKERS = ["drum", "agitator"], ["long", "short"], 400
 SOLVER_OPTION = re.compile(r"-(momentum|pressure|cloth)_(ksp|pc|snes)_")  # PETSc's own, listed under its objects
@@ -96,7 +97,7 @@ class Output(ProgramTest):
         for cloth in summary["cloths"].values():
             means = ("stress", "membrane_stress", "bending_stress", "stretch", "curvature", "relative_speed", "water_shear")
             self.assertEqual(set(cloth), {f"{name}_{what}" for name in means for what in ("mean", "std")} |
-                             {"max_stretch", "max_depth", "tumbles"})
+                             {"max_stretch", "max_depth", "tumbles", "path"})
 
     def test_history(self):
         names, units, rows = read_table(self.out / "history.csv")
@@ -117,7 +118,9 @@ class Output(ProgramTest):
         every, all_tracks = read_columns(self.out / "history.csv"), read_columns(self.out / "tracks.csv")
         kept = np.arange(49, 500, 50)
         np.testing.assert_array_equal(some["step"], kept + 1)
-        for name in every.keys() - {f"{cloth}_max_stretch" for cloth in CLOTHS}:  # the largest so far
+        for cloth in CLOTHS:
+            np.testing.assert_allclose(some[f"{cloth}_path"], every[f"{cloth}_path"][kept], rtol=0.01)  # of what is seen
+        for name in every.keys() - {f"{cloth}_{so_far}" for cloth in CLOTHS for so_far in ("max_stretch", "path")}:
             with self.subTest(column=name):
                 np.testing.assert_array_equal(some[name], every[name][kept])
         np.testing.assert_array_equal(tracks["long_0_x"], all_tracks["long_0_x"][kept])

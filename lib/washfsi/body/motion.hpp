@@ -33,6 +33,8 @@ struct RigidMotion {
 
   /// Whether the body never moves.
   bool at_rest() const;
+  /// After which the motion repeats [s]; 0 if it does not.
+  double period() const { return table || frequency == 0 || at_rest() ? 0 : 1 / frequency; }
   /// Whether it only turns, always at `angular_speed`.
   bool turns_steadily() const { return !table && frequency == 0 && translation.isZero(0); }
   Point<Dim> center_at(double time) const { return state(time).center; }  ///< [m]

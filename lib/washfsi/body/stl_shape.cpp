@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/body/stl_shape.hpp"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "washfsi/body/mesh_distance.hpp"
 #include "washfsi/body/sampled.hpp"
 #include "washfsi/support/errors.hpp"
+#include "washfsi/support/format_text.hpp"
 
 namespace washfsi {
 
@@ -20,10 +19,8 @@ void check_size(const Lattice<3>& lattice, const StlOptions& options, const std:
   constexpr double most_points = Lattice<3>::most_points;
   if (lattice.size() <= most_points) return;
   const double least = options.sample_spacing * std::cbrt(lattice.size() / most_points);
-  std::array<char, 16> text{};
-  (void)std::snprintf(text.data(), text.size(), "%.1e", 1.1 * least);
   throw InputError("-" + name + "_sample_spacing " + to_text(options.sample_spacing) + ": must be at least about " +
-                   text.data() + " for a body of this size");
+                   format_text("%.1e", 1.1 * least) + " for a body of this size");
 }
 
 }  // namespace

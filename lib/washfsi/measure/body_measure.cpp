@@ -3,6 +3,20 @@
 
 namespace washfsi {
 
+namespace {
+
+// None of a body that never moves.
+template <int Dim>
+std::vector<CycleFigure> power_figures(const Body<Dim>& body) {
+  if (body.motion.at_rest()) return {};
+  std::vector<CycleFigure> figures = mean_peak_rms(body.name + "_power", Units<Dim>::power, "power of the body");
+  figures.insert(figures.begin(), {body.name + "_work", Units<Dim>::energy, OverCycle::integral,
+                                   "that the body puts into the water and cloth", 1, true});
+  return figures;
+}
+
+}  // namespace
+
 template <int Dim>
 BodyMeasure<Dim>::BodyMeasure(const System<Dim>& system, bool balance)
     : system_(system),
@@ -18,12 +32,17 @@ void BodyMeasure<Dim>::declare(QuantityList& quantities) {
   if (!system_.model.mask.empty())
     quantities.add({"mask_dissipation", Units<Dim>::power,
                     "energy that the water lost where a moving mask took it along, an effect of the staircase",
-                    [this] { return mask_dissipation_; }});
+                    [this] { return mask_dissipation_; }},
+                   {{"mask_dissipated", Units<Dim>::energy, OverCycle::integral, "energy lost to the staircase", -1}});
   for (std::size_t b = 0; b < loads_.size(); ++b) {
     const std::string name = system_.model.bodies[b].name, pointer = "/bodies/" + name;
     declare_load<Dim>(quantities, name, pointer, "of water and cloth on the body, about its centre", loads_, b);
     quantities.add({name + "_power", Units<Dim>::power, "that the body puts into the water and cloth",
-                    [this, b] { return powers_[b]; }, Accumulation::none, pointer + "/power"});
+                    [this, b] { return powers_[b]; }, Accumulation::none, pointer + "/power"},
+                   power_figures(system_.model.bodies[b]));
+    quantities.add({"", Units<Dim>::torque, "torque about the axis in which it turns",
+                    [this, b] { return loads_[b].torque[rotation_components<Dim> - 1]; }},
+                   mean_peak_rms(name + "_torque", Units<Dim>::torque, "torque of water and cloth on the body", true));
     if (control_volumes_)
       declare_load<Dim>(quantities, name + "_balance", pointer + "/balance",
                         "the same by the balance of momentum round the body", balance_loads_, b);

@@ -13,6 +13,7 @@ ClothMeasure<Dim>::ClothMeasure(const System<Dim>& system, const MachineAxis& ma
     : system_(system),
       groups_(system.model.cloths.groups().size()),
       centers_(system.model.cloths.pieces().size(), Point<Dim>::Zero()),
+      paths_(centers_.size()),
       time_integrals_(marker_quantities<Dim>().size() * system.model.cloths.owned(), 0.0) {
   const Cloths<Dim>& cloths = system.model.cloths;
   for (const std::size_t piece : cloths.piece_of_marker()) group_of_.push_back(cloths.pieces()[piece].group);
@@ -35,15 +36,19 @@ void ClothMeasure<Dim>::declare(QuantityList& quantities) {
 
 template <int Dim>
 void ClothMeasure<Dim>::declare_all(QuantityList& quantities) {
-  quantities.add({"cloth_slip", "-",
-                  "rms difference of the velocities of cloth and water over the rms speed of the cloth",
-                  [this] { return system_.step.cloth_slip; }});
+  quantities.add(
+      {"cloth_slip", "-", "rms difference of the velocities of cloth and water over the rms speed of the cloth",
+       [this] { return system_.step.cloth_slip; }},
+      {{"cloth_slip", "-", OverCycle::mean, "mean slip of the cloth in the water"}});
   quantities.keep("averaged_time", {&averaged_time_, 1});
+  quantities.keep("paths", paths_.totals());
+  quantities.keep("path_ends", paths_.ends());
   if (!crossings_) return;
   quantities.add({"cloth_distance", "m", "least distance of a marker from another cloth, at most half a spacing",
                   [this] { return crossings_->least_distance(); }});
   quantities.add({"cloth_crossings", "-", "markers that went through another cloth so far",
-                  [this] { return crossings_->crossings(); }, Accumulation::none, "/cloth_crossings", true});
+                  [this] { return crossings_->crossings(); }, Accumulation::none, "/cloth_crossings", true},
+                 {{"cloth_crossings", "-", OverCycle::change, "markers that went through another cloth", 0, true}});
   quantities.keep("crossings", crossings_->state());
   quantities.keep("tumbling_angles", tumbles_->angles());
   quantities.keep("tumbling_turned", tumbles_->turned());
@@ -55,15 +60,24 @@ void ClothMeasure<Dim>::declare_group(QuantityList& quantities, std::size_t g) {
   const std::string pointer = "/cloths/" + name;
   const GroupMeasures<Dim>& group = groups_[g];
   quantities.add({name + "_elastic_energy", Units<Dim>::energy, "energy of elasticity and of the holding springs",
-                  [&group] { return group.elastic_energy; }});
+                  [&group] { return group.elastic_energy; }},
+                 {{name + "_elastic_energy_change", Units<Dim>::energy, OverCycle::change,
+                   "energy kept by the cloth and its holding springs", -1}});
   declare_markers(quantities, g);
   quantities.add({name + "_max_stretch", "-", "largest \\|X_s\\| - 1 of any edge so far",
-                  [&group] { return group.stretch; }, Accumulation::largest_so_far, pointer + "/max_stretch"});
+                  [&group] { return group.stretch; }, Accumulation::largest_so_far, pointer + "/max_stretch"},
+                 {{name + "_stretch", "-", OverCycle::peak, "largest \\|X_s\\| - 1 of any edge"}});
   quantities.add({name + "_depth", "m", "of the deepest marker in a body; 0 if none is inside",
-                  [&group] { return group.depth; }, Accumulation::largest, pointer + "/max_depth"});
+                  [&group] { return group.depth; }, Accumulation::largest, pointer + "/max_depth"},
+                 {{name + "_depth", "m", OverCycle::peak, "of the deepest marker in a body"}});
   if (tumbles_)
-    quantities.add({name + "_tumbles", "-", "turns of a cloth in the plane of radius and height so far, mean",
-                    [&group] { return group.tumbles; }, Accumulation::none, pointer + "/tumbles"});
+    quantities.add(
+        {name + "_tumbles", "-", "turns of a cloth in the plane of radius and height so far, mean",
+         [&group] { return group.tumbles; }, Accumulation::none, pointer + "/tumbles"},
+        {{name + "_turns", "-", OverCycle::change, "turns of a cloth in the plane of radius and height", 0, true}});
+  quantities.add({name + "_path", "m", "way that the centre of a cloth has come so far, mean",
+                  [this, g] { return path(g); }, Accumulation::none, pointer + "/path"},
+                 {{name + "_path", "m", OverCycle::change, "way that the centre of a cloth came, mean", 0, true}});
   for (int d = 0; d < Dim; ++d)
     quantities.add(
         {name + "_center_" + "xyz"[d], "m", "mean over its cloths", [&group, d] { return group.center[d]; }});
@@ -77,8 +91,13 @@ void ClothMeasure<Dim>::declare_markers(QuantityList& quantities, std::size_t g)
   const auto& all = marker_quantities<Dim>();
   for (std::size_t n = 0; n < all.size(); ++n) {
     const std::string pointer = "/cloths/" + name + "/" + all[n].name;
+    std::vector<CycleFigure> figures;
+    if (all[n].of_cycle)
+      figures.push_back({name + "_" + all[n].name, all[n].unit, OverCycle::mean,
+                         std::string("mean over markers and time: ") + all[n].meaning, 0, true});
     quantities.add({name + "_" + all[n].name + "_mean", all[n].unit,
-                    std::string("mean over the markers: ") + all[n].meaning, [&group, n] { return group.now[n]; }});
+                    std::string("mean over the markers: ") + all[n].meaning, [&group, n] { return group.now[n]; }},
+                   figures);
     quantities.add({"", all[n].unit, "mean over time and markers", [&group, n] { return group.mean[n]; },
                     Accumulation::none, pointer + "_mean"});
     quantities.add({"", all[n].unit, "standard deviation over the markers of the mean over time",
@@ -132,6 +151,7 @@ void ClothMeasure<Dim>::observe(const Observation<Dim>& seen) {
     groups_[g].stretch = stretches[g];
   }
   measure_places();
+  if (seen.interval > 0 || system_.state.clock.step == 0) paths_.observe(centers_);
   measure_depths();
   if constexpr (Dim == 3) measure_laundry();
 }
@@ -204,6 +224,12 @@ Value ClothMeasure<Dim>::mean_over_cloths(std::size_t group, const std::vector<V
   for (std::size_t p = 0; p < values.size(); ++p)
     if (system_.model.cloths.pieces()[p].group == group) sum += values[p];
   return sum / static_cast<double>(system_.model.cloths.groups()[group].count);
+}
+
+template <int Dim>
+double ClothMeasure<Dim>::path(std::size_t group) const {
+  const std::span<const double> totals = paths_.totals();
+  return mean_over_cloths(group, std::vector<double>(totals.begin(), totals.end()), 0.0);
 }
 
 template <int Dim>

@@ -5,6 +5,7 @@
 
 #include "washfsi/machine/crossings.hpp"
 #include "washfsi/machine/machine_axis.hpp"
+#include "washfsi/machine/paths.hpp"
 #include "washfsi/machine/tumbling.hpp"
 #include "washfsi/measure/marker_quantities.hpp"
 #include "washfsi/measure/measure.hpp"
@@ -53,6 +54,7 @@ class ClothMeasure : public Measure<Dim> {
   void declare_group(QuantityList& quantities, std::size_t group);
   void declare_markers(QuantityList& quantities, std::size_t group);
   void measure_markers(double interval);
+  double path(std::size_t group) const;  ///< mean over its cloths [m]
   void measure_places();
   void measure_depths();
   void measure_laundry();
@@ -69,6 +71,7 @@ class ClothMeasure : public Measure<Dim> {
   std::vector<double> of_groups_;       ///< markers of each group, each by its share of a whole one's area
   std::vector<double> of_cloths_;       ///< the same of each cloth
   std::vector<Point<Dim>> centers_;     ///< of each cloth [m]
+  Paths<Dim> paths_;                    ///< of the centres
   std::vector<double> time_integrals_;  ///< of the quantities of each marker
   double averaged_time_ = 0;            ///< [s]
   std::optional<TumbleCounter> tumbles_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/measure/coupling_measure.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 #include "washfsi/measure/body_measure.hpp"
@@ -10,10 +11,24 @@
 namespace washfsi {
 
 template <int Dim>
+CouplingMeasure<Dim>::CouplingMeasure(const System<Dim>& system, const ClothMeasure<Dim>& cloth)
+    : system_(system), cloth_(cloth) {
+  const Points<Dim> constant = system.model.forces.constant();
+  const bool is_loaded = std::ranges::any_of(constant, [](const Point<Dim>& load) { return !load.isZero(0); });
+  is_loaded_ = couples() && any_rank(system.model.grid.comm(), is_loaded);
+}
+
+template <int Dim>
 void CouplingMeasure<Dim>::declare(QuantityList& quantities) {
   if (couples())
     quantities.add({"cloth_dissipation", Units<Dim>::power, "energy that the cloth's damping and the coupling take out",
-                    [this] { return dissipation_; }});
+                    [this] { return dissipation_; }},
+                   {{"cloth_dissipated", Units<Dim>::energy, OverCycle::integral,
+                     "energy lost to the cloth's damping and the coupling", -1}});
+  if (is_loaded_)
+    quantities.add(
+        {"load_power", Units<Dim>::power, "that weight and loads put into the cloth", [this] { return load_power_; }},
+        {{"load_work", Units<Dim>::energy, OverCycle::integral, "that weight and loads put into the cloth", 1}});
 }
 
 template <int Dim>
@@ -35,10 +50,11 @@ void CouplingMeasure<Dim>::observe(const Observation<Dim>& seen) {
   WASH_PETSC(VecDot(system_.step.force, model.fluid.velocity_before(), &before));
   WASH_PETSC(VecDot(system_.step.force, model.fluid.velocity(), &after));
   const double given = 0.5 * (before + after) * model.grid.cell_volume();
-  double got = 0;
+  load_power_ = 0;
   const Points<Dim> constant = model.forces.constant();
-  for (std::size_t m = 0; m < constant.size(); ++m) got += system_.state.mean_velocities[m].dot(constant[m]);
-  got = ordered_sum(model.grid.comm(), got);
+  for (std::size_t m = 0; m < constant.size(); ++m) load_power_ += system_.state.mean_velocities[m].dot(constant[m]);
+  load_power_ = ordered_sum(model.grid.comm(), load_power_);
+  double got = load_power_;
   const double middle = system_.state.clock.time - 0.5 * seen.dt;
   for (std::size_t b = 0; b < model.bodies.size(); ++b)
     got += power(model.bodies[b].motion, seen.contact.bodies[b], middle);

@@ -10,8 +10,8 @@ namespace washfsi {
 template <int Dim>
 class CouplingMeasure : public Measure<Dim> {
  public:
-  /// `cloth` must have observed before.
-  CouplingMeasure(const System<Dim>& system, const ClothMeasure<Dim>& cloth) : system_(system), cloth_(cloth) {}
+  /// `cloth` must have observed before. Collective.
+  CouplingMeasure(const System<Dim>& system, const ClothMeasure<Dim>& cloth);
 
   void declare(QuantityList& quantities) override;
   void prepare() override;
@@ -23,6 +23,8 @@ class CouplingMeasure : public Measure<Dim> {
 
   const System<Dim>& system_;
   const ClothMeasure<Dim>& cloth_;
+  bool is_loaded_ = false;  ///< by weight or other constant forces
+  double load_power_ = 0;   ///< [W; W/m in the plane]
   double dissipation_ = 0;  ///< [W; W/m in the plane]
   double energy_ = 0;       ///< elastic and kinetic, of all cloths before the step [J; J/m in the plane]
 };

@@ -11,10 +11,13 @@ void FlowMeasure<Dim>::declare(QuantityList& quantities) {
   const FractionalStep<Dim>& fluid = system_.model.fluid;
   quantities.add({"time", "s", "at the end of the step", [this] { return system_.state.clock.time; }});
   quantities.add({"dt", "s", "length of the step", [this] { return dt_; }});
-  quantities.add({"cfl", "-", "largest dt sum_d \\|u_d\\|/h_d over all cells", [this] { return flow_.courant.value; }});
-  quantities.add({"kinetic_energy", U::energy,
-                  "1/2 sum rho \\|u\\|² over the faces in fluid, and that of the cloths' mass",
-                  [this] { return flow_.kinetic_energy; }});
+  quantities.add({"cfl", "-", "largest dt sum_d \\|u_d\\|/h_d over all cells", [this] { return flow_.courant.value; },
+                  Accumulation::largest, "/max_cfl"},
+                 {{"cfl", "-", OverCycle::peak, "largest CFL number"}});
+  quantities.add(
+      {"kinetic_energy", U::energy, "1/2 sum rho \\|u\\|² over the faces in fluid, and that of the cloths' mass",
+       [this] { return flow_.kinetic_energy; }},
+      {{"kinetic_energy_change", U::energy, OverCycle::change, "kinetic energy kept", -1}});
   quantities.add({"max_divergence", "1/s", "largest divergence of a cell; what the pressure solver left",
                   [this] { return flow_.max_divergence; }, Accumulation::largest, "/max_divergence"});
   quantities.add({"angular_momentum", U::angular_momentum,
@@ -22,11 +25,14 @@ void FlowMeasure<Dim>::declare(QuantityList& quantities) {
                   "the box's middle",
                   [this] { return flow_.angular_momentum; }});
   quantities.add(
-      {"dissipation", U::power, "2 mu e:e over the fluid, e the rate of strain", [this] { return flow_.dissipation; }});
+      {"dissipation", U::power, "2 mu e:e over the fluid, e the rate of strain", [this] { return flow_.dissipation; }},
+      {{"dissipated", U::energy, OverCycle::integral, "energy lost to the water's friction", -1}});
   if (fluid.departs_from_central())
-    quantities.add({"numerical_dissipation", U::power,
-                    "power that the advection scheme took out of the flow beyond central differences",
-                    [&fluid] { return fluid.numerical_dissipation(); }});
+    quantities.add(
+        {"numerical_dissipation", U::power,
+         "power that the advection scheme took out of the flow beyond central differences",
+         [&fluid] { return fluid.numerical_dissipation(); }},
+        {{"advection_dissipated", U::energy, OverCycle::integral, "energy lost to the advection scheme", -1}});
 }
 
 template <int Dim>

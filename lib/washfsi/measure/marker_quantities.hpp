@@ -23,6 +23,7 @@ struct MarkerQuantity {
   const char *name, *unit, *meaning;
   double (*value)(const MarkerSample& sample);
   bool in_series = false;  ///< whether it is in cloth.h5 too
+  bool of_cycle = false;   ///< whether its mean is a figure of a cycle
 };
 
 /// All of them, in the plane or in space.

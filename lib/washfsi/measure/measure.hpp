@@ -44,6 +44,14 @@ struct Units {
   static constexpr const char* angular_momentum = Dim == 2 ? "J s/m" : "J s";
 };
 
+/// What most numbers give for a cycle: their mean, their peak and their root mean square.
+inline std::vector<CycleFigure> mean_peak_rms(const std::string& name, const std::string& unit,
+                                              const std::string& meaning, bool is_headline = false) {
+  return {{name + "_mean", unit, OverCycle::mean, "mean " + meaning},
+          {name + "_peak", unit, OverCycle::peak, "largest " + meaning + ", in size", 0, is_headline},
+          {name + "_rms", unit, OverCycle::rms, "root mean square of the " + meaning}};
+}
+
 /// Declares the components of the load with a number among others, which must outlive the list: its force and its
 /// torque, columns PREFIX_force_x ... and entries under a pointer.
 template <int Dim>

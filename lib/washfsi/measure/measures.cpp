@@ -17,6 +17,14 @@ std::vector<std::unique_ptr<Measure<Dim>>> further_measures(const System<Dim>& s
   return measures;
 }
 
+// Of the first body that has one; 0 if none has.
+template <int Dim>
+double first_period(const std::vector<Body<Dim>>& bodies) {
+  for (const auto& body : bodies)
+    if (body.motion.period() > 0) return body.motion.period();
+  return 0;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -25,6 +33,10 @@ MeasureOptions MeasureOptions::from_options(Options& options, const Point<Dim>& 
   options.block("", "Loads", [&](OptionBlock& block) {
     block.boolean("body_balance", measure.balance_loads,
                   "measure the loads on bodies by the balance of momentum round them too: a check");
+  });
+  options.block("", "Cycles", [&](OptionBlock& block) {
+    block.real("cycle_time", measure.cycle_time, "s", non_negative,
+               "of the cycles in cycles.csv; 0: the period of the first body that moves periodically");
   });
   if constexpr (Dim == 3) measure.machine = MachineAxis::from_options(options, lower, upper);
   return measure;
@@ -46,6 +58,7 @@ Measures<Dim>::Measures(const System<Dim>& system, const MeasureOptions& options
   cloth_.declare(quantities_);
   for (const auto& measure : further_) measure->declare(quantities_);
   quantities_.keep("unmeasured_time", {&unmeasured_time_, 1});
+  cycles_.emplace(quantities_, options.cycle_time > 0 ? options.cycle_time : first_period(system.model.bodies));
 }
 
 template <int Dim>
@@ -71,6 +84,7 @@ void Measures<Dim>::observe_start(double dt) {
   coupling_.observe_start(seen);
   for (const auto& measure : further_) measure->observe_start(seen);
   if (system_.state.clock.step == 0) quantities_.accumulate();  // else as the checkpoint has them
+  cycles_->begin(system_.state.clock.time);
 }
 
 template <int Dim>
@@ -99,6 +113,7 @@ void Measures<Dim>::observe(double dt, bool all) {
     for (const auto& measure : further_) measure->observe(seen);
   }
   quantities_.accumulate();
+  cycles_->observe(system_.state.clock.time, seen.interval);
 }
 
 template MeasureOptions MeasureOptions::from_options<2>(Options&, const Point<2>&, const Point<2>&);

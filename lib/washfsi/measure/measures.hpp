@@ -2,10 +2,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "washfsi/measure/body_measure.hpp"
 #include "washfsi/measure/cloth_measure.hpp"
 #include "washfsi/measure/coupling_measure.hpp"
+#include "washfsi/measure/cycles.hpp"
 #include "washfsi/measure/flow_measure.hpp"
 #include "washfsi/measure/wall_measure.hpp"
 
@@ -14,6 +16,7 @@ namespace washfsi {
 /// What is measured that is a choice.
 struct MeasureOptions {
   bool balance_loads = false;  ///< loads on bodies by the balance of momentum too
+  double cycle_time = 0;       ///< [s]; 0: the period of the first body that moves periodically
   MachineAxis machine;         ///< in space
 
   /// In a box with these corners [m].
@@ -40,6 +43,8 @@ class Measures {
 
   QuantityList& quantities() { return quantities_; }
   const QuantityList& quantities() const { return quantities_; }
+  Cycles& cycles() { return *cycles_; }
+  const Cycles& cycles() const { return *cycles_; }
   const FlowDiagnostics<Dim>& flow() const { return flow_.flow(); }
   ClothMeasure<Dim>& cloth() { return cloth_; }
   const ClothMeasure<Dim>& cloth() const { return cloth_; }
@@ -55,6 +60,7 @@ class Measures {
   CouplingMeasure<Dim> coupling_;
   std::vector<std::unique_ptr<Measure<Dim>>> further_;
   QuantityList quantities_;
+  std::optional<Cycles> cycles_;
   double unmeasured_time_ = 0;  ///< since all was taken last [s]
 };
 

@@ -5,18 +5,19 @@
 
 namespace washfsi {
 
-void QuantityList::add(Quantity quantity) {
+void QuantityList::add(Quantity quantity, std::vector<CycleFigure> of_cycle) {
   taken_.push_back(0.0);
   double& largest = largest_.emplace_back(0.0);
   if (quantity.accumulation != Accumulation::none)
     keep("largest_" + (quantity.name.empty() ? quantity.summary : quantity.name), {&largest, 1});
   quantities_.push_back(std::move(quantity));
+  of_cycle_.push_back(std::move(of_cycle));
 }
 
-void QuantityList::keep(const std::string& name, std::span<double> numbers) {
+void QuantityList::keep(const std::string& name, std::span<double> numbers, IfOthers others) {
   std::string path = name;
   std::replace(path.begin(), path.end(), '/', '_');
-  kept_.push_back({path, numbers});
+  kept_.push_back({path, numbers, others});
 }
 
 void QuantityList::accumulate() {
@@ -28,6 +29,18 @@ void QuantityList::accumulate() {
 
 double QuantityList::shown(std::size_t n) const {
   return quantities_[n].accumulation == Accumulation::largest_so_far ? largest_[n] : taken_[n];
+}
+
+std::vector<CycleFigure> QuantityList::cycle_figures() const {
+  std::vector<CycleFigure> figures;
+  for (const auto& of_one : of_cycle_) figures.insert(figures.end(), of_one.begin(), of_one.end());
+  return figures;
+}
+
+std::vector<double> QuantityList::cycle_values() const {
+  std::vector<double> values;
+  for (std::size_t n = 0; n < quantities_.size(); ++n) values.insert(values.end(), of_cycle_[n].size(), taken_[n]);
+  return values;
 }
 
 std::vector<Column> QuantityList::columns() const {

@@ -18,6 +18,24 @@ enum class Accumulation {
   largest_so_far,  ///< the largest of all is in the summary and, as far as it has come, in the history
 };
 
+/// What is made of a number over a cycle of the machine.
+enum class OverCycle {
+  mean,      ///< over time
+  rms,       ///< over time
+  peak,      ///< largest size
+  integral,  ///< over time
+  change,    ///< from the cycle's start to its end
+};
+
+/// A figure of a cycle, a column of cycles.csv.
+struct CycleFigure {
+  std::string name, unit;
+  OverCycle over;
+  std::string meaning;
+  int balance = 0;           ///< how it enters the balance of energy: 1 if it is put in, -1 if it is kept or lost
+  bool is_headline = false;  ///< whether the terminal tells it
+};
+
 /// One number that is measured.
 struct Quantity {
   std::string name;               ///< of its column in history.csv; empty: it has none
@@ -33,15 +51,22 @@ struct Quantity {
 /// from this list.
 class QuantityList {
  public:
-  void add(Quantity quantity);
+  /// Adds a quantity, and what it gives for a cycle.
+  void add(Quantity quantity, std::vector<CycleFigure> of_cycle = {});
+  /// What becomes of numbers of which a checkpoint has more or fewer, since the case was changed.
+  enum class IfOthers { refuse, begin_anew };
   /// Numbers that go on from step to step and that a checkpoint must keep. They must outlive the list.
-  void keep(const std::string& name, std::span<double> numbers);
+  void keep(const std::string& name, std::span<double> numbers, IfOthers others = IfOthers::refuse);
 
   /// Takes the present values, and them into the largest ones.
   void accumulate();
   /// The values taken last, which a checkpoint keeps for a run that has no step left to take.
   const std::vector<double>& taken() const { return taken_; }
   void set_taken(const std::vector<double>& values) { taken_ = values; }
+
+  /// All figures of a cycle, each with the present value of its quantity.
+  std::vector<CycleFigure> cycle_figures() const;
+  std::vector<double> cycle_values() const;
 
   /// The history's columns, and their values now.
   std::vector<Column> columns() const;
@@ -61,6 +86,7 @@ class QuantityList {
   struct Kept {
     std::string name;
     std::span<double> numbers;
+    IfOthers others;
   };
   const std::vector<Kept>& kept() const { return kept_; }
 
@@ -71,6 +97,7 @@ class QuantityList {
   double shown(std::size_t n) const;
 
   std::vector<Quantity> quantities_;
+  std::vector<std::vector<CycleFigure>> of_cycle_;  ///< of each quantity
   std::vector<double> taken_;
   std::deque<double> largest_;  ///< of each quantity; does not move as it grows
   std::vector<Kept> kept_;

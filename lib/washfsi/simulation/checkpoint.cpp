@@ -12,7 +12,7 @@ namespace washfsi {
 
 namespace {
 
-constexpr double format = 3;  ///< of the file; another number for any other content
+constexpr double format = 4;  ///< of the file; another number for any other content
 
 // The numbers that a state has besides its fields, in the order in which they are kept; as attributes for readers.
 constexpr std::array number_names{"step",
@@ -152,13 +152,32 @@ void write_checkpoint(const std::string& folder, const System<Dim>& system, Meas
   file.write_sealed("/identity", shared_slab(comm, same.size(), true), same);
   const std::vector<double>& taken = measures.quantities().taken();
   file.write_sealed("/measured", shared_slab(comm, taken.size(), true), taken);
-  for (const auto& [name, kept] : measures.quantities().kept())
+  for (const auto& [name, kept, others] : measures.quantities().kept())
     file.write_sealed("/totals/" + name, shared_slab(comm, kept.size(), true),
                       std::vector<double>(kept.begin(), kept.end()));
   file.close();
   const bool committed = rank_of(comm) != 0 || commit_file(temporary, path, folder + "/checkpoint_before.h5");
   if (any_rank(comm, !committed)) throw FileError(path + ": cannot be written");
 }
+
+namespace {
+
+// What goes on from step to step in the measures.
+template <int Dim>
+void read_totals(MPI_Comm comm, Hdf5File& file, Measures<Dim>& measures) {
+  QuantityList& quantities = measures.quantities();
+  const std::size_t taken = quantities.taken().size();
+  if (file.shape("/measured").at(0) == taken)  // no other measures than before
+    quantities.set_taken(file.read_sealed("/measured", shared_slab(comm, taken, false), Hdf5File::Readers::whole));
+  for (const auto& [name, kept, others] : quantities.kept()) {
+    const std::string path = "/totals/" + name;
+    if (others == QuantityList::IfOthers::begin_anew && file.shape(path).at(0) != kept.size()) continue;
+    std::ranges::copy(file.read_sealed(path, shared_slab(comm, kept.size(), false), Hdf5File::Readers::whole),
+                      kept.begin());
+  }
+}
+
+}  // namespace
 
 template <int Dim>
 RunState read_checkpoint(const std::string& path, System<Dim>& system, Measures<Dim>& measures) {
@@ -184,14 +203,7 @@ RunState read_checkpoint(const std::string& path, System<Dim>& system, Measures<
       measures.cloth().time_integrals() =
           file.read_sealed("/cloth/time_integrals", slab_of_integrals(system.model.cloths));
     }
-    const std::size_t quantities = measures.quantities().taken().size();
-    if (file.shape("/measured").at(0) == quantities)  // no other measures than before
-      measures.quantities().set_taken(
-          file.read_sealed("/measured", shared_slab(comm, quantities, false), Hdf5File::Readers::whole));
-    for (const auto& [name, kept] : measures.quantities().kept())
-      std::ranges::copy(
-          file.read_sealed("/totals/" + name, shared_slab(comm, kept.size(), false), Hdf5File::Readers::whole),
-          kept.begin());
+    read_totals(comm, file, measures);
     system.model.locate_cloth(system.state.positions);
     const std::vector<double> read =
         file.read_sealed("/numbers", shared_slab(comm, number_names.size(), false), Hdf5File::Readers::whole);

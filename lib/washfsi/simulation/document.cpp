@@ -115,7 +115,8 @@ std::string document_quantities(Options& options) {
   const auto chosen = CaseOptions<Dim>::from_options(options);
   auto bodies = bodies_from_options<Dim>(options, chosen.model.grid.shape.spacing().minCoeff());
   const auto system = start_system<Dim>(options.comm(), chosen, std::move(bodies));
-  return Measures<Dim>(*system, chosen.measure).quantities().document();
+  const Measures<Dim> measures(*system, chosen.measure);
+  return measures.quantities().document() + "\nOf a cycle, in `cycles.csv`:\n\n" + measures.cycles().document();
 }
 
 template std::string document_quantities<2>(Options&);

@@ -20,7 +20,7 @@ double peak_memory(MPI_Comm comm) {
 }
 
 template <int Dim>
-Results<Dim>::Results(const System<Dim>& system, const Measures<Dim>& measures, std::vector<Profile<Dim>> profiles,
+Results<Dim>::Results(const System<Dim>& system, Measures<Dim>& measures, std::vector<Profile<Dim>> profiles,
                       std::string folder, long restart_step)
     : system_(system),
       measures_(measures),
@@ -69,6 +69,25 @@ std::vector<Column> history_columns(const QuantityList& quantities) {
   return columns;
 }
 
+std::vector<Column> cycle_columns(const Cycles& cycles) {
+  std::vector<Column> columns{{"cycle", "-"}, {"start_up", "-"}, {"start", "s"}, {"end", "s"}};
+  for (const CycleFigure& figure : cycles.figures()) columns.push_back({figure.name, figure.unit});
+  return columns;
+}
+
+// Means over cycles with their spread; none before two are complete.
+nlohmann::ordered_json summary_of(const Cycles& cycles) {
+  auto figures = nlohmann::ordered_json::object();
+  for (std::size_t n = 0; cycles.counted() > 0 && n < cycles.figures().size(); ++n) {
+    const auto [mean, deviation] = cycles.mean(n);
+    figures[cycles.figures()[n].name] = {{"mean", mean}, {"std", deviation}, {"unit", cycles.figures()[n].unit}};
+  }
+  return {{"time", cycles.period()},
+          {"complete", cycles.completed()},
+          {"first", Cycles::first_in_means},
+          {"figures", figures}};
+}
+
 }  // namespace
 
 template <int Dim>
@@ -78,6 +97,10 @@ void Results<Dim>::open_history(long restart_step) {
   if (cloth_)
     tracks_.emplace(system_.model.grid.comm(), folder_ + "/tracks.csv", measures_.cloth().track_columns(),
                     restart_step);
+  const Cycles& cycles = measures_.cycles();
+  if (cycles.are_there())
+    cycles_.emplace(system_.model.grid.comm(), folder_ + "/cycles.csv", cycle_columns(cycles),
+                    restart_step < 0 ? -1 : cycles.completed());
 }
 
 template <int Dim>
@@ -94,6 +117,11 @@ template <int Dim>
 void Results<Dim>::write_row(long step) {
   history_->append(step, measures_.quantities().row());
   if (tracks_) tracks_->append(step, measures_.cloth().track_row());
+  for (const Cycles::Row& row : measures_.cycles().take_completed()) {
+    std::vector<double> values{row.number < Cycles::first_in_means ? 1.0 : 0.0, row.start, row.end};
+    values.insert(values.end(), row.values.begin(), row.values.end());
+    cycles_->append(row.number, values);
+  }
 }
 
 template <int Dim>
@@ -124,7 +152,8 @@ void Results<Dim>::write_summary(const RunSummary& summary) const {
   json["iterations"] = {{"momentum", counts.momentum / steps},
                         {"pressure", counts.pressure / steps},
                         {"cloth", system_.step.cloth_iterations / steps}};
-  json["max_divergence"] = measures_.quantities().summary_value("/max_divergence");
+  for (const char* name : {"max_divergence", "max_cfl"})
+    json[name] = measures_.quantities().summary_value(std::string("/") + name);
   json["peak_memory_bytes"] = std::llround(peak_memory(system_.model.grid.comm()));
   for (const char* part : {"bodies", "walls", "cloths"}) json[part] = nlohmann::ordered_json::object();
   for (const auto& [pointer, value, is_count] : measures_.quantities().summary()) {
@@ -134,6 +163,7 @@ void Results<Dim>::write_summary(const RunSummary& summary) const {
     else
       entry = value;
   }
+  if (measures_.cycles().are_there()) json["cycles"] = summary_of(measures_.cycles());
   if (Dim == 2)  // a turn needs three dimensions
     for (auto& cloth : json["cloths"]) cloth["tumbles"] = nullptr;
   write_text_file(system_.model.grid.comm(), folder_ + "/summary.json", json.dump(2) + "\n");

@@ -24,8 +24,8 @@ template <int Dim>
 class Results {
  public:
   /// Collective. Errors: FileError. `restart_step` < 0: a new run.
-  Results(const System<Dim>& system, const Measures<Dim>& measures, std::vector<Profile<Dim>> profiles,
-          std::string folder, long restart_step);
+  Results(const System<Dim>& system, Measures<Dim>& measures, std::vector<Profile<Dim>> profiles, std::string folder,
+          long restart_step);
 
   /// Whether a folder has the history of an earlier run. Collective.
   static bool holds_a_run(MPI_Comm comm, const std::string& folder);
@@ -38,11 +38,12 @@ class Results {
   /// Removes all that an earlier run wrote at its end, or to go on from. Collective.
   static void remove_ends(MPI_Comm comm, const std::string& folder);
 
-  /// Starts history.csv and tracks.csv, or continues them after `restart_step`. Collective. Errors: FileError.
+  /// Starts history.csv, tracks.csv and cycles.csv, or continues them after `restart_step`. Collective. Errors:
+  /// FileError.
   void open_history(long restart_step);
   /// A frame of each series.
   void write_frame(long step);
-  /// A row of history.csv and of tracks.csv.
+  /// A row of history.csv and of tracks.csv, and one of cycles.csv if a cycle ends.
   void write_row(long step);
   /// Profiles and the final marker table.
   void write_final() const;
@@ -50,13 +51,13 @@ class Results {
 
  private:
   const System<Dim>& system_;
-  const Measures<Dim>& measures_;
+  Measures<Dim>& measures_;
   std::vector<Profile<Dim>> profiles_;
   std::string folder_;
   FlowSeries<Dim> flow_;
   std::optional<BodySeries<Dim>> bodies_;
   std::optional<ClothSeries<Dim>> cloth_;
-  std::optional<History> history_, tracks_;
+  std::optional<History> history_, tracks_, cycles_;
   long last_frame_ = -1;
 };
 

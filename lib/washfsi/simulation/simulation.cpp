@@ -8,33 +8,14 @@
 #include <optional>
 
 #include "washfsi/simulation/changed_options.hpp"
+#include "washfsi/simulation/report_lines.hpp"
 #include "washfsi/simulation/size_check.hpp"
 #include "washfsi/support/errors.hpp"
+#include "washfsi/support/format_text.hpp"
 #include "washfsi/support/hdf5_file.hpp"
 #include "washfsi/support/long_task.hpp"
 
 namespace washfsi {
-
-namespace {
-
-template <class... Arguments>
-std::string format(const char* pattern, Arguments... arguments) {
-  std::array<char, 512> text{};
-  (void)std::snprintf(text.data(), text.size(), pattern, arguments...);
-  return text.data();
-}
-
-template <int Dim>
-std::string grid_text(const Grid<Dim>& grid) {
-  std::vector<std::string> counts, spacings;
-  for (int d = 0; d < Dim; ++d) {
-    counts.push_back(std::to_string(grid.cells()[d]));
-    spacings.push_back(format("%.4g", grid.spacing()[d]));
-  }
-  return join(counts, " x ") + " cells of " + join(spacings, " x ") + " m";
-}
-
-}  // namespace
 
 template <int Dim>
 Simulation<Dim>::Simulation(Options& options, std::string case_name)
@@ -153,7 +134,7 @@ void Simulation<Dim>::run() {
   } catch (const DivergedError& error) {
     end("failed");
     throw DivergedError("diverged in step " + std::to_string(attempted_step_) +
-                        " after t = " + format("%.6g", attempt_start_) + " s: " + error.what() +
+                        " after t = " + format_text("%.6g", attempt_start_) + " s: " + error.what() +
                         "; the velocity was last seen largest " + place_of_largest_velocity());
   }
 }
@@ -232,16 +213,17 @@ void Simulation<Dim>::check_velocity() const {
   const Located& worst = measures_->flow().courant;
   if (worst.value <= run_.max_courant) return;
   const char* advice = run_.time_cfl > 0 ? "" : " (-time_cfl 0.5 would shorten the steps in time)";
-  const std::string what = std::isfinite(worst.value) ? format("velocity: CFL number %.3g exceeds -time_max_cfl %.3g%s",
-                                                               worst.value, run_.max_courant, advice)
-                                                      : std::string("velocity: not finite");
+  const std::string what =
+      std::isfinite(worst.value)
+          ? format_text("velocity: CFL number %.3g exceeds -time_max_cfl %.3g%s", worst.value, run_.max_courant, advice)
+          : std::string("velocity: not finite");
   throw DivergedError(what);
 }
 
 template <int Dim>
 std::string Simulation<Dim>::place_of_largest_velocity() const {
   const Located& worst = measures_->flow().courant;
-  return "at (" + list_text<Dim>(Point<Dim>(worst.place)) + ") m" + format(", CFL number %.3g", worst.value);
+  return "at (" + list_text<Dim>(Point<Dim>(worst.place)) + ") m" + format_text(", CFL number %.3g", worst.value);
 }
 
 template <int Dim>
@@ -251,36 +233,20 @@ void Simulation<Dim>::watch_step_bound() {
   if (state_.dt <= bound) return;
   warned_of_step_ = true;
   progress_.note(
-      format("warning: -time_step %.3g s exceeds the bound %.3g s of the coupling for the cloth as it"
-             " lies at t = %.4g s",
-             state_.dt, bound, clock().time));
+      format_text("warning: -time_step %.3g s exceeds the bound %.3g s of the coupling for the cloth as it"
+                  " lies at t = %.4g s",
+                  state_.dt, bound, clock().time));
 }
 
 template <int Dim>
 void Simulation<Dim>::print_banner() {
-  const Model<Dim>& system = system_->model;
   for (const std::string& note : notes_) progress_.note(note);
-  progress_.note(format("washfsi: case %s, %d rank%s", case_name_.c_str(), ranks_of(system.grid.comm()),
-                        ranks_of(system.grid.comm()) == 1 ? "" : "s"));
-  progress_.note("  grid      " + grid_text(system.grid));
-  std::vector<std::string> bodies, groups;
-  for (const auto& body : system.bodies) bodies.push_back(body.name);
-  for (const auto& group : system.cloths.groups())
-    groups.push_back(std::to_string(group.count) + " " + group.name + " of " + std::to_string(group.markers[0]) +
-                     (Dim == 3 ? " x " + std::to_string(group.markers[1]) : "") + " markers");
-  if (!bodies.empty()) progress_.note("  bodies    " + join(bodies, ", "));
-  if (!groups.empty())
-    progress_.note("  cloth     " + join(groups, ", ") + " (" + std::to_string(system.cloths.marker_count()) +
-                   " markers), coupled " + coupling_);
-  progress_.note("  solvers   momentum " + petsc::option_value("", "-momentum_ksp_type", "gmres") + "/" +
-                 petsc::option_value("", "-momentum_pc_type", "jacobi") + ", pressure " +
-                 petsc::option_value("", "-pressure_ksp_type", "cg") + "/" +
-                 petsc::option_value("", "-pressure_pc_type", "transform"));
+  for (const std::string& line : banner_lines(system_->model, case_name_, coupling_)) progress_.note(line);
   const double bound = scheme_->step_bound(*system_);
-  progress_.note(format("  time      step %.4g s, end %.4g s", state_.dt, run_.time_end) +
-                 (std::isfinite(bound) ? format(", bound of the coupling %.4g s", bound)
-                  : groups.empty()     ? ""
-                                       : ", which the coupling does not bound"));
+  progress_.note(format_text("  time      step %.4g s, end %.4g s", state_.dt, run_.time_end) +
+                 (std::isfinite(bound)                        ? format_text(", bound of the coupling %.4g s", bound)
+                  : system_->model.cloths.marker_count() == 0 ? ""
+                                                              : ", which the coupling does not bound"));
   watch_step_bound();
 }
 
@@ -292,9 +258,10 @@ void Simulation<Dim>::check_only() {
   for (int n = 0; n < trial_steps; ++n) scheme_->advance(*system_, state_.dt);  // only to time them
   const double per_step = (progress_.wall_seconds() - before) / trial_steps;
   const double steps = std::ceil((run_.time_end - start) / state_.dt - 1e-6);
-  progress_.note(format("  memory    about %.0f MB", memory / 1e6));
-  progress_.note(format("  duration  about %.0f s: %.0f steps of %.1f ms", steps * per_step, steps, 1e3 * per_step));
-  progress_.note(format("check passed; the state at t = %.6g s is in ", start) + run_.output_dir);
+  progress_.note(format_text("  memory    about %.0f MB", memory / 1e6));
+  progress_.note(
+      format_text("  duration  about %.0f s: %.0f steps of %.1f ms", steps * per_step, steps, 1e3 * per_step));
+  progress_.note(format_text("check passed; the state at t = %.6g s is in ", start) + run_.output_dir);
 }
 
 template <int Dim>
@@ -317,26 +284,8 @@ void Simulation<Dim>::end(const std::string& status) {
 
 template <int Dim>
 void Simulation<Dim>::print_summary(const RunSummary& summary) {
-  const SolverCounts& counts = system_->model.fluid.counts();
-  const double steps = std::max(1.0, static_cast<double>(clock().step));
-  progress_.note(summary.status + " after " + std::to_string(summary.steps) +
-                 " steps at t = " + format("%.6g", summary.time) + " s");
-  progress_.note(
-      format("  wall time          %.2f s, %.3f ms a step", summary.wall_seconds, 1e3 * summary.seconds_per_step));
-  progress_.note(
-      format("  iterations a step  momentum %.2f, pressure %.2f", counts.momentum / steps, counts.pressure / steps));
-  const QuantityList& quantities = measures_->quantities();
-  progress_.note(format("  max divergence     %.3e 1/s", quantities.summary_value("/max_divergence")));
-  for (const auto& body : system_->model.bodies)
-    progress_.note(format("  %-18s torque %.4g", body.name.c_str(),
-                          quantities.summary_value("/bodies/" + body.name + "/torque" + (Dim == 3 ? "/2" : ""))) +
-                   (Dim == 2 ? " N (per metre: N m/m)" : " N m"));
-  for (std::size_t g = 0; g < measures_->cloth().groups().size(); ++g) {
-    const std::string& name = system_->model.cloths.groups()[g].name;
-    const auto of_run = [&](const char* quantity) { return quantities.summary_value("/cloths/" + name + quantity); };
-    progress_.note(format("  %-18s mean stress %.4g Pa (+- %.3g), largest stretch %.3g %%", name.c_str(),
-                          of_run("/stress_mean"), of_run("/stress_std"), 100 * of_run("/max_stretch")));
-  }
+  for (const std::string& line : result_lines(*system_, *measures_, summary)) progress_.note(line);
+  for (const std::string& line : cycle_lines(measures_->cycles())) progress_.note(line);
   progress_.note("  results            " + run_.output_dir);
 }
 

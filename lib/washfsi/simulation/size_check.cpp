@@ -2,15 +2,14 @@
 #include "washfsi/simulation/size_check.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include <unistd.h>
 
 #include "washfsi/support/collective.hpp"
 #include "washfsi/support/errors.hpp"
+#include "washfsi/support/format_text.hpp"
 
 namespace washfsi {
 
@@ -28,10 +27,8 @@ double memory_of_machine(MPI_Comm comm) {
 
 void refuse_beyond(double memory, double bytes, const std::string& what) {
   if (bytes <= memory) return;
-  std::array<char, 96> text{};
-  (void)std::snprintf(text.data(), text.size(), "needs at least %.3g GB of memory; there are %.3g GB", bytes / 1e9,
-                      memory / 1e9);
-  throw InputError(what + ": " + text.data());
+  throw InputError(what +
+                   format_text(": needs at least %.3g GB of memory; there are %.3g GB", bytes / 1e9, memory / 1e9));
 }
 
 void refuse_beyond_indices(double numbers, const std::string& what) {

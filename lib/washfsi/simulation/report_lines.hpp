@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "washfsi/simulation/results.hpp"
+
+namespace washfsi {
+
+/// What the terminal tells at the start of a run: case, grid, bodies, cloths, solvers.
+template <int Dim>
+std::vector<std::string> banner_lines(const Model<Dim>& model, const std::string& case_name,
+                                      const std::string& coupling);
+
+/// What it tells at the end: cost, and the main figures.
+template <int Dim>
+std::vector<std::string> result_lines(const System<Dim>& system, const Measures<Dim>& measures,
+                                      const RunSummary& summary);
+
+/// Means over the cycles, with their spread; nothing without cycles.
+std::vector<std::string> cycle_lines(const Cycles& cycles);
+
+}  // namespace washfsi
