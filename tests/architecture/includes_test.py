@@ -21,7 +21,8 @@ ARROWS = {
     "output": {"grid", "cloth", "body"},
     "scheme": {"fluid", "coupling", "contact"},
     "measure": {"scheme", "machine", "output"},
-    "simulation": {"measure"},
+    "trust": {"measure"},
+    "simulation": {"trust"},
 }
 
 

@@ -17,7 +17,7 @@ struct Machine {
                                                             {"rms", "W", OverCycle::rms, ""}});
     list.add({"loss", "W", "", [this] { return loss; }}, {{"lost", "J", OverCycle::integral, "", -1}});
     list.add({"energy", "J", "", [this] { return energy; }}, {{"kept", "J", OverCycle::change, "", -1}});
-    cycles.emplace(list, period);
+    cycles.emplace(list, period, "cycle");
     list.accumulate();
     cycles->begin(0);
   }

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "washfsi/body/mesh_distance.hpp"
+#include "washfsi/body/mesh_shells.hpp"
 #include "washfsi/body/sampled.hpp"
 #include "washfsi/support/errors.hpp"
 #include "washfsi/support/format_text.hpp"
@@ -15,12 +15,13 @@ namespace {
 constexpr double margin_in_points = 8;  // with the default spacing, four cells of the grid
 
 // Refuses a lattice that no machine would hold, with a spacing that one would.
-void check_size(const Lattice<3>& lattice, const StlOptions& options, const std::string& name) {
+void check_size(const Lattice<3>& lattice, double length, const StlOptions& options, const std::string& name) {
   constexpr double most_points = Lattice<3>::most_points;
   if (lattice.size() <= most_points) return;
   const double least = options.sample_spacing * std::cbrt(lattice.size() / most_points);
   throw InputError("-" + name + "_sample_spacing " + to_text(options.sample_spacing) + ": must be at least about " +
-                   format_text("%.1e", 1.1 * least) + " for a body of this size");
+                   format_text("%.1e", 1.1 * least) + " for a body " + format_text("%.3g m long", length) +
+                   "; if its file is in millimetres, give -" + name + "_scale 0.001");
 }
 
 }  // namespace
@@ -46,8 +47,10 @@ ShapePtr<3> shape_from_stl(MPI_Comm comm, const StlOptions& options, const std::
   }
   const double spacing = options.sample_spacing;
   const auto lattice = Lattice<3>::around(lower, upper, margin_in_points * spacing, spacing);
-  check_size(lattice, options, name);
-  return Sampled<3>::of(comm, MeshDistance(std::move(mesh)), lattice);
+  check_size(lattice, (upper - lower).maxCoeff(), options, name);
+  std::vector<TriangleMesh> shells = shells_of(mesh);
+  if (shells.size() == 1) return Sampled<3>::of(comm, MeshDistance(std::move(mesh)), lattice);
+  return Sampled<3>::of(comm, MeshShells(std::move(shells), option + " " + options.file + ": "), lattice);
 }
 
 }  // namespace washfsi

@@ -63,21 +63,26 @@ std::string flaw_of_edge(const Passes& edge) {
 
 }  // namespace
 
-std::string TriangleMesh::flaw() const {
-  if (facets.empty()) return "it has no facets";
+double TriangleMesh::volume() const {
   double volume = 0;
-  for (std::size_t f = 0; f < facets.size(); ++f) {
-    const Triangle t = triangle(facets[f]);
-    if (is_degenerate(t)) return "facet " + std::to_string(f + 1) + " has no area";
+  for (const auto& facet : facets) {
+    const Triangle t = triangle(facet);
     volume += (t[0] - vertices[0]).dot((t[1] - vertices[0]).cross(t[2] - vertices[0])) / 6;
   }
+  return volume;
+}
+
+std::string TriangleMesh::flaw() const {
+  if (facets.empty()) return "it has no facets";
+  for (std::size_t f = 0; f < facets.size(); ++f)
+    if (is_degenerate(triangle(facets[f]))) return "facet " + std::to_string(f + 1) + " has no area";
   for (const auto& [edge, passes] : passes_of(facets)) {
     const std::string flaw = flaw_of_edge(passes);
     if (!flaw.empty())
       return flaw + " at the edge from (" + list_text<3>(vertices[edge.first]) + ") to (" +
              list_text<3>(vertices[edge.second]) + ")";
   }
-  if (!(volume > 0)) return "its facets face inwards";
+  if (!(volume() > 0)) return "its facets face inwards; turn them round (flip or recalculate the normals)";
   return "";
 }
 

@@ -19,28 +19,25 @@ const CycleFigure* first_with_balance(const std::vector<CycleFigure>& figures, i
 
 }  // namespace
 
-Cycles::Cycles(QuantityList& quantities, double period)
+Cycles::Cycles(QuantityList& quantities, double period, const std::string& name)
     : period_(period), quantities_(quantities), figures_(quantities.cycle_figures()) {
   if (const CycleFigure* work = first_with_balance(figures_, 1))
     figures_.push_back({"energy_open", work->unit, OverCycle::integral,
                         "what was put in and is neither kept nor lost where it is measured: what the scheme lost, or "
                         "what passed through sides that are open or move"});
-  const std::array<std::pair<const char*, double*>, 7> numbers{{{"cycle_period", &kept_period_},
-                                                                {"cycle_figures", &kept_figures_},
-                                                                {"cycle_number", &number_},
-                                                                {"cycle_is_whole", &is_whole_},
-                                                                {"cycle_elapsed", &elapsed_},
-                                                                {"cycles_told", &told_},
-                                                                {"cycles_counted", &counted_}}};
-  for (const auto& [name, number] : numbers) quantities.keep(name, {number, 1});
-  const std::array<std::pair<const char*, std::vector<double>*>, 5> of_figures{{{"cycle_sums", &sums_},
-                                                                                {"cycle_before", &before_},
-                                                                                {"cycle_last", &last_},
-                                                                                {"cycle_means", &means_},
-                                                                                {"cycle_squares", &squares_}}};
-  for (const auto& [name, values] : of_figures) {
+  const std::array<std::pair<const char*, double*>, 7> numbers{{{"_period", &kept_period_},
+                                                                {"_figures", &kept_figures_},
+                                                                {"_number", &number_},
+                                                                {"_is_whole", &is_whole_},
+                                                                {"_elapsed", &elapsed_},
+                                                                {"_told", &told_},
+                                                                {"_counted", &counted_}}};
+  for (const auto& [part, number] : numbers) quantities.keep(name + part, {number, 1});
+  const std::array<std::pair<const char*, std::vector<double>*>, 5> of_figures{
+      {{"_sums", &sums_}, {"_before", &before_}, {"_last", &last_}, {"_means", &means_}, {"_squares", &squares_}}};
+  for (const auto& [part, values] : of_figures) {
     values->assign(figures_.size(), 0.0);
-    quantities.keep(name, *values, QuantityList::IfOthers::begin_anew);
+    quantities.keep(name + part, *values, QuantityList::IfOthers::begin_anew);
   }
 }
 
@@ -102,9 +99,9 @@ void Cycles::add(double interval) {
 double Cycles::of_cycle(std::size_t n) const {
   switch (figures_[n].over) {
     case OverCycle::mean:
-      return sums_[n] / elapsed_;
+      return elapsed_ > 0 ? sums_[n] / elapsed_ : 0;
     case OverCycle::rms:
-      return std::sqrt(sums_[n] / elapsed_);
+      return elapsed_ > 0 ? std::sqrt(sums_[n] / elapsed_) : 0;
     case OverCycle::change:
       return last_[n] - before_[n];
     default:
@@ -112,7 +109,7 @@ double Cycles::of_cycle(std::size_t n) const {
   }
 }
 
-std::vector<double> Cycles::figures_of_cycle() const {
+std::vector<double> Cycles::so_far() const {
   std::vector<double> values;
   double open = 0;
   for (std::size_t n = 0; n < figures_.size(); ++n) {
@@ -126,7 +123,7 @@ std::vector<double> Cycles::figures_of_cycle() const {
 void Cycles::complete(double end, double next_time) {
   const double next = std::max(number_ + 1, std::floor(next_time / period_ + rounding));
   if (is_whole_ == 1 && elapsed_ > 0) {
-    Row row{static_cast<long>(number_) + 1, end - elapsed_, end, figures_of_cycle()};
+    Row row{static_cast<long>(number_) + 1, end - elapsed_, end, so_far()};
     told_ = static_cast<double>(row.number);
     if (row.number >= first_in_means) count(row.values);
     completed_.push_back(std::move(row));

@@ -16,9 +16,11 @@ class Cycles {
  public:
   static constexpr long first_in_means = 2;
 
-  /// `period` [s]: of a cycle; 0: there are none. The list must be whole and outlive it; it keeps what a checkpoint
-  /// needs.
-  Cycles(QuantityList& quantities, double period);
+  static constexpr double whole_run = 1e100;  ///< a period that makes it one cycle [s]
+
+  /// `period` [s]: of a cycle; 0: there are none. The list must be whole and outlive it; it keeps under this name what
+  /// a checkpoint needs.
+  Cycles(QuantityList& quantities, double period, const std::string& name);
   Cycles(const Cycles&) = delete;
   Cycles& operator=(const Cycles&) = delete;
 
@@ -44,6 +46,9 @@ class Cycles {
   /// What a row has: the figures of the quantities, and what the balance of energy leaves open.
   const std::vector<CycleFigure>& figures() const { return figures_; }
 
+  /// The figures of the cycle under way.
+  std::vector<double> so_far() const;
+
   /// A table of the figures in Markdown.
   std::string document() const;
 
@@ -60,7 +65,6 @@ class Cycles {
   void enter(double number, bool is_whole);
   void add(double interval);
   void complete(double end, double next_time);
-  std::vector<double> figures_of_cycle() const;
   double of_cycle(std::size_t figure) const;
   void count(const std::vector<double>& values);
 

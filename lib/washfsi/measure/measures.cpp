@@ -58,7 +58,9 @@ Measures<Dim>::Measures(const System<Dim>& system, const MeasureOptions& options
   cloth_.declare(quantities_);
   for (const auto& measure : further_) measure->declare(quantities_);
   quantities_.keep("unmeasured_time", {&unmeasured_time_, 1});
-  cycles_.emplace(quantities_, options.cycle_time > 0 ? options.cycle_time : first_period(system.model.bodies));
+  cycles_.emplace(quantities_, options.cycle_time > 0 ? options.cycle_time : first_period(system.model.bodies),
+                  "cycle");
+  whole_run_.emplace(quantities_, Cycles::whole_run, "run");
 }
 
 template <int Dim>
@@ -84,7 +86,7 @@ void Measures<Dim>::observe_start(double dt) {
   coupling_.observe_start(seen);
   for (const auto& measure : further_) measure->observe_start(seen);
   if (system_.state.clock.step == 0) quantities_.accumulate();  // else as the checkpoint has them
-  cycles_->begin(system_.state.clock.time);
+  for (auto* cycles : {&cycles_, &whole_run_}) (*cycles)->begin(system_.state.clock.time);
 }
 
 template <int Dim>
@@ -113,7 +115,7 @@ void Measures<Dim>::observe(double dt, bool all) {
     for (const auto& measure : further_) measure->observe(seen);
   }
   quantities_.accumulate();
-  cycles_->observe(system_.state.clock.time, seen.interval);
+  for (auto* cycles : {&cycles_, &whole_run_}) (*cycles)->observe(system_.state.clock.time, seen.interval);
 }
 
 template MeasureOptions MeasureOptions::from_options<2>(Options&, const Point<2>&, const Point<2>&);

@@ -43,6 +43,8 @@ class Measures {
 
   QuantityList& quantities() { return quantities_; }
   const QuantityList& quantities() const { return quantities_; }
+  /// The figures of a cycle, over the whole run.
+  const Cycles& whole_run() const { return *whole_run_; }
   Cycles& cycles() { return *cycles_; }
   const Cycles& cycles() const { return *cycles_; }
   const FlowDiagnostics<Dim>& flow() const { return flow_.flow(); }
@@ -60,7 +62,7 @@ class Measures {
   CouplingMeasure<Dim> coupling_;
   std::vector<std::unique_ptr<Measure<Dim>>> further_;
   QuantityList quantities_;
-  std::optional<Cycles> cycles_;
+  std::optional<Cycles> cycles_, whole_run_;
   double unmeasured_time_ = 0;  ///< since all was taken last [s]
 };
 

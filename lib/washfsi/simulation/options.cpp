@@ -28,6 +28,7 @@ RunOptions RunOptions::from_options(Options& options) {
                "between checkpoints; 0: a tenth of the run");
     block.text("restart", run.restart, "checkpoint file to go on from");
     block.boolean("check", run.check, "only check: set everything up, write it at t = 0 and tell its cost");
+    block.boolean("strict", run.strict, "what the program warns of at the start is an error");
   });
   if (run.time_cfl >= run.max_courant)
     throw InputError("-time_cfl " + to_text(run.time_cfl) + ": must be below -time_max_cfl " +

@@ -21,6 +21,7 @@ struct RunOptions {
   double checkpoint_interval = 0;  ///< [s]; 0: a tenth of the run
   std::string restart;             ///< checkpoint file; empty: from the start
   bool check = false;              ///< dry run
+  bool strict = false;             ///< refuse a case of which there is something to warn
 
   static RunOptions from_options(Options& options);
 };

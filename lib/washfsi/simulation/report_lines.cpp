@@ -96,6 +96,13 @@ std::vector<std::string> cycle_lines(const Cycles& cycles) {
   return lines;
 }
 
+std::vector<std::string> trust_lines(const Findings& findings, bool all) {
+  std::vector<std::string> lines;
+  for (const Finding& finding : findings)
+    if (all || finding.verdict != Verdict::ok || finding.name == "Reynolds number") lines.push_back(line_of(finding));
+  return lines;
+}
+
 template std::vector<std::string> banner_lines<2>(const Model<2>&, const std::string&, const std::string&);
 template std::vector<std::string> banner_lines<3>(const Model<3>&, const std::string&, const std::string&);
 template std::vector<std::string> result_lines<2>(const System<2>&, const Measures<2>&, const RunSummary&);

@@ -75,6 +75,19 @@ std::vector<Column> cycle_columns(const Cycles& cycles) {
   return columns;
 }
 
+// Of numbers that were judged, with the limit; JSON has no number for what has none.
+nlohmann::ordered_json json_of(const Findings& findings) {
+  auto list = nlohmann::ordered_json::array();
+  for (const Finding& finding : findings) {
+    auto& entry = list.emplace_back(
+        nlohmann::ordered_json{{"name", finding.name}, {"verdict", name_of(finding.verdict)}, {"found", finding.text}});
+    if (std::isfinite(finding.value)) entry["value"] = finding.value;
+    if (std::isfinite(finding.limit)) entry["limit"] = finding.limit;
+    if (finding.verdict != Verdict::ok) entry["advice"] = finding.advice;
+  }
+  return list;
+}
+
 // Means over cycles with their spread; none before two are complete.
 nlohmann::ordered_json summary_of(const Cycles& cycles) {
   auto figures = nlohmann::ordered_json::object();
@@ -163,6 +176,7 @@ void Results<Dim>::write_summary(const RunSummary& summary) const {
     else
       entry = value;
   }
+  json["trust"] = {{"start", json_of(summary.at_start)}, {"end", json_of(summary.at_end)}};
   if (measures_.cycles().are_there()) json["cycles"] = summary_of(measures_.cycles());
   if (Dim == 2)  // a turn needs three dimensions
     for (auto& cloth : json["cloths"]) cloth["tumbles"] = nullptr;

@@ -7,6 +7,7 @@
 #include "washfsi/measure/measures.hpp"
 #include "washfsi/output/profile.hpp"
 #include "washfsi/output/series.hpp"
+#include "washfsi/trust/finding.hpp"
 
 namespace washfsi {
 
@@ -17,6 +18,7 @@ struct RunSummary {
   double time = 0;          ///< simulated [s]
   double wall_seconds = 0;  ///< of this start of the program
   double seconds_per_step = 0;
+  Findings at_start, at_end;  ///< how far to believe it
 };
 
 /// Everything that a run leaves in its output folder.

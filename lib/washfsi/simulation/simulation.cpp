@@ -14,6 +14,8 @@
 #include "washfsi/support/format_text.hpp"
 #include "washfsi/support/hdf5_file.hpp"
 #include "washfsi/support/long_task.hpp"
+#include "washfsi/trust/end_findings.hpp"
+#include "washfsi/trust/start_findings.hpp"
 
 namespace washfsi {
 
@@ -51,6 +53,24 @@ Simulation<Dim>::Simulation(Options& options, std::string case_name)
   for (const std::string& change : changed_options(state_.options, now)) notes_.push_back(change);
   state_.options = now;
   start_results(options);
+  judge_start();
+}
+
+template <int Dim>
+void Simulation<Dim>::judge_start() {
+  at_start_ = start_findings(*system_, *measures_,
+                             {.end = run_.time_end,
+                              .checkpoint_interval = run_.checkpoint_interval,
+                              .output_interval = run_.output_interval,
+                              .history_interval = run_.history_interval});
+}
+
+template <int Dim>
+void Simulation<Dim>::refuse_doubts() const {
+  const Findings doubts = doubtful(at_start_);
+  if (!run_.strict || doubts.empty()) return;
+  throw InputError("-strict: " + std::to_string(doubts.size()) + (doubts.size() == 1 ? " warning" : " warnings") +
+                   ", the first of " + doubts.front().name + ", " + doubts.front().text);
 }
 
 template <int Dim>
@@ -121,6 +141,7 @@ template <int Dim>
 void Simulation<Dim>::run() {
   if (!system_) return;  // -help
   print_banner();
+  refuse_doubts();
   if (run_.check) return check_only();
   const StopSignals signals;
   try {
@@ -247,6 +268,7 @@ void Simulation<Dim>::print_banner() {
                  (std::isfinite(bound)                        ? format_text(", bound of the coupling %.4g s", bound)
                   : system_->model.cloths.marker_count() == 0 ? ""
                                                               : ", which the coupling does not bound"));
+  for (const std::string& line : trust_lines(at_start_, run_.check)) progress_.note(line);
   watch_step_bound();
 }
 
@@ -278,6 +300,8 @@ void Simulation<Dim>::end(const std::string& status) {
     results_->write_frame(clock().step);
     results_->write_final();
   }
+  summary.at_start = at_start_;
+  summary.at_end = end_findings(*system_, *measures_);
   results_->write_summary(summary);
   print_summary(summary);
 }
@@ -286,6 +310,7 @@ template <int Dim>
 void Simulation<Dim>::print_summary(const RunSummary& summary) {
   for (const std::string& line : result_lines(*system_, *measures_, summary)) progress_.note(line);
   for (const std::string& line : cycle_lines(measures_->cycles())) progress_.note(line);
+  for (const std::string& line : trust_lines(summary.at_end, true)) progress_.note(line);
   progress_.note("  results            " + run_.output_dir);
 }
 

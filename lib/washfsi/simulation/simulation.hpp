@@ -30,6 +30,8 @@ class Simulation {
   double longest_step() const;
   void adapt_time_step();
   void start_results(Options& options);
+  void judge_start();
+  void refuse_doubts() const;
   void print_banner();
   void check_only();
   void step();
@@ -58,6 +60,7 @@ class Simulation {
   std::unique_ptr<Results<Dim>> results_;
   Progress progress_;
   RunState state_;
+  Findings at_start_;  ///< how far to believe the case
   long first_step_ = 0, attempted_step_ = 0;
   double attempt_start_ = 0;  ///< time before the last attempted step [s]
   bool warned_of_step_ = false;

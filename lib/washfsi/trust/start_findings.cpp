@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/trust/start_findings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "washfsi/support/format_text.hpp"
+
+namespace washfsi {
+
+namespace {
+
+constexpr double water_viscosity = 1e-3;                       // [Pa s], at 20 degrees C
+constexpr double lightest_water = 900, heaviest_water = 1100;  // [kg/m3]
+
+template <int Dim>
+std::string place_text(const Point<Dim>& place) {
+  std::string text;
+  for (int d = 0; d < Dim; ++d) text += (d == 0 ? "" : ",") + format_text("%.3g", place[d]);
+  return "(" + text + ")";
+}
+
+template <int Dim>
+bool is_water(const Model<Dim>& model) {
+  const double density = model.liquid.pure_density();
+  return model.has_fluid && density > lightest_water && density < heaviest_water;
+}
+
+// ---- the flow ----
+
+template <int Dim>
+void add_water(const Model<Dim>& model, Findings& findings) {
+  if (!is_water(model)) return;
+  const double times = model.liquid.pure_viscosity() / water_viscosity;
+  findings.push_back(at_most("viscosity", times, {2},
+                             format_text("%.4g Pa s, %.4g times water's", model.liquid.pure_viscosity(), times),
+                             "flow, torque and stress are those of a thick liquid; water is -fluid_viscosity 1e-3"));
+}
+
+template <int Dim>
+void add_flow(const Model<Dim>& model, const FlowScales& scales, Findings& findings) {
+  if (!model.has_fluid || scales.speed == 0) return;
+  const double nu = model.liquid.pure_viscosity() / model.liquid.pure_density();
+  const double h = model.grid.spacing().maxCoeff(), root = std::sqrt(scales.reynolds);
+  findings.push_back({"Reynolds number",
+                      format_text("%.3g, of %.3g m/s and %.3g m, %s", scales.reynolds, scales.speed, scales.length,
+                                  scales.length_of.c_str()),
+                      Verdict::ok, scales.reynolds, Finding::none, ""});
+  const double cell = scales.speed * h / nu, layer = 5 * scales.length / (root * h);
+  findings.push_back({"cell Reynolds number", format_text("%.3g, of the widest side of a cell", cell), Verdict::ok,
+                      cell, Finding::none, ""});
+  findings.push_back(at_least("boundary layer", layer, {4}, format_text("%.2g cells", layer),
+                              "friction and shear at walls are not resolved; more -grid_cells"));
+  // Blasius' laminar plate; beyond 5e5 Prandtl's turbulent one
+  const double friction = scales.reynolds < 5e5 ? 0.664 / root : 0.058 / std::pow(scales.reynolds, 0.2);
+  const double plus = 0.5 * h * scales.speed * std::sqrt(0.5 * friction) / nu;
+  findings.push_back(at_most("y+ of the first cell", plus, {5}, format_text("%.2g, as of a flat plate", plus),
+                             "the viscous layer at walls lies within one cell; more -grid_cells"));
+}
+
+// ---- bodies ----
+
+template <int Dim>
+std::string survey_text(const BodySurvey<Dim>& body) {
+  return format_text("%.0f cells, %.3g %s, from ", body.cells, body.volume, Dim == 2 ? "m2" : "m3") +
+         place_text<Dim>(body.lower) + " to " + place_text<Dim>(body.upper) +
+         format_text(" m, top speed %.3g m/s", body.top_speed);
+}
+
+template <int Dim>
+Finding presence(const Body<Dim>& body, const BodySurvey<Dim>& survey, double all_cells) {
+  const std::string name = "body " + body.name;
+  if (survey.cells == 0)
+    return {name,
+            format_text("no cell's middle is in it; the nearest is %.3g m off", survey.nearest),
+            Verdict::fail,
+            0,
+            Finding::none,
+            "it holds no water: it is outside the box, thinner than a cell, or its STL file in another unit "
+            "(-" +
+                body.name + "_center, -" + body.name + "_scale)"};
+  if (survey.cells == all_cells)
+    return {name,
+            "it fills the box",
+            Verdict::fail,
+            survey.cells,
+            all_cells - 1,
+            "no water is left: a drum is -" + body.name + "_inverted; an STL file in millimetres needs -" + body.name +
+                "_scale 0.001"};
+  return {name, survey_text<Dim>(survey), Verdict::ok, survey.cells, Finding::none, ""};
+}
+
+template <int Dim>
+void add_body(const Model<Dim>& model, std::size_t b, const std::vector<BodySurvey<Dim>>& surveys, Findings& findings) {
+  const BodySurvey<Dim>& survey = surveys[b];
+  const std::string& name = model.bodies[b].name;
+  findings.push_back(presence<Dim>(model.bodies[b], survey, model.grid.cell_count()));
+  if (findings.back().verdict != Verdict::ok) return;
+  const bool is_thick = survey.thickness >= BodySurvey<Dim>::most_cells;
+  findings.push_back(at_least(name + " cells across", survey.thickness, {4, 1},
+                              format_text(is_thick ? "more than %.2g" : "%.2g in its thinnest tenth", survey.thickness),
+                              "its load depends on where its walls lie in their cells; more -grid_cells"));
+  for (std::size_t c = 0; c < b; ++c) {
+    if (survey.shared[c] == 0) continue;
+    const std::string& other = model.bodies[c].name;
+    const bool within = survey.shared[c] == survey.cells || survey.shared[c] == surveys[c].cells;
+    const std::string inner = survey.shared[c] == survey.cells ? name : other, outer = inner == name ? other : name;
+    findings.push_back(
+        {"bodies " + other + ", " + name,
+         within ? inner + " lies wholly within " + outer : format_text("they share %.0f cells", survey.shared[c]),
+         within ? Verdict::fail : Verdict::warn, survey.shared[c], Finding::none,
+         "where bodies overlap, the first named holds the water and takes the load"});
+  }
+}
+
+template <int Dim>
+void add_motion(const Body<Dim>& body, const BodySurvey<Dim>& survey, Findings& findings) {
+  const std::string advice = body.motion.table
+                                 ? "are the angles of -" + body.name + "_motion_file in degrees? It is read in radians"
+                                 : "no machine is as fast; -" + body.name + "_angular_speed is in rad/s";
+  constexpr double fastest = 50;  // [m/s]: 1800 rpm at 0.26 m
+  if (survey.top_speed > fastest)
+    findings.push_back(
+        at_most(body.name + " speed", survey.top_speed, {fastest}, format_text("%.3g m/s", survey.top_speed), advice));
+}
+
+// ---- cloths ----
+
+// The widest and narrowest spacing of its markers, over the mean spacing of the grid.
+template <int Dim>
+std::pair<double, double> spacings_in_cells(const ClothGroup<Dim>& group, const Grid<Dim>& grid) {
+  const double h = std::pow(grid.cell_volume(), 1.0 / Dim);
+  const double ds = group.sheet.ds / h, dr = Dim == 3 ? group.sheet.dr / h : ds;
+  return {std::max(ds, dr), std::min(ds, dr)};
+}
+
+template <int Dim>
+void add_cloth(const ClothGroup<Dim>& group, const Model<Dim>& model, Findings& findings) {
+  const auto [widest, narrowest] = spacings_in_cells<Dim>(group, model.grid);
+  const std::string name = group.name + " marker spacing";
+  if (narrowest < 0.5)
+    findings.push_back(
+        at_least(name, narrowest, {0.5, 0.2}, format_text("%.3g cells", narrowest),
+                 "markers this near lock the cloth: it is too stiff; fewer -" + group.name + "_markers"));
+  else
+    findings.push_back(at_most(name, widest, {1.5, 3}, format_text("%.3g cells", widest),
+                               "water passes between its markers; more -" + group.name + "_markers"));
+}
+
+template <int Dim>
+void add_distance(const Model<Dim>& model, const Measures<Dim>& measures, Findings& findings) {
+  const std::optional<double> distance = measures.cloth().least_distance();
+  if (!distance || model.cloths.pieces().size() < 2) return;
+  const double h = std::pow(model.grid.cell_volume(), 1.0 / Dim);
+  if (*distance < 0.1 * h)
+    findings.push_back(at_least("distance of cloths", *distance / h, {0.1, 1e-3},
+                                format_text("%.3g m, %.2g cells", *distance, *distance / h),
+                                "cloths that lie in each other move as one, or cross; place them apart"));
+}
+
+// ---- the box and the times ----
+
+template <int Dim>
+void add_box(const Model<Dim>& model, Findings& findings) {
+  if (!is_water(model)) return;
+  const double size = (model.grid.upper() - model.grid.lower()).maxCoeff();
+  constexpr double smallest = 0.01, largest_size = 20;  // [m]
+  const std::string text = format_text("%.3g m long", size), advice = "lengths are in metres";
+  findings.push_back(size > largest_size ? at_most("box", size, {largest_size}, text, advice)
+                                         : at_least("box", size, {smallest}, text, advice));
+}
+
+void add_times(const RunTimes& times, const Cycles& cycles, Findings& findings) {
+  const auto beyond = [&](const char* name, double interval, const char* what) {
+    if (interval > times.end)
+      findings.push_back(at_most(name, interval, {times.end}, format_text("%.3g s", interval), what));
+  };
+  beyond("checkpoint interval", times.checkpoint_interval, "nothing is kept before the end of the run");
+  beyond("output interval", times.output_interval, "the series have only the first and the last frame");
+  if (!cycles.are_there()) return;
+  if (times.history_interval > 0.02 * cycles.period())
+    findings.push_back(at_most("history interval", times.history_interval / cycles.period(), {0.02},
+                               format_text("%.2g of a cycle", times.history_interval / cycles.period()),
+                               "figures of cycles are made of too few rows"));
+  const double complete = std::floor(times.end / cycles.period() + 1e-6);
+  findings.push_back(at_least("cycles", complete, {3}, format_text("%.0f of %.4g s", complete, cycles.period()),
+                              "the first is start-up, and one more has no spread; longer -time_end"));
+}
+
+}  // namespace
+
+namespace {
+
+// What water flows round or in, where no body drives it.
+template <int Dim>
+void choose_length(const Model<Dim>& model, const std::vector<BodySurvey<Dim>>& surveys, FlowScales& scales) {
+  const Point<Dim> box = model.grid.upper() - model.grid.lower();
+  scales.length = box.minCoeff();
+  scales.length_of = "the narrowest side of the box";
+  for (const auto& group : model.cloths.groups()) {
+    scales.length = group.size[0];
+    scales.length_of = "the length of " + group.name;
+  }
+  for (std::size_t b = 0; b < surveys.size(); ++b) {
+    const Point<Dim> size = surveys[b].upper - surveys[b].lower;
+    if (surveys[b].cells == 0 || (box - size).minCoeff() < 0.5 * model.grid.spacing().minCoeff()) continue;  // a drum
+    scales.length = size.maxCoeff();
+    scales.length_of = "the size of " + model.bodies[b].name;
+  }
+}
+
+}  // namespace
+
+template <int Dim>
+FlowScales flow_scales(const Model<Dim>& model, const std::vector<BodySurvey<Dim>>& surveys) {
+  FlowScales scales;
+  WASH_PETSC(VecNorm(model.fluid.velocity(), NORM_INFINITY, &scales.speed));
+  scales.speed = std::max(scales.speed, model.boundary.largest_speed(0));
+  choose_length(model, surveys, scales);
+  for (std::size_t b = 0; b < surveys.size(); ++b) {
+    if (surveys[b].top_speed == 0 || surveys[b].top_speed < scales.speed) continue;
+    scales.speed = surveys[b].top_speed;
+    const RigidMotion<Dim>& motion = model.bodies[b].motion;
+    const bool turns = motion.largest_speed(1) > motion.largest_speed(0);
+    scales.length = turns ? surveys[b].reach : (surveys[b].upper - surveys[b].lower).maxCoeff();
+    scales.length_of = (turns ? "the reach of " : "the size of ") + model.bodies[b].name;
+  }
+  scales.reynolds = scales.speed * scales.length * model.liquid.pure_density() / model.liquid.pure_viscosity();
+  return scales;
+}
+
+template <int Dim>
+Findings start_findings(const System<Dim>& system, const Measures<Dim>& measures, const RunTimes& times) {
+  const Model<Dim>& model = system.model;
+  const auto surveys = survey_bodies<Dim>(model.grid, model.bodies, system.state.clock.time);
+  Findings findings;
+  add_water(model, findings);
+  add_flow(model, flow_scales(model, surveys), findings);
+  add_box(model, findings);
+  for (std::size_t b = 0; b < surveys.size(); ++b) {
+    add_body<Dim>(model, b, surveys, findings);
+    add_motion<Dim>(model.bodies[b], surveys[b], findings);
+  }
+  if (model.has_fluid)
+    for (const auto& group : model.cloths.groups()) add_cloth<Dim>(group, model, findings);
+  add_distance(model, measures, findings);
+  add_times(times, measures.cycles(), findings);
+  return findings;
+}
+
+template FlowScales flow_scales<2>(const Model<2>&, const std::vector<BodySurvey<2>>&);
+template FlowScales flow_scales<3>(const Model<3>&, const std::vector<BodySurvey<3>>&);
+template Findings start_findings<2>(const System<2>&, const Measures<2>&, const RunTimes&);
+template Findings start_findings<3>(const System<3>&, const Measures<3>&, const RunTimes&);
+
+}  // namespace washfsi

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/measure/measures.hpp"
+#include "washfsi/trust/body_survey.hpp"
+#include "washfsi/trust/finding.hpp"
+
+namespace washfsi {
+
+/// Times of a run [s].
+struct RunTimes {
+  double end = 0, checkpoint_interval = 0, output_interval = 0, history_interval = 0;
+};
+
+/// The scales of the flow: the fastest that moves, and the length that goes with it.
+struct FlowScales {
+  double speed = 0;   ///< [m/s]; 0 if nothing is known to move
+  double length = 0;  ///< [m]: from the axis to the tip of the fastest body, else of what the water flows round
+  std::string length_of;
+  double reynolds = 0;
+};
+
+/// Collective.
+template <int Dim>
+FlowScales flow_scales(const Model<Dim>& model, const std::vector<BodySurvey<Dim>>& surveys);
+
+/// What can be said of a case before its first step: scales, resolution, bodies, cloths, times. Collective.
+template <int Dim>
+Findings start_findings(const System<Dim>& system, const Measures<Dim>& measures, const RunTimes& times);
+
+}  // namespace washfsi

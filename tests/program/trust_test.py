@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What makes a case doubtful is said, with what to do; -strict refuses it; the summary has it too."""
+
+import json
+import unittest
+
+from support import SOURCE, ProgramTest, run
+
+WATER = ["-grid_cells", "16,16,16", "-fluid_viscosity", 1e-3, "-time_step", 1e-3, "-time_end", 1, "-check"]
+WASH = ["-options_file", SOURCE / "inputs" / "wash.opts", "-grid_cells", "12,12,12", "-towel_markers", 4]
+SHEET = ["-options_file", SOURCE / "inputs" / "sheet.opts", "-check"]
+STL = [*WATER, "-bodies", "rock", "-rock_shape", "stl", "-rock_file", "rock.stl"]
+LOW, HIGH = (0.3, 0.3, 0.3), (0.7, 0.6, 0.7)
+
+
+def box(low, high, inwards=False):
+    """Returns the twelve facets of a box."""
+    facets = []
+    for axis in range(3):
+        for side in (0, 1):
+            corners = []
+            for along, across in ((0, 0), (1, 0), (1, 1), (0, 1)):
+                corner = [0.0, 0.0, 0.0]
+                corner[axis] = (low, high)[side][axis]
+                corner[(axis + 1) % 3] = (low, high)[along][(axis + 1) % 3]
+                corner[(axis + 2) % 3] = (low, high)[across][(axis + 2) % 3]
+                corners.append(corner)
+            for triple in ((0, 1, 2), (0, 2, 3)):
+                facet = [corners[n] for n in triple]
+                facets.append(facet if (side == 1) != inwards else facet[::-1])
+    return facets
+
+
+class Trust(ProgramTest):
+    def write_stl(self, facets):
+        corners = "".join("facet normal 0 0 0\nouter loop\n" + "".join("vertex %g %g %g\n" % tuple(c) for c in facet) +
+                          "endloop\nendfacet\n" for facet in facets)
+        (self.folder / "rock.stl").write_text(f"solid rock\n{corners}endsolid rock\n")
+
+    def findings(self, *options):
+        """Returns the lines on what was looked at, by its name."""
+        lines = [line for line in self.run_well(1, *options).splitlines() if line[:6] in ("  ok  ", "  warn", "  fail")]
+        return {line[8:30].strip(): line for line in lines}
+
+    def assert_found(self, found, name, verdict, text):
+        self.assertIn(name, found)
+        self.assertTrue(found[name].startswith(f"  {verdict}"), found[name])
+        self.assertIn(text, found[name])
+
+    def refused(self, *options):
+        outcome = run(1, *options, folder=self.folder)
+        self.assertEqual(outcome.returncode, 2, outcome.stdout)
+        line, = [line for line in outcome.stderr.splitlines() if line.startswith("washfsi: ")]
+        return line
+
+    def test_the_shipped_case(self):
+        found = self.findings("-options_file", SOURCE / "inputs" / "wash.opts", "-check")
+        self.assert_found(found, "viscosity", "warn", "1006 times water's")
+        self.assert_found(found, "agitator cells across", "warn", "1.2 in its thinnest tenth")
+        self.assert_found(found, "towel marker spacing", "warn", "1.67 cells")
+        self.assert_found(found, "Reynolds number", "ok", "the reach of agitator")
+        self.assert_found(found, "body drum", "ok", "cells")
+        self.assert_found(found, "cycles", "warn", "1 of")
+
+    def test_surfaces_of_stl_files(self):
+        self.write_stl(box(LOW, HIGH))
+        self.assert_found(self.findings(*STL), "rock cells across", "ok", "4.8")
+        self.write_stl(box([1e3 * x for x in LOW], [1e3 * x for x in HIGH]))
+        self.assertIn("-rock_scale 0.001", self.refused(*STL))
+        self.write_stl(box([1e-3 * x for x in LOW], [1e-3 * x for x in HIGH]))
+        self.assert_found(self.findings(*STL), "body rock", "fail", "-rock_scale")
+        self.write_stl(box(LOW, HIGH, inwards=True))
+        self.assertIn("face inwards; turn them round", self.refused(*STL))
+        self.write_stl(box(LOW, HIGH)[1:])
+        self.assertIn("it is open", self.refused(*STL))
+        self.write_stl(box(LOW, HIGH) + box((0.5, 0.5, 0.5), (0.8, 0.8, 0.8)))
+        self.assert_found(self.findings(*STL), "body rock", "ok", "to (0.812,0.812,0.812)")
+
+    def test_bodies_where_they_do_not_belong(self):
+        ball = ["-ball_radius", 0.2, "-ball_center"]
+        self.assert_found(self.findings(*WATER, "-bodies", "ball", *ball, "3,0,0"), "body ball", "fail", "outside the box")
+        self.assert_found(self.findings(*WATER, "-bodies", "ball", *ball, "0.5,0.5,0.5", "-ball_radius", 3), "body ball", "fail",
+                          "fills the box")
+        two = [*WATER, "-bodies", "ball,egg", *ball, "0.4,0.5,0.5", "-egg_center", "0.6,0.5,0.5"]
+        self.assert_found(self.findings(*two, "-egg_radius", 0.2), "bodies ball, egg", "warn", "share 40 cells")
+        self.assert_found(self.findings(*two, "-egg_radius", 0.5), "bodies ball, egg", "fail", "ball lies wholly within egg")
+
+    def test_a_box_in_millimetres(self):
+        found = self.findings(*WASH, "-grid_lower", "-356.4,-356.4,0", "-grid_upper", "356.4,356.4,237.6", "-check")
+        self.assert_found(found, "box", "warn", "713 m")
+
+    def test_a_motion_in_degrees(self):
+        (self.folder / "turn.csv").write_text("time,x,y,z,angle\n0,0,0,0,0\n0.1,0,0,0,60\n0.2,0,0,0,0\n")
+        found = self.findings(*WATER, "-bodies", "ball", "-ball_radius", 0.2, "-ball_center", "0.5,0.5,0.5",
+                              "-ball_motion_file", "turn.csv")
+        self.assert_found(found, "ball speed", "warn", "degrees")
+
+    def test_markers_and_cloths(self):
+        name = "towel marker spacing"
+        self.assert_found(self.findings(*SHEET, "-towel_markers", 2, "-grid_cells", "64,64,64"), name, "fail", "12.7 cells")
+        self.assert_found(self.findings(*SHEET, "-towel_markers", 30, "-grid_cells", "8,8,8"), name, "fail", "0.0794 cells")
+        self.assert_found(self.findings(*SHEET, "-cloths", "towel,shirt", "-shirt_size", 0.08, "-shirt_markers", 16),
+                          "distance of cloths", "fail", "place them apart")
+
+    def test_intervals_beyond_the_run(self):
+        found = self.findings(*SHEET, "-checkpoint_interval", 100)
+        self.assert_found(found, "checkpoint interval", "warn", "nothing is kept")
+
+    def test_strict(self):
+        line = self.refused(*WASH, "-check", "-strict")
+        self.assertIn("-strict: ", line)
+        self.assertIn("1006 times water's", line)
+        self.run_well(1, *WATER, "-strict", "-bodies", "")
+
+    def test_the_summary_has_what_was_found_at_start_and_end(self):
+        out = self.run_well(2, *WASH, "-time_step", 4e-3, "-max_steps", 3, "-cycle_time", 4e-3)
+        self.assertIn("energy open", out)
+        trust = json.loads((self.folder / "out" / "summary.json").read_text())["trust"]
+        start = {entry["name"]: entry for entry in trust["start"]}
+        self.assertEqual(start["viscosity"]["verdict"], "warn")
+        self.assertAlmostEqual(start["viscosity"]["value"], 1006.4)
+        self.assertEqual(start["viscosity"]["limit"], 2)
+        self.assertIn("advice", start["viscosity"])
+        end = {entry["name"] for entry in trust["end"]}
+        self.assertLessEqual({"energy open", "energy lost by the mask", "CFL number", "volume", "towel stretch",
+                              "towel depth in bodies", "crossings", "agitator_work of cycles"}, end)
+
+
+if __name__ == "__main__":
+    unittest.main()
