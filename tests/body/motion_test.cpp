@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "washfsi/support/errors.hpp"
+
 namespace washfsi::test {
 namespace {
 
@@ -34,7 +36,7 @@ void expect_consistent(const RigidMotion<Dim>& motion) {
 template <int Dim>
 std::vector<RigidMotion<Dim>> motions() {
   using Table = MotionTable<Dim>;
-  std::vector<RigidMotion<Dim>> list(6);
+  std::vector<RigidMotion<Dim>> list(8);
   list[0].angular_speed = 3;
   list[1].angular_speed = 3;
   list[1].frequency = 0.7;
@@ -49,6 +51,10 @@ std::vector<RigidMotion<Dim>> motions() {
   rows[2] = Table::Row::Unit(1);
   rows[3] = 2 * Table::Row::Unit(Dim);
   list[5].table = std::make_shared<const Table>(std::vector{0.0, 0.5, 0.9, 2.0}, rows);
+  list[6].programme =
+      std::make_shared<const SpeedProgramme>(Strokes{.speed = 3, .ramp = 0.2, .stroke = 0.65, .pause = 0.2});
+  list[7].programme =
+      std::make_shared<const SpeedProgramme>(std::vector{0.1, 0.5, 1.5}, std::vector{1.0, -2.0, 3.0}, 1);
   for (auto& motion : list) motion.center = Point<Dim>::Constant(0.2);
   return list;
 }
@@ -64,6 +70,44 @@ TEST(RigidMotion, TheWashTurnsOneRevolutionEachWay) {
   motion.frequency = 2 / std::numbers::pi;
   EXPECT_NEAR(motion.angle(0.5 / motion.frequency), 2 * std::numbers::pi, 1e-12);
   EXPECT_NEAR(motion.angle(1 / motion.frequency), 0, 1e-12);
+}
+
+TEST(RigidMotion, TellsItsPeriod) {
+  RigidMotion<2> motion;
+  motion.frequency = 0.5;
+  EXPECT_EQ(motion.period(), 0);  // at rest
+  motion.angular_speed = 3;
+  EXPECT_EQ(motion.period(), 2);
+  motion.frequency = 0;
+  EXPECT_EQ(motion.period(), 0);
+  motion.programme = std::make_shared<const SpeedProgramme>(Strokes{.speed = 3, .stroke = 0.75, .pause = 0.25});
+  EXPECT_EQ(motion.period(), 2);
+  EXPECT_FALSE(motion.turns_steadily());
+  EXPECT_TRUE(motion.only_turns());
+}
+
+/// The motion of a body `drum` with these options.
+RigidMotion<2> motion_of(const std::string& text) {
+  WASH_PETSC(PetscOptionsClear(nullptr));
+  WASH_PETSC(PetscOptionsInsertString(nullptr, text.c_str()));
+  Options options(PETSC_COMM_WORLD);
+  return RigidMotion<2>::from_options(options, "drum");
+}
+
+TEST(RigidMotion, RevolutionsPerMinuteAreASpeed) {
+  const double of_radians = motion_of("-drum_angular_speed 4.71238898038469").angular_velocity(1);
+  EXPECT_NEAR(motion_of("-drum_rpm 45").angular_velocity(1), of_radians, 1e-15 * of_radians);
+  EXPECT_TRUE(motion_of("-drum_rpm 45").turns_steadily());
+  EXPECT_NEAR(motion_of("-drum_rpm 45 -drum_ramp 2").angular_velocity(3), of_radians, 1e-15 * of_radians);
+  EXPECT_TRUE(motion_of("-drum_stroke 2 -drum_ramp 1").at_rest());
+}
+
+TEST(RigidMotion, RefusesWhatMeansNothing) {
+  for (const char* text : {"-drum_rpm 3 -drum_angular_speed 1", "-drum_rpm 3 -drum_stroke 1 -drum_ramp 0.6",
+                           "-drum_rpm 3 -drum_pause 1", "-drum_rpm 3 -drum_cycles 2", "-drum_angle_unit deg",
+                           "-drum_rpm 3 -drum_ramp 1 -drum_frequency 1", "-drum_stroke 1 -drum_velocity 1,0",
+                           "-drum_speed_file a.csv -drum_motion_file b.csv", "-drum_speed_file a.csv -drum_rpm 3"})
+    EXPECT_THROW(motion_of(text), InputError) << text;
 }
 
 TEST(RigidMotion, RestsOnlyIfNothingEverMoves) {

@@ -50,6 +50,23 @@ WRONG_OPTIONS = [
      ["-bc_x", "velocity", "drum"]),
     ("couette without its cylinders", ["-fluid_initial", "couette"], ["-fluid_initial couette"]),
     ("no such table of a motion", ["-drum_motion_file", "nowhere.csv"], ["-drum_motion_file nowhere.csv"]),
+    ("two units of one speed", ["-drum_rpm", "45", "-drum_angular_speed", "1"], ["-drum_rpm 45", "-drum_angular_speed"]),
+    ("negative ramp", ["-drum_ramp", "-1"], ["-drum_ramp -1"]),
+    ("stroke shorter than its ramps", ["-drum_rpm", "45", "-drum_stroke", "1", "-drum_ramp", "0.6"],
+     ["-drum_stroke 1", "-drum_ramp 0.6"]),
+    ("negative stroke", ["-drum_stroke", "-1"], ["-drum_stroke -1"]),
+    ("negative pause", ["-drum_pause", "-1"], ["-drum_pause -1"]),
+    ("pause without strokes", ["-drum_pause", "1"], ["-drum_pause 1", "-drum_stroke"]),
+    ("cycles without strokes", ["-drum_cycles", "3"], ["-drum_cycles 3", "-drum_stroke"]),
+    ("cycles that are no whole number", ["-drum_cycles", "1.5"], ["-drum_cycles 1.5"]),
+    ("ramp of an oscillation", ["-agitator_ramp", "0.1"], ["-agitator_ramp 0.1", "-agitator_frequency"]),
+    ("ramp between the steps", ["-drum_rpm", "45", "-drum_ramp", "1e-3", "-time_step", "1e-3"],
+     ["-drum_ramp 0.001", "-time_step 0.001"]),
+    ("stroke between the steps", ["-drum_rpm", "45", "-drum_stroke", "1e-3", "-time_step", "1e-3"],
+     ["-drum_stroke 0.001", "-time_step 0.001"]),
+    ("no such table of speeds", ["-drum_speed_file", "nowhere.csv"], ["-drum_speed_file nowhere.csv"]),
+    ("unknown unit of angles", ["-drum_angle_unit", "turns"], ["-drum_angle_unit turns", "rad|deg"]),
+    ("unit of no angles", ["-drum_angle_unit", "deg"], ["-drum_angle_unit deg", "-drum_motion_file"]),
     ("one name for two parts", ["-bodies", "drum,agitator,long"], ["-bodies long"]),
     ("body named twice", ["-bodies", "drum,drum"], ["-bodies drum,drum"]),
     ("no such options file", ["-options_file", "nowhere.opts"], ["-options_file nowhere.opts"]),
@@ -204,6 +221,16 @@ class WrongInputs(ProgramTest):
         for content, words in [("", "at least 2 rows"), ("0,0,0,0\n1,0,0\n", "line 2"), ("0,0,0,0\n0,0,0,1\n", "line 2")]:
             table.write_text(content)
             self.assert_refused(WRONG_INPUT, ["-drum_motion_file", words], *CASE, "-drum_motion_file", table)
+
+    def test_table_of_speeds_that_is_none(self):
+        table = self.folder / "speed.csv"
+        for content, words, options in [("", "at least 2 rows", []), ("time,speed\n0,1\n1,1,1\n", "line 3", []),
+                                        ("0,0\n0,1\n", "line 2", []), ("0,0\n1,fast\n", "line 2", []),
+                                        ("0,0\n1,1\n", "repeated", ["-drum_cycles", 2]),
+                                        ("0,0\n1,1\n", "-drum_rpm", ["-drum_rpm", 2]),
+                                        ("0,0\n1,1\n", "-drum_ramp", ["-drum_ramp", 2])]:
+            table.write_text(content)
+            self.assert_refused(WRONG_INPUT, ["-drum_speed_file", words], *CASE, "-drum_speed_file", table, *options)
 
     def test_stl_file_that_is_none(self):
         (self.folder / "part.stl").write_text("solid part\nfacet normal 0 0 1\n")

@@ -59,6 +59,27 @@ std::vector<Body<Dim>> bodies_from_options(Options& options, double cell) {
   return bodies;
 }
 
+namespace {
+
+constexpr double fewest_steps = 10;  // in a period, a ramp, a stroke
+
+}  // namespace
+
+template <int Dim>
+void refuse_unseen_motion(const std::vector<Body<Dim>>& bodies, double time_step) {
+  for (const auto& body : bodies)
+    if (const auto [option, duration] = body.motion.shortest_span(); time_step * fewest_steps > duration * (1 + 1e-12))
+      throw InputError("-" + body.name + "_" + option + ": -time_step " + to_text(time_step) +
+                       " is longer than a tenth of the " + to_text(duration) + " s that it takes");
+}
+
+template <int Dim>
+double longest_step_of_motion(const std::vector<Body<Dim>>& bodies) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const auto& body : bodies) shortest = std::min(shortest, body.motion.shortest_span().duration);
+  return shortest / fewest_steps;
+}
+
 template <int Dim>
 double nearest_distance(const std::vector<Body<Dim>>& bodies, const Point<Dim>& place, double time) {
   double nearest = std::numeric_limits<double>::max();
@@ -70,6 +91,10 @@ template struct Body<2>;
 template struct Body<3>;
 template std::vector<Body<2>> bodies_from_options<2>(Options&, double);
 template std::vector<Body<3>> bodies_from_options<3>(Options&, double);
+template void refuse_unseen_motion<2>(const std::vector<Body<2>>&, double);
+template void refuse_unseen_motion<3>(const std::vector<Body<3>>&, double);
+template double longest_step_of_motion<2>(const std::vector<Body<2>>&);
+template double longest_step_of_motion<3>(const std::vector<Body<3>>&);
 template double nearest_distance<2>(const std::vector<Body<2>>&, const Point<2>&, double);
 template double nearest_distance<3>(const std::vector<Body<3>>&, const Point<3>&, double);
 

@@ -81,6 +81,13 @@ class PosedBodies {
 template <int Dim>
 std::vector<Body<Dim>> bodies_from_options(Options& options, double cell);
 
+/// Stops if steps of at most `time_step` [s] would see a motion as another, or as rest: InputError.
+template <int Dim>
+void refuse_unseen_motion(const std::vector<Body<Dim>>& bodies, double time_step);
+/// The longest step that sees all motions [s]; infinite if they are steady.
+template <int Dim>
+double longest_step_of_motion(const std::vector<Body<Dim>>& bodies);
+
 /// Distance to the nearest body [m]; very large without bodies.
 template <int Dim>
 double nearest_distance(const std::vector<Body<Dim>>& bodies, const Point<Dim>& place, double time);

@@ -5,12 +5,14 @@
 
 #include "washfsi/body/motion_table.hpp"
 #include "washfsi/body/pose.hpp"
+#include "washfsi/body/speed_programme.hpp"
 #include "washfsi/support/options.hpp"
 
 namespace washfsi {
 
 /// A rigid motion: rotation about a centre (about z in space) and translation of the centre. Both are steady, or both
-/// oscillate, Omega(t) = Omega_max sin(2 pi f t) (5.4-1) and V(t) = V_max sin(2 pi f t); or a table gives both.
+/// oscillate, Omega(t) = Omega_max sin(2 pi f t) (5.4-1) and V(t) = V_max sin(2 pi f t); or a table gives both; or the
+/// rotation follows a programme of speeds and the centre rests. A function of time alone.
 template <int Dim>
 struct RigidMotion {
   using Pose = washfsi::Pose<Dim>;
@@ -20,6 +22,7 @@ struct RigidMotion {
   double frequency = 0;                                     ///< f [Hz]; 0: steady
   Point<Dim> translation = Point<Dim>::Zero();              ///< V, or V_max [m/s]
   std::shared_ptr<const MotionTable<Dim>> table = nullptr;  ///< instead of the speeds and f
+  std::shared_ptr<const SpeedProgramme> programme = nullptr;  ///< instead of both
 
   /// The options of one body. Errors: InputError. Collective.
   static RigidMotion from_options(Options& options, const std::string& name);
@@ -33,10 +36,14 @@ struct RigidMotion {
 
   /// Whether the body never moves.
   bool at_rest() const;
-  /// After which the motion repeats [s]; 0 if it does not.
-  double period() const { return table || frequency == 0 || at_rest() ? 0 : 1 / frequency; }
   /// Whether it only turns, always at `angular_speed`.
-  bool turns_steadily() const { return !table && frequency == 0 && translation.isZero(0); }
+  bool turns_steadily() const { return !table && !programme && frequency == 0 && translation.isZero(0); }
+  /// Whether the centre never moves.
+  bool only_turns() const { return table ? table->only_turns() : programme || translation.isZero(0); }
+  /// Time after which the motion repeats [s]; 0 if it does not, as a steady one.
+  double period() const;
+  /// The shortest time that steps have to see, and the option that gives it; infinite for a steady motion.
+  SpeedProgramme::Span shortest_span() const;
   Point<Dim> center_at(double time) const { return state(time).center; }  ///< [m]
   double angle(double time) const { return state(time).angle; }           ///< since t = 0, or as the table says [rad]
   double angular_velocity(double time) const { return state(time).angular_velocity; }          ///< [rad/s]

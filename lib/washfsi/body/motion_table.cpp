@@ -2,15 +2,17 @@
 #include "washfsi/body/motion_table.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <sstream>
+#include <numbers>
 
-#include "washfsi/support/collective.hpp"
-#include "washfsi/support/errors.hpp"
-#include "washfsi/support/options.hpp"
+#include "washfsi/body/time_table.hpp"
 
 namespace washfsi {
+
+const ChoiceNames<AngleUnit>& names_of(AngleUnit) {
+  static const ChoiceNames<AngleUnit> names{{"rad", AngleUnit::rad}, {"deg", AngleUnit::deg}};
+  return names;
+}
 
 namespace {
 
@@ -31,24 +33,6 @@ std::vector<Row> clamped_slopes(const std::vector<double>& times, const std::vec
   return slopes;
 }
 
-std::string trimmed(const std::string& word) {
-  const auto begin = word.find_first_not_of(" \t\r"), end = word.find_last_not_of(" \t\r");
-  return begin == std::string::npos ? "" : word.substr(begin, end - begin + 1);
-}
-
-// The numbers of a line; fewer if one cannot be read.
-std::vector<double> numbers_of(const std::string& line) {
-  std::vector<double> numbers;
-  for (const auto& field : split(line, ',')) {
-    const std::string word = trimmed(field);
-    double value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc{} || end != word.data() + word.size() || !std::isfinite(value)) return {};
-    numbers.push_back(value);
-  }
-  return numbers;
-}
-
 }  // namespace
 
 template <int Dim>
@@ -56,28 +40,16 @@ MotionTable<Dim>::MotionTable(std::vector<double> times, std::vector<Row> rows)
     : times_(std::move(times)), rows_(std::move(rows)), slopes_(clamped_slopes(times_, rows_)) {}
 
 template <int Dim>
-MotionTable<Dim> MotionTable<Dim>::read(MPI_Comm comm, const std::string& path, const std::string& option) {
-  const std::string columns = Dim == 2 ? "time,x,y,angle" : "time,x,y,z,angle", start = option + " " + path + ": ";
-  const auto text = file_from_first_rank(comm, path);
-  if (!text) throw InputError(start + "cannot be read");
+MotionTable<Dim> MotionTable<Dim>::read(MPI_Comm comm, const std::string& path, const std::string& option,
+                                        AngleUnit unit) {
+  const double unit_of_angle = unit == AngleUnit::deg ? std::numbers::pi / 180 : 1;
   std::vector<double> times;
   std::vector<Row> rows;
-  std::istringstream lines(*text);
-  std::string line;
-  for (int number = 1; std::getline(lines, line); ++number) {
-    line = trimmed(line);
-    if (line.empty() || line[0] == '#' || (times.empty() && line == columns)) continue;
-    const std::vector<double> numbers = numbers_of(line);
-    const std::string where = start + "line " + std::to_string(number);
-    if (numbers.size() != Dim + 2)
-      throw InputError(where + " must be the " + std::to_string(Dim + 2) + " numbers " + columns);
-    if (!times.empty() && numbers[0] < times.back() + 1e-9)
-      throw InputError(where + ": time " + to_text(numbers[0]) +
-                       " must be later than that of the row before, by 1e-9 s at least");
+  for (const auto& numbers : read_time_table(comm, path, option, Dim == 2 ? "time,x,y,angle" : "time,x,y,z,angle")) {
     times.push_back(numbers[0]);
     rows.emplace_back(&numbers[1]);
+    rows.back()[Dim] *= unit_of_angle;
   }
-  if (times.size() < 2) throw InputError(start + "must have at least 2 rows " + columns);
   return {std::move(times), std::move(rows)};
 }
 

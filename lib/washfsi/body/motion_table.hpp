@@ -6,9 +6,13 @@
 
 #include <mpi.h>
 
-#include "washfsi/support/point.hpp"
+#include "washfsi/support/options.hpp"
 
 namespace washfsi {
+
+/// Of the angles in a table.
+enum class AngleUnit { rad, deg };
+const ChoiceNames<AngleUnit>& names_of(AngleUnit);
 
 /// A motion given at some times: displacement of the centre [m] and angle [rad], joined by the cubic spline whose
 /// rates are zero at both ends. Velocity is continuous throughout, acceleration within the table; before and after the
@@ -24,12 +28,13 @@ class MotionTable {
   /// Times must increase; as many rows as times, at least two.
   MotionTable(std::vector<double> times, std::vector<Row> rows);
 
-  /// Reads columns time, x, y[, z], angle, separated by commas; blank lines, those that begin with # and a first row
-  /// with these names are passed over. `option` names the file in errors: InputError if it cannot be read, is
-  /// malformed, has fewer than two rows or times that do not increase. Collective.
-  static MotionTable read(MPI_Comm comm, const std::string& path, const std::string& option);
+  /// Reads columns time, x, y[, z], angle by `read_time_table`, with its errors: InputError. Collective.
+  static MotionTable read(MPI_Comm comm, const std::string& path, const std::string& option,
+                          AngleUnit unit = AngleUnit::rad);
 
   State at(double time) const;
+  /// Whether the centre never moves.
+  bool only_turns() const { return largest_rate().template head<Dim>().isZero(0); }
   /// Largest size of each rate at any time [m/s, rad/s].
   Row largest_rate() const;
 

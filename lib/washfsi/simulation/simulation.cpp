@@ -76,23 +76,13 @@ void Simulation<Dim>::refuse_doubts() const {
 template <int Dim>
 void Simulation<Dim>::choose_time_step() {
   if (run_.time_step > 0 && run_.time_cfl == 0) state_.dt = run_.time_step;
-  refuse_unseen_oscillations();
+  refuse_unseen_motion<Dim>(system_->model.bodies, run_.time_step);
   if (state_.cloth_bound == 0) find_cloth_bound();
   if (state_.dt > 0) return;  // the user's, or that of the checkpoint
   const double courant = run_.time_cfl > 0 ? run_.time_cfl : 0.3;
   state_.dt = std::min(longest_step(), courant * flow_time<Dim>(system_->model, *body_speeds_));
   if (!std::isfinite(state_.dt))
     throw InputError("-time_step is missing: nothing moves at the start from which it could be chosen");
-}
-
-// Steps longer than a part of its period would see an oscillation as another, or as rest.
-template <int Dim>
-void Simulation<Dim>::refuse_unseen_oscillations() const {
-  constexpr double fewest_steps = 10;
-  for (const auto& body : system_->model.bodies)
-    if (body.motion.frequency * run_.time_step * fewest_steps > 1)
-      throw InputError("-" + body.name + "_frequency " + to_text(body.motion.frequency) + ": -time_step " +
-                       to_text(run_.time_step) + " is longer than a tenth of its period");
 }
 
 // The bound of the coupling where the cloth was located last, so that a restarted run, which locates it anew, has the
@@ -102,10 +92,11 @@ void Simulation<Dim>::find_cloth_bound() {
   if (run_.time_step == 0) state_.cloth_bound = scheme_->step_bound(*system_);
 }
 
-// The user's, or what the cloth allows.
+// The user's, or what the cloth allows; and no body starts, stops or turns back unseen.
 template <int Dim>
 double Simulation<Dim>::longest_step() const {
-  return run_.time_step > 0 ? run_.time_step : 0.5 * state_.cloth_bound;
+  return std::min(run_.time_step > 0 ? run_.time_step : 0.5 * state_.cloth_bound,
+                  longest_step_of_motion<Dim>(system_->model.bodies));
 }
 
 // -time_cfl: the step for the present flow, growing slowly, and for bodies that are about to start off.

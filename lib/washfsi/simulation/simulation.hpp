@@ -25,7 +25,6 @@ class Simulation {
 
  private:
   void choose_time_step();
-  void refuse_unseen_oscillations() const;
   void find_cloth_bound();
   double longest_step() const;
   void adapt_time_step();
