@@ -9,6 +9,8 @@ from support import ProgramTest, read_columns
 
 DRUM = ["-grid_cells", "24,24", "-grid_lower", "-0.35,-0.35", "-grid_upper", "0.35,0.35", "-fluid_viscosity", 1,
         "-bodies", "drum", "-drum_radius", 0.3, "-drum_inverted", "-time_step", 2e-3, "-time_end", 0.1]
+IN_SPACE = ["-grid_cells", "16,16,8", "-grid_lower", "-0.35,-0.35,0", "-grid_upper", "0.35,0.35,0.3",
+            "-drum_shape", "cylinder", "-drum_height", 2, "-bc_z_lower", "slip", "-bc_z_upper", "slip"]
 PROGRAMME = ["-drum_rpm", 45, "-drum_ramp", 0.02, "-drum_stroke", 0.05, "-drum_pause", 0.02]
 
 
@@ -23,6 +25,18 @@ class Motion(ProgramTest):
         ramp = self.history("ramp", "-drum_rpm", 45, "-drum_ramp", 0.08)["drum_torque"]
         self.assertGreater(np.abs(jolt).max(), 200 * np.abs(ramp).max())
         self.assertLess(np.abs(ramp[0]), 0.05 * np.abs(ramp).max())
+
+    def test_water_that_turns_with_the_drum_needs_no_torque(self):
+        for options in ([], IN_SPACE):
+            turning = ["-drum_rpm", 45, "-max_steps", 5, *options]
+            for start in ([], ["-fluid_initial_body", "drum"]):
+                rotation = self.history("rotation", *turning, "-fluid_initial", "rotation", *start)
+                torque = rotation["drum_torque_z" if options else "drum_torque"]
+                self.assertLess(rotation["max_divergence"].max(), 1e-12)
+                energy = rotation["kinetic_energy"]
+                self.assertLess(np.ptp(energy), 1e-3 * energy[0])
+            rest = self.history("rest", *turning)
+            self.assertLess(np.abs(torque).max(), 1e-4 * np.abs(rest["drum_torque_z" if options else "drum_torque"]).max())
 
     def test_programme_is_a_function_of_time_alone(self):
         whole = self.history("out", *PROGRAMME)

@@ -66,6 +66,36 @@ VelocityAt<Dim> couette(const Model<Dim>& model, const InitialFlowOptions<Dim>&)
   };
 }
 
+// The body that the user names, or the one that turns round its water: a drum does not hold its own centre.
+template <int Dim>
+const Body<Dim>& body_to_turn_with(const std::vector<Body<Dim>>& bodies, const std::string& name) {
+  std::vector<const Body<Dim>*> found;
+  std::vector<std::string> names;
+  for (const auto& body : bodies) {
+    names.push_back(body.name);
+    const bool is_drum = body.distance(body.motion.center_at(0), 0) > 0 && body.motion.angular_velocity(0) != 0;
+    if (name.empty() ? is_drum : body.name == name) found.push_back(&body);
+  }
+  if (!name.empty() && found.empty())
+    throw InputError("-fluid_initial_body " + name + ": must be one of the -bodies" +
+                     (names.empty() ? ", of which there are none" : " " + join(names, ",")));
+  if (found.size() != 1)
+    throw InputError(
+        "-fluid_initial rotation: needs one drum (-..._inverted) that turns at the start, or "
+        "-fluid_initial_body");
+  if (found[0]->motion.angular_velocity(0) == 0)
+    throw InputError("-fluid_initial_body " + name + ": this body does not turn at the start");
+  return *found[0];
+}
+
+template <int Dim>
+VelocityAt<Dim> rotation(const Model<Dim>& model, const InitialFlowOptions<Dim>& options) {
+  const RigidMotion<Dim>& motion = body_to_turn_with<Dim>(model.bodies, options.body).motion;
+  return [center = motion.center_at(0), omega = motion.angular_velocity(0)](const Point<Dim>& place, int c) {
+    return c == 0 ? -omega * (place[1] - center[1]) : c == 1 ? omega * (place[0] - center[0]) : 0.0;
+  };
+}
+
 template <int Dim>
 struct NamedFlow {
   const char* name;
@@ -75,8 +105,11 @@ struct NamedFlow {
 // Every flow that there is.
 template <int Dim>
 const std::vector<NamedFlow<Dim>>& initial_flows() {
-  static const std::vector<NamedFlow<Dim>> flows{
-      {"rest", rest}, {"taylor_green", taylor_green}, {"couette", couette}, {"uniform", uniform}};
+  static const std::vector<NamedFlow<Dim>> flows{{"rest", rest},
+                                                 {"taylor_green", taylor_green},
+                                                 {"couette", couette},
+                                                 {"uniform", uniform},
+                                                 {"rotation", rotation}};
   return flows;
 }
 
@@ -89,8 +122,11 @@ InitialFlowOptions<Dim> InitialFlowOptions<Dim>::from_options(Options& options) 
   for (const auto& flow : initial_flows<Dim>()) names.emplace_back(flow.name);
   options.block("", "Flow at the start", [&](OptionBlock& block) {
     block.choice("fluid_initial", initial.kind, names,
-                 "velocity at the start; couette: steady flow between a turning drum and a turning cylinder in it");
+                 "velocity at the start; couette: steady flow between a turning drum and a turning cylinder in it;"
+                 " rotation: turning with a drum");
     block.template point<Dim>("fluid_initial_velocity", initial.velocity, "m/s", "velocity of -fluid_initial uniform");
+    block.text("fluid_initial_body", initial.body,
+               "body with which the water turns, of -fluid_initial rotation; unless given the drum that turns");
   });
   return initial;
 }

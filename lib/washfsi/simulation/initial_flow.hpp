@@ -10,6 +10,7 @@ template <int Dim>
 struct InitialFlowOptions {
   std::string kind = "rest";                 ///< one of those in `initial_flow.cpp`
   Point<Dim> velocity = Point<Dim>::Zero();  ///< of the uniform flow [m/s]
+  std::string body;                          ///< with which the water turns; empty: the drum
 
   static InitialFlowOptions from_options(Options& options);
 };
@@ -18,6 +19,9 @@ struct InitialFlowOptions {
 ///   rest
 ///   uniform       a velocity that is the same everywhere
 ///   taylor_green  one wave of vortices in the x,y plane: u = (-cos kx sin ly, (k/l) sin kx cos ly)
+///   rotation      turning with a body as if it were solid: u = omega e_z x (x - x_body), which has no divergence on
+///   the
+///                 staggered grid either
 ///   couette       steady circular flow between a turning drum and a turning cylinder in it: u = (A r + B/r) e_theta
 ///   (4.3-1)
 /// Collective. Errors: InputError if the bodies do not fit the flow.
