@@ -60,6 +60,21 @@ TEST(WallLoads, LeaveOutWhatABodyCovers) {
   const Grid<2> grid(PETSC_COMM_WORLD, channel());
   const Boundary<2> boundary(grid, {});
   EXPECT_TRUE(exposed_walls<2>(grid, boundary, bodies).empty());
+  bodies[0].motion.angular_speed = 3;
+  EXPECT_TRUE(exposed_walls<2>(grid, boundary, bodies).empty());
+}
+
+TEST(WallLoads, AreThereWhereATurningBodyCoversASideOnlyAtTimes) {
+  std::vector<Body<2>> bodies(1);
+  bodies[0].shape = std::make_unique<Inverted<2>>(std::make_unique<Cuboid<2>>(Point<2>(1.7, 0.5)));
+  bodies[0].motion.center = {length / 2, height / 2};
+  const Grid<2> grid(PETSC_COMM_WORLD, channel());
+  const Boundary<2> boundary(grid, {});
+  EXPECT_TRUE(exposed_walls<2>(grid, boundary, bodies).empty());
+  bodies[0].motion.angular_speed = 3;
+  EXPECT_EQ(exposed_walls<2>(grid, boundary, bodies).size(), 2U);  // those along x
+  bodies[0].motion.translation = {1, 0};
+  EXPECT_EQ(exposed_walls<2>(grid, boundary, bodies).size(), 4U);
 }
 
 TEST(WallLoads, OfTheWaterBesideABodyAreNotTheBodys) {

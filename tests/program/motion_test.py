@@ -38,6 +38,11 @@ class Motion(ProgramTest):
             rest = self.history("rest", *turning)
             self.assertLess(np.abs(torque).max(), 1e-4 * np.abs(rest["drum_torque_z" if options else "drum_torque"]).max())
 
+    def test_walls_behind_a_turning_drum_have_no_columns(self):
+        columns = self.history("out", "-drum_rpm", 45, "-max_steps", 1)
+        self.assertIn("drum_torque", columns)
+        self.assertEqual([name for name in columns if name.startswith("wall_")], [])
+
     def test_programme_is_a_function_of_time_alone(self):
         whole = self.history("out", *PROGRAMME)
         self.history("parts", *PROGRAMME, "-time_end", 0.06)

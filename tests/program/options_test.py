@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Names of options: old ones hold and say so, and groups have defaults for all."""
 
+import re
 import unittest
 
-from support import CAVITY, WASH, ProgramTest
+from support import CAVITY, SOURCE, WASH, ProgramTest
+
+MACHINE = SOURCE / "inputs" / "wash.opts"
 
 
 class Options(ProgramTest):
@@ -34,6 +37,21 @@ class Options(ProgramTest):
         self.assertEqual(used["agitator_center"], "0.001,0")
         self.assertEqual(float(used["short_hold_stiffness"]), 7)
         self.assertEqual(float(used["long_ke"]), 8e3)  # the group's own counts more
+
+    def test_help_tells_each_option_once(self):
+        for case in (WASH, MACHINE):
+            told = re.findall(r"^ +-(\w+)", self.run_well(1, "-options_file", case, "-help"), re.M)
+            ours = [name for name in told if name.split("_")[0] in ("grid", "drum", "agitator", "towel", "long")]
+            self.assertGreater(len(ours), 40)
+            self.assertEqual(sorted(set(ours)), sorted(ours))
+
+    def test_help_tells_the_defaults_of_the_chosen_shape(self):
+        self.assertIn("-agitator_tip_radius <now 0.16 ", self.run_well(1, "-options_file", MACHINE, "-help"))
+
+    def test_log_has_no_stage_without_a_name(self):
+        log = self.run_well(1, "-options_file", CAVITY, "-grid_cells", "8,8", "-max_steps", 1, "-log_view")
+        self.assertIn("Event Stage 0: Main Stage", log)
+        self.assertNotRegex(log, r"Event Stage \d+: Unknown")
 
 
 if __name__ == "__main__":

@@ -71,8 +71,10 @@ class ShapeReader {
     read_round(block);
     read_straight(block);
     read_outlines(block);
+    const bool is_agitator = Dim == 3 && kind_ == ShapeKind::agitator;
+    if (is_agitator) read_agitator(block);  // first: -help shows the first of options of one name
     if (used({ShapeKind::vaned})) read_vaned(block);
-    if (Dim == 3 && used({ShapeKind::agitator})) read_agitator(block);
+    if (Dim == 3 && !is_agitator && used({ShapeKind::agitator})) read_agitator(block);
     if (Dim == 3 && used({ShapeKind::stl})) stl_.read(block);
     if (used(combinations)) {
       block.require("parts", "the names of the parts of the shape");

@@ -1,20 +1,45 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/body/wall_loads.hpp"
 
+#include <algorithm>
+#include <numbers>
+
 namespace washfsi {
+
+namespace {
+
+// Whether a body holds a place at all times: it rests, or it turns about a place of its own and holds the whole circle.
+// A distance is the true one or less, so a step as long as the depth leaves nothing out.
+template <int Dim>
+bool holds_always(const Body<Dim>& body, const Point<Dim>& place, double spacing) {
+  if (body.distance(place, 0) > 0) return false;
+  if (body.motion.at_rest()) return true;
+  if (!body.motion.only_turns()) return false;
+  const Point<Dim> arm = place - body.motion.center_at(0);
+  const double radius = arm.template head<2>().norm();
+  double depth = 0;
+  for (double angle = 0; angle < 2 * std::numbers::pi; angle += std::max(depth, 0.25 * spacing) / radius) {
+    depth = -body.shape->distance(Pose<Dim>::at(Point<Dim>::Zero(), angle).in_body_frame(arm));
+    if (depth < 0) return false;
+  }
+  return true;
+}
+
+}  // namespace
 
 template <int Dim>
 std::vector<SideName> exposed_walls(const Grid<Dim>& grid, const Boundary<Dim>& boundary,
                                     const std::vector<Body<Dim>>& bodies) {
-  const PosedBodies<Dim> posed(bodies, 0);
+  const double spacing = grid.spacing().minCoeff();
   std::vector<SideName> sides;
   for (int axis = 0; axis < Dim; ++axis)
     for (const End end : {End::lower, End::upper}) {
       const BoundaryKind kind = boundary.side(axis, end).kind;
       bool exposed = false;
       for_each<Dim>(grid.cells_beside(axis, end), [&](const Index<Dim>& cell) {
-        const std::size_t holder = posed.holder(grid.cell_center(cell));
-        exposed = exposed || holder == bodies.size() || !bodies[holder].motion.at_rest();
+        const Point<Dim> place = grid.cell_center(cell);
+        exposed = exposed || std::none_of(bodies.begin(), bodies.end(),
+                                          [&](const auto& body) { return holds_always<Dim>(body, place, spacing); });
       });
       exposed = any_rank(grid.comm(), exposed);
       if (exposed && (kind == BoundaryKind::wall || kind == BoundaryKind::slip)) sides.push_back({axis, end});

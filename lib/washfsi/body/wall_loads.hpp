@@ -13,7 +13,8 @@ struct SideName {
   End end;
 };
 
-/// The sides that are walls or slip and not covered by bodies at rest everywhere. Collective.
+/// The sides that are walls or slip and not covered everywhere, at all times, by bodies that rest or only turn.
+/// Collective.
 template <int Dim>
 std::vector<SideName> exposed_walls(const Grid<Dim>& grid, const Boundary<Dim>& boundary,
                                     const std::vector<Body<Dim>>& bodies);

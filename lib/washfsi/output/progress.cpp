@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/output/progress.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -44,12 +45,12 @@ void Progress::show(const ProgressState& state) {
   shown_ = now;
   const double per_step = wall_seconds() / static_cast<double>(state.step - first_step_);
   const double dt = state.time / static_cast<double>(state.step);
-  const double left = per_step * (state.end - state.time) / dt;
+  const double left = per_step * std::max(0.0, state.end - state.time) / dt;  // the last step may pass the end
   std::array<char, 256> line{};
   (void)std::snprintf(
       line.data(), line.size(),
       "step %ld  t %.4g of %.4g s  %5.1f %%  CFL %.3f  iterations %.0f + %.0f  %.2f ms/step  %.0f s left", state.step,
-      state.time, state.end, 100 * state.time / state.end, state.courant, state.momentum_iterations,
+      state.time, state.end, std::min(100.0, 100 * state.time / state.end), state.courant, state.momentum_iterations,
       state.pressure_iterations, 1e3 * per_step, left);
   (void)std::printf(on_terminal_ ? "\r%s\033[K" : "%s\n", line.data());
   (void)std::fflush(stdout);

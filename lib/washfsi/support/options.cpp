@@ -52,6 +52,7 @@ PetscErrorCode open_block(MPI_Comm comm, const char* prefix, const char* title,
   PetscFunctionReturn(0);
 }
 
+// Also tells -help of it.
 PetscErrorCode ask_string(PetscOptionItems* PetscOptionsObject, const char* flag, const char* help, const char* current,
                           char* value, std::size_t length, PetscBool* given) {
   PetscFunctionBeginUser;
@@ -198,22 +199,21 @@ std::string Options::resolved() const {
 std::optional<std::string> OptionBlock::ask(const std::string& name, const std::string& current,
                                             const Description& description) {
   const std::string brackets = description.unit.empty() ? description.allowed : description.unit;
-  const std::string help = description.meaning + (brackets.empty() ? "" : " [" + brackets + "]");
-  std::vector<char> buffer(1 << 20);  // lists of corners may be long
-  PetscBool given = PETSC_FALSE;
-  WASH_PETSC(
-      ask_string(items_, ("-" + name).c_str(), help.c_str(), current.c_str(), buffer.data(), buffer.size(), &given));
-  std::string value = given ? buffer.data() : current;
+  const std::string help = description.meaning + (brackets.empty() ? "" : " [" + brackets + "]"), option = "-" + name;
   // asked even where the group has its own: so it counts as read
   const bool for_all = !fallback_.empty() && petsc::option_given("", "-" + fallback_ + name);
-  if (!given && for_all) {
-    given = PETSC_TRUE;
-    value = Options::database().at(fallback_ + name);
-  }
+  std::string value = for_all ? Options::database().at(fallback_ + name) : current;
+  std::vector<char> buffer(1 << 20);  // lists of corners may be long
+  PetscBool given = PETSC_FALSE;
+  if (options_.values_.contains(prefix_ + name))  // told already: several laws or shapes have it
+    WASH_PETSC(PetscOptionsGetString(nullptr, prefix_.c_str(), option.c_str(), buffer.data(), buffer.size(), &given));
+  else
+    WASH_PETSC(ask_string(items_, option.c_str(), help.c_str(), value.c_str(), buffer.data(), buffer.size(), &given));
+  if (given) value = buffer.data();
   options_.values_[prefix_ + name] = value;
   options_.declared_.push_back({title_, prefix_ + name, value, description.unit, description.meaning,
                                 description.allowed, options_.required_.contains(prefix_ + name)});
-  if (!given) return std::nullopt;
+  if (!given && !for_all) return std::nullopt;
   return value;
 }
 

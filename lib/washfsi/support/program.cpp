@@ -79,12 +79,19 @@ void tell(const char* name, const std::string& text, bool on_all) {
   std::_Exit(1);
 }
 
+// PETSc's stage for a server of solvers, which nobody runs here: -log_view would list it as "Unknown".
+void hide_unused_stage() {
+  PetscLogStage stage = -1;
+  if (PetscLogStageGetId("PCMPI", &stage) == 0 && stage >= 0) (void)PetscLogStageSetVisible(stage, PETSC_FALSE);
+}
+
 // PETSc writes reports such as -log_view at its end. After an error that was told, another would only distract.
 int finalize(const char* name, const petsc::ErrorTrace& trace, bool failed) {
   PetscBool initialized = PETSC_FALSE;
   (void)PetscInitialized(&initialized);
   if (!initialized) return 0;
   const std::string reports = options_behind("");
+  hide_unused_stage();
   if (PetscFinalize() == 0 || failed) return 0;
   tell(name, "at the end: " + trace.message() + (reports.empty() ? "" : " (" + reports + ")"), false);
   leave(2);
