@@ -34,10 +34,10 @@ void print_version() {
     std::cout << "washfsi " << version_text << (commit.empty() ? "" : " (" + commit + ")") << "\n";
 }
 
-void run_or_document(const std::string& case_name) {
-  Options options(PETSC_COMM_WORLD);
+void run_or_document(const CommandLine& line) {
+  Options options(PETSC_COMM_WORLD, false, line.given());
   const Document document = document_from_options(options);
-  if (document == Document::none) return simulate(options, case_name);
+  if (document == Document::none) return simulate(options, line.case_name());
   const std::string text = document == Document::options ? document_options(options.comm()) : quantities(options);
   if (rank_of(options.comm()) == 0) std::cout << text;
 }
@@ -51,6 +51,6 @@ int main(int argc, char** argv) {
     if (line.asks_for_version()) return washfsi::print_version();
     WASH_PETSC(PetscInitialize(&line.count(), &line.words(), nullptr, washfsi::help_text));
     (void)std::signal(SIGPIPE, SIG_IGN);  // a reader that has seen enough does not end a run
-    washfsi::run_or_document(line.case_name());
+    washfsi::run_or_document(line);
   });
 }

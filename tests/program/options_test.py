@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Names of options: old ones hold and say so, and groups have defaults for all."""
 
+import json
 import re
 import unittest
 
-from support import CAVITY, SOURCE, WASH, ProgramTest
+from support import CAVITY, SOURCE, WASH, ProgramTest, run
 
 MACHINE = SOURCE / "inputs" / "wash.opts"
 
@@ -37,6 +38,80 @@ class Options(ProgramTest):
         self.assertEqual(used["agitator_center"], "0.001,0")
         self.assertEqual(float(used["short_hold_stiffness"]), 7)
         self.assertEqual(float(used["long_ke"]), 8e3)  # the group's own counts more
+
+    def write(self, path, *lines):
+        """Writes an options file into the test's folder."""
+        path = self.folder / path
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+        return path
+
+    def test_empty_lists_switch_all_off(self):
+        printed, used = self.resolved("-options_file", WASH, "-cloths", "", "-bodies", "", "-time_step", 1e-3)
+        for name in ("long", "short", "drum", "agitator"):
+            self.assertEqual(len(re.findall(rf"^warning: .* does not name {name} .*-{name}_\w+", printed, re.M)), 1)
+            self.assertEqual([option for option in used if option.startswith(name + "_")], [])
+        self.assertNotIn("cloth ", printed)
+
+    def test_a_later_file_may_switch_off_what_an_earlier_one_has(self):
+        later = self.write("later.opts", "-cloths long", "-agitator_shape sphere  # no vanes", "-agitator_radius 0.1")
+        printed, used = self.resolved("-options_file", WASH, "-options_file", later)
+        self.assertIn("warning: -cloths does not name short any more", printed)
+        self.assertIn("warning: -agitator_shape is another now, so without effect: -agitator_hub_radius", printed)
+        self.assertEqual(len(re.findall("^warning", printed, re.M)), 2)
+        self.assertNotIn("short_size", used)
+        nested = self.write("nested.opts", f"-options_file {WASH}", '-cloths ""')
+        self.assertIn("-cloths does not name long", self.resolved("-options_file", nested)[0])
+        self.assertNotIn("warning", self.resolved("-options_file", self.folder / "resolved.opts")[0])
+
+    def test_default_shape_that_another_replaces(self):
+        case = self.write("case.opts", "-grid_cells 16,16", "-bodies pole", "-pole_radius 0.1", "-time_end 1",
+                          "-time_step 0.1")
+        printed, _ = self.resolved("-options_file", case, "-pole_shape", "box", "-pole_size", "0.2,0.2")
+        self.assertIn("warning: -pole_shape is another now, so without effect: -pole_radius", printed)
+
+    def test_misspelt_options_are_refused_beside_parts_that_are_switched_off(self):
+        for options in (["-logn_size", 1], ["-long_sizee", 1], ["-agitator_vains", 3]):
+            outcome = run(1, "-options_file", WASH, "-cloths", "short", "-agitator_shape", "sphere",
+                          "-agitator_radius", 0.1, *options, folder=self.folder)
+            self.assertEqual(outcome.returncode, 2, outcome.stdout)
+            self.assertIn(f"{options[0]} {options[1]}: no part of this run reads this option", outcome.stderr)
+
+    def test_an_option_of_another_shape_in_one_file_is_refused(self):
+        case = self.write("case.opts", "-grid_cells 16,16", "-bodies pole", "-pole_shape box", "-pole_size 0.2,0.2",
+                          "-pole_radius 0.1", "-time_end 1", "-time_step 0.1")
+        self.assertEqual(run(1, "-options_file", case, folder=self.folder).returncode, 2)
+
+    def test_files_named_in_a_file_are_relative_to_it(self):
+        self.write("cases/parts/drum.opts", "-bodies drum", "-drum_motion_file ../tables/turn.csv")
+        self.write("cases/tables/turn.csv", "0,0,0,0", "1,0,0,3")
+        case = self.write("cases/case.opts", "-grid_cells 16,16", "-time_end 0.02", "-time_step 0.01",
+                          "-options_file parts/drum.opts", "-drum_radius 0.2", "-drum_center 0.5,0.5")
+        _, used = self.resolved("-options_file", case.relative_to(self.folder))
+        self.assertEqual(used["drum_motion_file"], str(self.folder / "cases" / "tables" / "turn.csv"))
+        moved = self.write("elsewhere/resolved.opts", (self.folder / "resolved.opts").read_text(encoding="utf-8"))
+        self.assertEqual(self.resolved("-options_file", moved)[1], used)
+        here = self.write("here.csv", "0,0,0,0", "1,0,0,2").name
+        self.assertEqual(self.resolved("-options_file", case, "-drum_motion_file", here)[1]["drum_motion_file"],
+                         str(self.folder / here))
+
+    def test_names_of_files_may_have_blanks(self):
+        self.write("two words/turn.csv", "0,0,0,0", "1,0,0,3")
+        case = self.write("two words/case.opts", "-grid_cells 16,16", "-time_end 0.02", "-time_step 0.01", "-bodies drum",
+                          "-drum_radius 0.2", "-drum_center 0.5,0.5", "-drum_motion_file 'turn.csv' # quoted")
+        used = self.resolved("-options_file", case)[1]["drum_motion_file"]
+        self.assertEqual(used, f'"{self.folder}/two words/turn.csv"')
+        self.assertEqual(self.resolved("-options_file", self.folder / "resolved.opts")[1]["drum_motion_file"], used)
+
+    def test_resolved_options_keep_the_name_of_the_case(self):
+        small = ["-options_file", CAVITY, "-grid_cells", "8,8", "-max_steps", 2]
+        self.run_well(1, *small, "-output_dir", "first")
+        self.run_well(2, "-options_file", "first/resolved.opts", "-restart", "first/checkpoint.h5", "-max_steps", 4,
+                      "-output_dir", "again")
+        self.run_well(1, *small, "-case_name", "box", "-output_dir", "named")
+        names = [json.loads((self.folder / name / "summary.json").read_text())["case"]
+                 for name in ("first", "again", "named")]
+        self.assertEqual(names, ["cavity", "cavity", "box"])
 
     def test_help_tells_each_option_once(self):
         for case in (WASH, MACHINE):

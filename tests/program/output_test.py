@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A short wash leaves every file that is promised, and what the files say is consistent."""
 
+import contextlib
 import csv
 import json
+import os
 import pathlib
+import pty
 import re
+import subprocess
 import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
@@ -12,7 +16,8 @@ import xml.etree.ElementTree as ElementTree
 import h5py
 import numpy as np
 
-from support import CHANNEL, CAVITY, COUETTE, EXPLICIT_WASH, TIGHT, ProgramTest, read_columns, read_options, read_table, run
+from support import (CAVITY, CHANNEL, COUETTE, EXPLICIT_WASH, PROGRAM, TIGHT, ProgramTest, alone, read_columns, read_options, read_table,
+                     run)
 
 CASE = [*EXPLICIT_WASH, "-time_end", 0.05, "-output_interval", 0.01,
         "-profiles", "middle", "-middle_from", "-0.3,0", "-middle_to", "0.3,0", "-middle_points", 61]
@@ -280,6 +285,25 @@ class Output(ProgramTest):
                 self.assertEqual([frame.attrs["time"] for frame in frames(file)], [0])
         for name in ("history.csv", "summary.json", "checkpoint.h5"):
             self.assertFalse((self.folder / "out" / name).exists(), name)
+
+
+class ProgressLine(ProgramTest):
+    def test_never_tells_more_than_all_nor_less_than_nothing(self):
+        """The last step passes the end by half a step; on a terminal there is a line each 0.2 s, less than a step here."""
+        terminal, end = pty.openpty()
+        with subprocess.Popen([PROGRAM, "-options_file", CAVITY, "-grid_cells", "512,512", "-time_cfl", "0", "-time_step",
+                               "1e-3", "-time_end", "2.5e-3"], cwd=self.folder, stdout=end,
+                              env=alone(self.folder)) as process:
+            os.close(end)
+            shown = b""
+            with contextlib.suppress(OSError):  # how a terminal without a writer ends
+                while part := os.read(terminal, 4096):
+                    shown += part
+        os.close(terminal)
+        self.assertEqual(process.returncode, 0)
+        shares = [float(share) for share in re.findall(r"([\d.]+) %", shown.decode())]
+        self.assertLessEqual(max(shares), 100)
+        self.assertNotIn(b" -", b"".join(re.findall(rb"ms/step.*? left", shown)))
 
 
 if __name__ == "__main__":

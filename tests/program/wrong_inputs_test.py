@@ -80,6 +80,8 @@ WRONG_OPTIONS = [
     ("options file that is a folder", ["-options_file", "."], ["-options_file ."]),
     ("word without a dash", ["fluid_viscosity", "3"], ["fluid_viscosity"]),
     ("text with a blank", ["-restart", "two words.h5"], ["-restart two words.h5"]),
+    ("case name with a blank", ["-case_name", "two words"], ["-case_name two words"]),
+    ("file without a name", ["-drum_motion_file", ""], ["-drum_motion_file"]),
     ("no such checkpoint", ["-restart", "nowhere.h5"], ["-restart nowhere.h5"]),
     ("cloth outside the drum", ["-short_placement", "line", "-short_center", "0,0.33"],
      ["-short_placement", "drum"]),
@@ -171,6 +173,7 @@ class WrongInputs(ProgramTest):
         for what, text, words in (("itself", "-options_file self.opts", ["line 1", "includes itself"]),
                                   ("missing file", "\n-options_file nowhere.opts", ["line 2", "nowhere.opts"]),
                                   ("number for a name", "- 5", ["line 1"]), ("no option", "garbage", ["line 1"]),
+                                  ("quote without an end", '-output_dir "out', ["line 1", '"out', "no end"]),
                                   ("NUL byte", "-fluid_viscosity 1\n-a\0b 5", ["line 2", "NUL"])):
             with self.subTest(what):
                 (self.folder / "self.opts").write_text(text, encoding="utf-8")

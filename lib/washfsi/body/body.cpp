@@ -53,9 +53,11 @@ std::vector<Body<Dim>> bodies_from_options(Options& options, double cell) {
   std::vector<std::string> names;
   options.block("", "Bodies", [&](OptionBlock& block) { block.names("bodies", names, "names of the rigid bodies"); });
   if (names.empty()) names = options.examples("drum", "BODY");
+  const auto read = [&](const std::string& name) { return Body<Dim>::from_options(options, name, 0.5 * cell); };
   std::vector<Body<Dim>> bodies;
   for (const auto& name : names) options.claim_prefix(name, "-bodies");
-  for (const auto& name : names) bodies.push_back(Body<Dim>::from_options(options, name, 0.5 * cell));
+  for (const auto& name : names) bodies.push_back(read(name));
+  options.leave_out_dropped("bodies", names, read);
   return bodies;
 }
 

@@ -139,13 +139,13 @@ void MotionOptions<Dim>::read_programme(OptionBlock& block) {
   block.real("stroke", strokes.stroke, "s", non_negative,
              "duration of turning one way, ramps included, before it turns the other way; 0: one way for ever");
   block.real("pause", strokes.pause, "s", non_negative, "rest after each stroke");
-  block.text("speed_file", speed_file,
+  block.file("speed_file", speed_file,
              "table of the speed of rotation instead: time in s, speed in rpm; linear between rows");
   PetscInt cycles = speed_file.empty() ? 0 : 1;
   block.integer("cycles", cycles, non_negative_integer,
                 "number of pairs of strokes, or of passes of speed_file (unless given, 1); 0: for ever");
   strokes.cycles = cycles;
-  block.text("motion_file", motion_file,
+  block.file("motion_file", motion_file,
              "table of the motion instead: time, x, y[, z], angle; the place is added to center");
   block.choice("angle_unit", angle_unit, "of the angles in motion_file");
 }

@@ -269,10 +269,28 @@ class ShapeReader {
 
 }  // namespace
 
+namespace {
+
+// What the user gave for a shape that the body has no more, and for parts that it has no more.
+template <int Dim>
+void leave_out_others(Options& options, const std::string& name, double sample_spacing, const std::string& fallback,
+                      const std::vector<std::string>& parts) {
+  const std::string option = name + "_shape";
+  if (options.given().overridden(option, name + "_"))
+    options.leave_out("-" + option + " is another now",
+                      [&] { const ShapeReader<Dim> every(options, name, sample_spacing, fallback); });
+  options.leave_out_dropped(name + "_parts", parts, [&](const std::string& part) {
+    (void)shape_from_options<Dim>(options, name + "_" + part, sample_spacing);
+  });
+}
+
+}  // namespace
+
 template <int Dim>
 ShapePtr<Dim> shape_from_options(Options& options, const std::string& name, double sample_spacing,
                                  const std::string& fallback) {
   const ShapeReader<Dim> reader(options, name, sample_spacing, fallback);
+  leave_out_others<Dim>(options, name, sample_spacing, fallback, reader.parts());
   if (options.help()) return nullptr;  // sizes may be missing, and no shape is needed
   for (const auto& part : reader.parts()) options.claim_prefix(name + "_" + part, "-" + name + "_parts");
   ShapeList<Dim> parts;

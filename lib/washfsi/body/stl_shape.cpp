@@ -28,7 +28,7 @@ void check_size(const Lattice<3>& lattice, double length, const StlOptions& opti
 
 void StlOptions::read(OptionBlock& block) {
   block.require("file", "the STL file of the shape");
-  block.text("file", file, "STL file, ASCII or binary, of a closed surface (stl)");
+  block.file("file", file, "STL file, ASCII or binary, of a closed surface (stl)");
   block.real("scale", scale, "m", positive, "length of the STL file's unit; 1e-3 if it is in millimetres (stl)");
   block.real("sample_spacing", sample_spacing, "m", positive,
              "of the lattice on which the distance is kept (stl); default: half of the smallest cell");

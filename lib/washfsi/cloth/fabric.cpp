@@ -18,14 +18,18 @@ Fabric read_fabric(Options& options, const std::string& group, std::size_t direc
       group + "_", "Fabric of group " + group,
       [&](OptionBlock& block) { block.choice("fabric", chosen, names, "law of its elasticity"); }, "cloths_");
   const auto read = [&]<class Law>(std::type_identity<Law>) {
-    if (chosen != Law::name && !options.help()) return;
-    options.block(
-        group + "_", "Group " + group + ", fabric " + Law::name,
-        [&](OptionBlock& block) {
-          const Law law = Law::from_options(block, directions);
-          if (chosen == Law::name) fabric = law;
-        },
-        "cloths_");
+    const auto declare = [&] {
+      options.block(
+          group + "_", "Group " + group + ", fabric " + Law::name,
+          [&](OptionBlock& block) {
+            const Law law = Law::from_options(block, directions);
+            if (chosen == Law::name) fabric = law;
+          },
+          "cloths_");
+    };
+    if (chosen == Law::name || options.help()) return declare();
+    if (options.given().overridden(group + "_fabric", group + "_"))
+      options.leave_out("-" + group + "_fabric is another now", declare);
   };
   (read(std::type_identity<Laws>{}), ...);
   return fabric;

@@ -194,6 +194,8 @@ std::vector<ClothGroup<Dim>> cloth_groups_from_options(Options& options) {
   std::vector<ClothGroup<Dim>> groups;
   for (const auto& name : names) options.claim_prefix(name, "-cloths");
   for (const auto& name : names) groups.push_back(ClothGroup<Dim>::from_options(options, name));
+  options.leave_out_dropped("cloths", names,
+                            [&](const std::string& name) { (void)ClothGroup<Dim>::from_options(options, name); });
   return groups;
 }
 

@@ -54,6 +54,24 @@ void Profile<Dim>::write(const Grid<Dim>& grid, const Boundary<Dim>& boundary, V
   write_table(grid.comm(), folder + "/profiles/" + name + ".csv", columns, rows);
 }
 
+namespace {
+
+template <int Dim>
+Profile<Dim> profile_from_options(Options& options, const std::string& name) {
+  Profile<Dim> profile;
+  profile.name = name;
+  options.block(name + "_", "Profile " + name, [&](OptionBlock& block) {
+    block.require("from", "the first point of the line");
+    block.require("to", "the last point of the line");
+    block.template point<Dim>("from", profile.from, "m", "first point of the line");
+    block.template point<Dim>("to", profile.to, "m", "last point of the line");
+    block.integer("points", profile.points, at_least_one, "number of points on the line");
+  });
+  return profile;
+}
+
+}  // namespace
+
 template <int Dim>
 std::vector<Profile<Dim>> profiles_from_options(Options& options, const Point<Dim>& lower, const Point<Dim>& upper) {
   std::vector<std::string> names;
@@ -63,20 +81,13 @@ std::vector<Profile<Dim>> profiles_from_options(Options& options, const Point<Di
   std::vector<Profile<Dim>> profiles;
   for (const auto& name : names) {
     options.claim_prefix(name, "-profiles");
-    Profile<Dim> profile;
-    profile.name = name;
-    options.block(name + "_", "Profile " + name, [&](OptionBlock& block) {
-      block.require("from", "the first point of the line");
-      block.require("to", "the last point of the line");
-      block.template point<Dim>("from", profile.from, "m", "first point of the line");
-      block.template point<Dim>("to", profile.to, "m", "last point of the line");
-      block.integer("points", profile.points, at_least_one, "number of points on the line");
-    });
-    for (const auto& end : {profile.from, profile.to})
+    profiles.push_back(profile_from_options<Dim>(options, name));
+    for (const auto& end : {profiles.back().from, profiles.back().to})
       if (((end - lower).minCoeff() < 0 || (upper - end).minCoeff() < 0) && !options.help())
         throw InputError("-" + name + "_from, -" + name + "_to: the line leaves the grid");
-    profiles.push_back(profile);
   }
+  options.leave_out_dropped("profiles", names,
+                            [&](const std::string& name) { (void)profile_from_options<Dim>(options, name); });
   return profiles;
 }
 

@@ -13,8 +13,13 @@ CaseOptions<Dim> CaseOptions<Dim>::from_options(Options& options) {
   read.coupling = CouplingOptions::from_options(options);
   read.model = ModelOptions<Dim>::from_options(options, read.coupling.mass_carrier);
   read.initial_flow = InitialFlowOptions<Dim>::from_options(options);
-  for (const ClothGroup<Dim>& group : read.model.cloths)
-    read.placements.push_back(PlacementOptions<Dim>::from_options(options, group.name));
+  const auto placement = [&](const std::string& group) { return PlacementOptions<Dim>::from_options(options, group); };
+  std::vector<std::string> groups;
+  for (const ClothGroup<Dim>& group : read.model.cloths) {
+    groups.push_back(group.name);
+    read.placements.push_back(placement(group.name));
+  }
+  options.leave_out_dropped("cloths", groups, placement);
   const GridShape<Dim>& shape = read.model.grid.shape;
   read.measure = MeasureOptions::from_options<Dim>(options, shape.lower, shape.upper);
   return read;

@@ -16,7 +16,8 @@ std::map<std::string, std::string> options_in(const std::string& text) {
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);
     name = value = "";
-    words >> name >> value;
+    words >> name >> std::ws;
+    std::getline(words, value);  // one in quotes may have blanks
     if (name.starts_with('-')) options[name.substr(1)] = value;
   }
   return options;
@@ -26,8 +27,8 @@ std::map<std::string, std::string> options_in(const std::string& text) {
 
 std::string case_options(const std::string& resolved) {
   static const std::set<std::string> of_the_run{
-      "time_end",        "max_steps",           "output_dir", "history_interval",
-      "output_interval", "checkpoint_interval", "restart",    "check"};
+      "time_end", "max_steps", "output_dir", "history_interval", "case_name", "output_interval", "checkpoint_interval",
+      "restart",  "check"};
   std::string text;
   for (const auto& [name, value] : options_in(resolved))
     if (!of_the_run.contains(name)) text += "-" + name + " " + value + "\n";

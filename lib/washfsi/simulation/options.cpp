@@ -5,8 +5,9 @@
 
 namespace washfsi {
 
-RunOptions RunOptions::from_options(Options& options) {
+RunOptions RunOptions::from_options(Options& options, const std::string& case_name) {
   RunOptions run;
+  run.case_name = case_name;
   options.block("", "Run", [&](OptionBlock& block) {
     block.require("time_end", "the time at which the run ends, in s");
     block.real("time_step", run.time_step, "s", non_negative,
@@ -19,6 +20,7 @@ RunOptions RunOptions::from_options(Options& options) {
     block.real("rest_speed", run.rest_speed, "m/s", non_negative,
                "end early when every marker, after one has been as fast, has been slower for ten steps; 0: do not");
     block.real("time_max_cfl", run.max_courant, "-", positive, "a run whose CFL number exceeds this has diverged");
+    block.text("case_name", run.case_name, "in the banner and the summary; unless given that of the last options file");
     block.text("output_dir", run.output_dir, "folder for the results");
     block.real("history_interval", run.history_interval, "s", non_negative,
                "between rows of the history, for which all is measured; 0: every step");
@@ -26,7 +28,7 @@ RunOptions RunOptions::from_options(Options& options) {
                "between frames of the series; 0: a twentieth of the run");
     block.real("checkpoint_interval", run.checkpoint_interval, "s", non_negative,
                "between checkpoints; 0: a tenth of the run");
-    block.text("restart", run.restart, "checkpoint file to go on from");
+    block.file("restart", run.restart, "checkpoint file to go on from");
     block.boolean("check", run.check, "only check: set everything up, write it at t = 0 and tell its cost");
     block.boolean("strict", run.strict, "what the program warns of at the start is an error");
   });

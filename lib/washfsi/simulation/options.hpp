@@ -9,6 +9,7 @@ namespace washfsi {
 
 /// The run itself: time, output folder, intervals, restart.
 struct RunOptions {
+  std::string case_name;   ///< in the banner and the summary
   double time_step = 0;    ///< [s], the longest if time_cfl is given too; 0: the program's choice
   double time_cfl = 0;     ///< choose each step for this CFL number; 0: steps of equal length
   double time_end = 1;     ///< [s]
@@ -23,7 +24,8 @@ struct RunOptions {
   bool check = false;              ///< dry run
   bool strict = false;             ///< refuse a case of which there is something to warn
 
-  static RunOptions from_options(Options& options);
+  /// `case_name`: unless the user gives another. Errors: InputError. Collective.
+  static RunOptions from_options(Options& options, const std::string& case_name);
 };
 
 }  // namespace washfsi

@@ -20,9 +20,8 @@
 namespace washfsi {
 
 template <int Dim>
-Simulation<Dim>::Simulation(Options& options, std::string case_name)
-    : case_name_(std::move(case_name)), progress_(options.comm()) {
-  run_ = RunOptions::from_options(options);
+Simulation<Dim>::Simulation(Options& options, const std::string& case_name) : progress_(options.comm()) {
+  run_ = RunOptions::from_options(options, case_name);
   const auto chosen = CaseOptions<Dim>::from_options(options);
   const GridShape<Dim>& shape = chosen.model.grid.shape;
   std::optional<LongTask> task(std::in_place, options.comm(), "preparing the bodies");
@@ -253,7 +252,7 @@ void Simulation<Dim>::watch_step_bound() {
 template <int Dim>
 void Simulation<Dim>::print_banner() {
   for (const std::string& note : notes_) progress_.note(note);
-  for (const std::string& line : banner_lines(system_->model, case_name_, coupling_)) progress_.note(line);
+  for (const std::string& line : banner_lines(system_->model, run_.case_name, coupling_)) progress_.note(line);
   const double bound = scheme_->step_bound(*system_);
   progress_.note(format_text("  time      step %.4g s, end %.4g s", state_.dt, run_.time_end) +
                  (std::isfinite(bound)                        ? format_text(", bound of the coupling %.4g s", bound)
@@ -281,7 +280,7 @@ template <int Dim>
 void Simulation<Dim>::end(const std::string& status) {
   progress_.finish();
   RunSummary summary;
-  summary.case_name = case_name_;
+  summary.case_name = run_.case_name;
   summary.status = status;
   summary.steps = clock().step;
   summary.time = clock().time;

@@ -18,7 +18,7 @@ template <int Dim>
 class Simulation {
  public:
   /// Reads all options and sets everything up. Collective. Errors: InputError, FileError.
-  Simulation(Options& options, std::string case_name);
+  Simulation(Options& options, const std::string& case_name);
 
   /// Runs to the end, to a stop signal, or (-check) not at all. Collective. Errors: DivergedError, FileError.
   void run();
@@ -48,7 +48,7 @@ class Simulation {
   void print_summary(const RunSummary& summary);
 
   RunOptions run_;
-  std::string case_name_, coupling_;
+  std::string coupling_;
   std::vector<std::string> notes_;  ///< on the options
   std::vector<Profile<Dim>> profiles_;
   std::unique_ptr<FolderLock> lock_;

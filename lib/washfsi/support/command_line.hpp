@@ -6,30 +6,37 @@
 
 #include <mpi.h>
 
+#include "washfsi/support/given_options.hpp"
+
 namespace washfsi {
 
-/// The words of the command line, checked before PETSc sees them, which would answer garbage with a trace; options
-/// files come first, so that what stands on the command line itself wins wherever it stands.
+/// The words of the command line, checked before PETSc sees them, which would answer garbage with a trace. Options
+/// files are read here, in the order in which they are named, and PETSc gets their options as words; those of the
+/// command line itself come last, and so win wherever they stand.
 class CommandLine {
  public:
-  /// Looks at the words, at the files that they name, at PETSc's own resource files and at PETSC_OPTIONS. Collective;
-  /// rank 0's findings count. Errors: InputError.
+  /// Looks at the words, at the files that they name, at PETSc's own resource files and at PETSC_OPTIONS. A file named
+  /// in a file is relative to its folder. Collective; rank 0's findings count. Errors: InputError.
   CommandLine(MPI_Comm comm, int argc, char** argv);
 
   /// For PetscInitialize.
   int& count() { return count_; }
   char**& words() { return words_; }
-  /// That of the last options file, without its ending; else the program's.
+  /// Where each option comes from.
+  const GivenOptions& given() const { return given_; }
+  /// That of the last options file on the command line, without its ending; else the program's.
   const std::string& case_name() const { return case_name_; }
   /// Whether the user asks for the version only.
   bool asks_for_version() const { return asks_for_version_; }
 
  private:
-  void sort(int argc, char** argv);
+  void make_words(const char* program);
 
   int count_ = 0;
   char** words_ = nullptr;
-  std::vector<char*> sorted_;
+  GivenOptions given_;
+  std::vector<std::string> texts_;
+  std::vector<char*> pointers_;
   std::string case_name_ = "washfsi";
   bool asks_for_version_ = false;
 };

@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <numeric>
 #include <sstream>
 #include <string_view>
@@ -13,32 +14,6 @@
 #include "washfsi/support/petsc_options.hpp"
 
 namespace washfsi {
-
-std::string to_text(double value) {
-  std::array<char, 64> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-  return {buffer.data(), end};
-}
-
-std::string join(const std::vector<std::string>& words, const std::string& separator) {
-  std::string text;
-  for (const auto& word : words) text += (text.empty() ? "" : separator) + word;
-  return text;
-}
-
-std::string lower_case(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
-std::vector<std::string> split(const std::string& list, char separator) {
-  std::vector<std::string> words;
-  std::istringstream stream(list);
-  for (std::string word; std::getline(stream, word, separator);) words.push_back(word);
-  if (!list.empty() && list.back() == separator) words.emplace_back();  // "1,2," has three words
-  return words;
-}
 
 namespace {
 
@@ -74,16 +49,10 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
   return row[b.size()];
 }
 
-bool is_on_command_line(const std::string& option) {
-  int count = 0;
-  char** words = nullptr;
-  WASH_PETSC(PetscGetArgs(&count, &words));
-  return std::find(words, words + count, option) != words + count;
-}
-
 }  // namespace
 
-Options::Options(MPI_Comm comm, bool documents) : comm_(comm), documents_(documents) {
+Options::Options(MPI_Comm comm, bool documents, GivenOptions given)
+    : comm_(comm), documents_(documents), given_(std::move(given)) {
   PetscBool asked = PETSC_FALSE;
   WASH_PETSC(PetscOptionsHasHelp(nullptr, &asked));
   help_ = asked == PETSC_TRUE || documents;
@@ -96,6 +65,10 @@ std::vector<std::string> Options::examples(const char* name, const char* placeho
 
 void Options::block(const std::string& prefix, const std::string& title,
                     const std::function<void(OptionBlock&)>& declare, const std::string& fallback) {
+  if (!leaving_out_.empty()) {
+    OptionBlock block(*this, nullptr, title, prefix, fallback);
+    return declare(block);
+  }
   std::exception_ptr failure;  // an exception must not leave PETSc's block half open
   WASH_PETSC(open_block(comm_, prefix.c_str(), title.c_str(), [&](PetscOptionItems* items) {
     try {
@@ -122,7 +95,7 @@ void Options::alias(const std::string& old_name, const std::string& name) {
   aliases_.emplace_back(old_name, name);
   if (!petsc::option_given("", "-" + old_name)) return;
   const bool both = petsc::option_given("", "-" + name);
-  const bool old_on_line = is_on_command_line("-" + old_name), new_on_line = is_on_command_line("-" + name);
+  const bool old_on_line = given_.on_command_line(old_name), new_on_line = given_.on_command_line(name);
   if (both && old_on_line == new_on_line)
     throw InputError("-" + old_name + ": is the old name of -" + name + ", which is given too; leave one out");
   const std::string value = database().at(old_name);
@@ -171,33 +144,67 @@ std::string Options::nearest(const std::string& name) const {
   return best;
 }
 
-void Options::reject_unread() const {
-  for (const auto& [name, value] : database()) {
-    PetscBool used = PETSC_FALSE;
-    WASH_PETSC(PetscOptionsUsed(nullptr, name.c_str(), &used));
-    if (!used && lacks_prefix(name))
-      throw InputError("-" + name + (value.empty() ? "" : " " + value) +
-                       ": no solver is without a prefix; say -pressure_" + name + ", -momentum_" + name +
-                       " or -cloth_" + name);
-    if (used || values_.contains(name) || belongs_to_petsc(name) || is_read_after_solving(name)) continue;
-    const std::string suggestion = nearest(name);
-    throw InputError("-" + name + (value.empty() ? "" : " " + value) + ": no part of this run reads this option" +
-                     (suggestion.empty() ? " (-help lists all)" : "; did you mean -" + suggestion + "?"));
+void Options::leave_out(const std::string& reason, const std::function<void()>& declare) {
+  if (help_) return;
+  const std::string before = std::exchange(leaving_out_, reason);
+  try {
+    declare();
+  } catch (const InputError&) {  // defaults that do not fit each other matter to nobody
   }
+  leaving_out_ = before;
+}
+
+void Options::leave_out_dropped(const std::string& list, const std::vector<std::string>& present,
+                                const std::function<void(const std::string& name)>& declare) {
+  for (const std::string& name : given_.dropped(list, present))
+    leave_out("-" + list + " does not name " + name + " any more", [&] { declare(name); });
+}
+
+bool Options::is_unread(const std::string& name, const std::string& value) const {
+  PetscBool used = PETSC_FALSE;
+  WASH_PETSC(PetscOptionsUsed(nullptr, name.c_str(), &used));
+  if (!used && lacks_prefix(name))
+    throw InputError("-" + name + (value.empty() ? "" : " " + value) +
+                     ": no solver is without a prefix; say -pressure_" + name + ", -momentum_" + name + " or -cloth_" +
+                     name);
+  return !used && !values_.contains(name) && !belongs_to_petsc(name) && !is_read_after_solving(name);
+}
+
+void Options::refuse_unread(const std::string& name, const std::string& value) const {
+  const std::string suggestion = nearest(name);
+  throw InputError("-" + name + (value.empty() ? "" : " " + value) + ": no part of this run reads this option" +
+                   (suggestion.empty() ? " (-help lists all)" : "; did you mean -" + suggestion + "?"));
+}
+
+void Options::reject_unread() {
+  std::map<std::string, std::vector<std::string>> without_effect;  // by the reason
+  for (const auto& [name, value] : database()) {
+    if (!is_unread(name, value)) continue;
+    const auto left_out = left_out_.find(name);
+    if (left_out == left_out_.end()) refuse_unread(name, value);
+    without_effect[left_out->second].push_back("-" + name);
+  }
+  for (const auto& [reason, names] : without_effect)
+    notes_.push_back("warning: " + reason + ", so without effect: " + join(names, " "));
 }
 
 std::string Options::resolved() const {
   std::string text = "# every option of the run with the value used; solver options as they were given\n";
   for (const auto& [name, value] : values_)
-    if (!value.empty()) text += "-" + name + " " + value + "\n";
+    if (!value.empty()) text += "-" + name + " " + quoted(value) + "\n";
   for (const auto& [name, value] : database())
-    if (!values_.contains(name) && name != "options_file")
-      text += "-" + name + (value.empty() ? "" : " " + value) + "\n";
+    if (!values_.contains(name) && !left_out_.contains(name) && name != "options_file")
+      text += "-" + name + (value.empty() ? "" : " " + quoted(value)) + "\n";
   return text;
 }
 
 std::optional<std::string> OptionBlock::ask(const std::string& name, const std::string& current,
                                             const Description& description) {
+  if (!options_.leaving_out_.empty()) {
+    options_.left_out_.emplace(prefix_ + name, options_.leaving_out_);
+    if (!fallback_.empty()) options_.left_out_.emplace(fallback_ + name, options_.leaving_out_);
+    return std::nullopt;
+  }
   const std::string brackets = description.unit.empty() ? description.allowed : description.unit;
   const std::string help = description.meaning + (brackets.empty() ? "" : " [" + brackets + "]"), option = "-" + name;
   // asked even where the group has its own: so it counts as read
@@ -263,6 +270,14 @@ void OptionBlock::text(const std::string& name, std::string& value, const char* 
   value = *given;
 }
 
+void OptionBlock::file(const std::string& name, std::string& value, const char* help) {
+  const auto given = ask(name, value, {help, "", ""});
+  if (!given) return;
+  if (given->empty()) refuse(name, "", "the name of a file");
+  value = options_.given_.resolve(as_given(name), *given);
+  options_.record(prefix_ + name, std::filesystem::absolute(value).lexically_normal().string());
+}
+
 void OptionBlock::choice(const std::string& name, std::string& value, const std::vector<std::string>& allowed,
                          const char* help) {
   const std::string list = join(allowed, "|");
@@ -316,6 +331,7 @@ std::string OptionBlock::as_given(const std::string& name) const {
 }
 
 void OptionBlock::require(const std::string& name, const char* meaning) {
+  if (!options_.leaving_out_.empty()) return;
   options_.required_.insert(prefix_ + name);
   if (!given(name) && !options_.help()) throw InputError("-" + prefix_ + name + " is missing: " + meaning);
 }

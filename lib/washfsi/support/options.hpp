@@ -10,8 +10,10 @@
 #include <string>
 #include <vector>
 
+#include "washfsi/support/given_options.hpp"
 #include "washfsi/support/petsc.hpp"
 #include "washfsi/support/point.hpp"
+#include "washfsi/support/text.hpp"
 
 namespace washfsi {
 
@@ -67,6 +69,9 @@ class OptionBlock {
   void integer(const std::string& name, PetscInt& value, const Range& range, const char* help);
   void boolean(const std::string& name, bool& value, const char* help);
   void text(const std::string& name, std::string& value, const char* help);
+  /// The name of a file to be read: relative to the folder of the options file that gives it, or on the command line to
+  /// the working directory; recorded as an absolute one.
+  void file(const std::string& name, std::string& value, const char* help);
   void choice(const std::string& name, std::string& value, const std::vector<std::string>& allowed, const char* help);
   /// One of the values of an enumeration, by its name (see `ChoiceNames`); of those in `allowed` if that is not empty.
   template <class Enum>
@@ -115,8 +120,8 @@ class OptionBlock {
 /// Every option the program knows, as it is declared: for the resolved options file and for spelling help.
 class Options {
  public:
-  /// `documents`: only to tell what options there are.
-  explicit Options(MPI_Comm comm, bool documents = false);
+  /// `documents`: only to tell what options there are. `given`: where PETSc's options come from.
+  explicit Options(MPI_Comm comm, bool documents = false, GivenOptions given = {});
 
   /// Opens a block of options that share a prefix (may be empty). Where the user gives none, one with the prefix
   /// `fallback` counts: -cloths_ke for the -NAME_ke of each group of cloths. Collective.
@@ -141,8 +146,17 @@ class Options {
   /// Takes a name that the user chose as the prefix of options: it must be no other part's. Errors: InputError.
   void claim_prefix(const std::string& name, const std::string& option);
 
-  /// Stops if the user gave an option that nobody read; PETSc's own options pass. Call once all parts are set up.
-  void reject_unread() const;
+  const GivenOptions& given() const { return given_; }
+  /// Declares options of a part that a later option has switched off, so that `reject_unread` takes no offence at them:
+  /// what `declare` reads is not declared, not read and not checked. `reason`: what a warning says of it.
+  void leave_out(const std::string& reason, const std::function<void()>& declare);
+  /// `leave_out` of each part that an earlier value of a list names, and `present` does not.
+  void leave_out_dropped(const std::string& list, const std::vector<std::string>& present,
+                         const std::function<void(const std::string& name)>& declare);
+
+  /// Stops if the user gave an option that nobody read; PETSc's own options pass, and those that were left out become
+  /// `notes`. Call once all parts are set up.
+  void reject_unread();
 
   /// An options file that repeats the run: ours with the values used, then PETSc's as the user gave them.
   std::string resolved() const;
@@ -151,8 +165,9 @@ class Options {
   static std::map<std::string, std::string> database();
 
   MPI_Comm comm() const { return comm_; }
-  /// True if the user asked for -help or a document: required options are then not required, and nothing is built.
-  bool help() const { return help_; }
+  /// True if the user asked for -help or a document, or in `leave_out`: required options are then not required, and
+  /// nothing is built.
+  bool help() const { return help_ || !leaving_out_.empty(); }
   /// Names for lists of names that the user leaves empty, so that help and document show the options of one: the first
   /// for help. None otherwise.
   std::vector<std::string> examples(const char* name, const char* placeholder) const;
@@ -162,6 +177,8 @@ class Options {
  private:
   friend class OptionBlock;
   std::string nearest(const std::string& name) const;
+  bool is_unread(const std::string& name, const std::string& value) const;
+  [[noreturn]] void refuse_unread(const std::string& name, const std::string& value) const;
 
   MPI_Comm comm_;
   bool help_ = false, documents_ = false;
@@ -172,19 +189,9 @@ class Options {
   std::map<std::string, std::string> old_names_;  ///< that the user gave, by the present ones
   std::vector<std::string> notes_;
   std::set<std::string> claimed_;  ///< prefixes chosen by the user
+  GivenOptions given_;
+  std::map<std::string, std::string> left_out_;  ///< options that are switched off, each with the reason
+  std::string leaving_out_;                      ///< the reason, while some are
 };
-
-/// Shortest text that reads back as the same number.
-std::string to_text(double value);
-/// Coordinates as they are written in options: 1,2.5
-template <int Dim>
-std::string list_text(const Point<Dim>& point) {
-  std::string text;
-  for (int d = 0; d < Dim; ++d) text += (d ? "," : "") + to_text(point[d]);
-  return text;
-}
-std::string join(const std::vector<std::string>& words, const std::string& separator);
-std::string lower_case(std::string text);
-std::vector<std::string> split(const std::string& list, char separator);
 
 }  // namespace washfsi

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace washfsi {
+
+/// An option as the user gave it, in a file or on the command line.
+struct GivenOption {
+  std::string word;        ///< the option with its dash
+  std::string value;       ///< perhaps empty
+  bool has_value = false;  ///< an empty one too
+  std::string file;        ///< in which it stands; empty: on the command line
+
+  /// Without the dash, in lower case: PETSc takes no notice of case.
+  std::string name() const;
+};
+
+/// All that was given, in files and on the command line; of one name the last counts. PETSc's database keeps only that.
+class GivenOptions {
+ public:
+  void add(GivenOption option) { options_.push_back(std::move(option)); }
+  const std::vector<GivenOption>& all() const { return options_; }
+
+  bool on_command_line(const std::string& name) const;
+  /// A file name that was given as this option's value: relative to the folder of the options file in which it stands;
+  /// on the command line to the working directory.
+  std::string resolve(const std::string& name, const std::string& path) const;
+  /// The names in earlier values of a list that are not in its present one.
+  std::vector<std::string> dropped(const std::string& list, const std::vector<std::string>& present) const;
+  /// Whether another value of this option was given before, or another file has options that begin with `prefix` before
+  /// it, perhaps for the default of this one.
+  bool overridden(const std::string& name, const std::string& prefix) const;
+
+  /// As one text, to be sent, and back.
+  std::string packed() const;
+  static GivenOptions unpacked(const std::string& text);
+
+ private:
+  const GivenOption* last(const std::string& name) const;
+
+  std::vector<GivenOption> options_;
+};
+
+}  // namespace washfsi
