@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Results of washfsi as tables and fields with units, and a way to start runs.
+
+    import washfsi
+    results = washfsi.run("inputs/wash2d.opts", "out", options={"time_end": 0.2}, ranks=2)
+    results = washfsi.Results("out")
+    print(results.history["time"], results.history.units["time"])
+"""
+
+from washfsi.errors import ResultsError, RunError
+from washfsi.results import Results
+from washfsi.running import run
+from washfsi.series import Fields, Frame, Markers
+from washfsi.table import Table, read_table
+
+__all__ = ["Fields", "Frame", "Markers", "Results", "ResultsError", "RunError", "Table", "read_table", "run"]

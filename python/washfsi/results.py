@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The results of one run."""
+
+import functools
+import json
+import pathlib
+
+from washfsi.errors import ResultsError
+from washfsi.series import Fields, Markers
+from washfsi.table import read_table
+
+
+def read_options(path):
+    """Returns the options of an options file and their values, as texts; names without their dash."""
+    lines = (line.split("#")[0].split(maxsplit=1) for line in pathlib.Path(path).read_text(encoding="utf-8").splitlines())
+    return {words[0].lstrip("-"): words[1].strip() if len(words) > 1 else "" for words in lines if words}
+
+
+class Results:
+    """What a run has left in its output folder. Each file is read when it is first asked for."""
+
+    def __init__(self, folder):
+        self.folder = pathlib.Path(folder)
+        if not self.folder.is_dir():
+            raise ResultsError(f"no folder {self.folder}")
+
+    def __repr__(self):
+        return f"Results of {self.case} in {self.folder}"
+
+    @functools.cached_property
+    def summary(self):
+        """Returns summary.json as a dictionary; empty while a run goes on."""
+        path = self.folder / "summary.json"
+        try:
+            return json.loads(path.read_text(encoding="utf-8")) if path.is_file() else {}
+        except ValueError as error:
+            raise ResultsError(f"cannot read {path}: {error}") from None
+
+    @functools.cached_property
+    def options(self):
+        """Returns every option of the run, of resolved.opts, as texts."""
+        path = self.folder / "resolved.opts"
+        return read_options(path) if path.is_file() else {}
+
+    @property
+    def case(self):
+        """Returns the case's name, the folder's until there is a summary."""
+        return self.summary.get("case", self.folder.resolve().name)
+
+    @property
+    def groups(self):
+        """Returns the names of the groups of cloths, in their order."""
+        names = self.summary.get("cloths") or [name for name in self.options.get("cloths", "").split(",") if name]
+        return list(names)
+
+    def _table(self, name):
+        return read_table(self.folder / f"{name}.csv")
+
+    @functools.cached_property
+    def history(self):
+        """Returns the history as a table."""
+        return self._table("history")
+
+    @functools.cached_property
+    def tracks(self):
+        """Returns the centres of the cloths over time as a table."""
+        return self._table("tracks")
+
+    @functools.cached_property
+    def cycles(self):
+        """Returns the figures of each complete cycle of agitation as a table."""
+        return self._table("cycles")
+
+    @functools.cached_property
+    def markers(self):
+        """Returns the markers at the end as a table, with the names of their groups."""
+        return self._table("cloth_final")
+
+    def profile(self, name):
+        """Returns the profile of this name as a table."""
+        return self._table(f"profiles/{name}")
+
+    def _series(self, kind, name):
+        path = self.folder / f"{name}.h5"
+        return kind(path) if path.is_file() else None
+
+    @functools.cached_property
+    def flow(self):
+        """Returns the series of the flow."""
+        return Fields(self.folder / "flow.h5")
+
+    @functools.cached_property
+    def bodies(self):
+        """Returns the series of the bodies' signed distances, None without bodies."""
+        return self._series(Fields, "bodies")
+
+    @functools.cached_property
+    def cloth(self):
+        """Returns the series of the cloths' markers, None without cloth."""
+        return self._series(Markers, "cloth")

@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Time series: fields on the grid, and markers of cloths."""
+
+import pathlib
+from dataclasses import dataclass, field
+
+import h5py
+import numpy as np
+
+from washfsi.errors import ResultsError
+from washfsi.table import Table
+
+UNITS = {"velocity": "m/s", "pressure": "Pa", "vorticity": "1/s", "position": "m", "stress": "Pa"}
+DISTANCE_UNIT = "m"  # of bodies, whose fields bear their names
+POLYLINE, QUADRILATERAL = 2, 5  # XDMF's numbers of these types of cells
+
+
+@dataclass
+class Frame:
+    """The datasets of one moment, by name."""
+
+    time: float  # [s]
+    step: int
+    data: dict = field(repr=False)
+    units: dict = field(default_factory=dict)
+
+    def __getitem__(self, name):
+        try:
+            return self.data[name]
+        except KeyError:
+            raise KeyError(f"no dataset '{name}'; there are {', '.join(self.data)}") from None
+
+    def __iter__(self):
+        return iter(self.data)
+
+
+class Series:
+    """A series of frames in an HDF5 file. The file is open only while something is read."""
+
+    def __init__(self, path):
+        self.path = pathlib.Path(path)
+        frames = self._read(lambda file: {name: (float(group.attrs["time"]), int(group.attrs["step"]))
+                                          for name, group in file["frames"].items()})
+        if not frames:
+            raise ResultsError(f"{self.path} has no frames")
+        self.names = sorted(frames)
+        self.times = np.array([frames[name][0] for name in self.names])
+        self.steps = np.array([frames[name][1] for name in self.names])
+
+    def _read(self, reader):
+        """Returns what `reader` makes of the open file."""
+        if not self.path.is_file():
+            raise ResultsError(f"no file {self.path}")
+        try:
+            with h5py.File(self.path, "r") as file:
+                return reader(file)
+        except KeyError as error:
+            raise ResultsError(f"{self.path}: {str(error).strip(chr(34))}") from None
+        except OSError as error:
+            raise ResultsError(f"cannot read {self.path}: {error}") from None
+
+    def __len__(self):
+        return len(self.names)
+
+    def __iter__(self):
+        return (self.frame(number) for number in range(len(self)))
+
+    def nearest(self, time):
+        """Returns the number of the frame nearest to a time [s]."""
+        return int(np.argmin(np.abs(self.times - time)))
+
+    def at(self, time):
+        """Returns the frame nearest to a time [s]."""
+        return self.frame(self.nearest(time))
+
+    def frame(self, number=-1):
+        """Returns the frame of this number, the last one unless told otherwise."""
+        if not -len(self) <= number < len(self):
+            raise ResultsError(f"no frame {number}; they run from 0 to {len(self) - 1}")
+        name = self.names[number]
+        data = self._read(lambda file: {key: dataset[()] for key, dataset in file["frames"][name].items()})
+        return Frame(self.times[number], int(self.steps[number]), data,
+                     {key: UNITS.get(key, DISTANCE_UNIT) for key in data})
+
+
+class Fields(Series):
+    """Fields in the cells of the grid, x last: flow or signed distances of bodies."""
+
+    def __init__(self, path):
+        super().__init__(path)
+        def read_box(file):
+            axes = [axis for axis in "xyz" if f"lower_{axis}" in file.attrs]
+            return [[file.attrs[f"{name}_{axis}"] for axis in axes] for name in ("lower", "spacing")] + [
+                self._cells(next(iter(file["frames"].values())), len(axes))]
+        lower, spacing, self.cells = self._read(read_box)
+        self.lower, self.spacing = np.array(lower), np.array(spacing)
+
+    @staticmethod
+    def _cells(frame, dim):
+        """Returns the numbers of cells, x first."""
+        return next(iter(frame.values())).shape[:dim][::-1]
+
+    @property
+    def dim(self):
+        """Returns the number of dimensions."""
+        return len(self.lower)
+
+    @property
+    def upper(self):
+        """Returns the upper corner of the box [m]."""
+        return self.lower + self.spacing * self.cells
+
+    def centres(self):
+        """Returns the centres of the cells along each axis [m], x first."""
+        return [low + step * (np.arange(count) + 0.5) for low, step, count in
+                zip(self.lower, self.spacing, self.cells)]
+
+
+class Markers(Series):
+    """Markers of all cloths: `group` and `cloth` number them, `lines` joins them to polylines or quadrilaterals."""
+
+    def __init__(self, path):
+        super().__init__(path)
+        self.group, self.cloth, topology = self._read(
+            lambda file: (file["group"][()].astype(int), file["cloth"][()].astype(int), file["topology"][()]))
+        self.lines = cells_of(topology)
+
+    def table(self, number=-1):
+        """Returns the markers of a frame as a table."""
+        frame = self.frame(number)
+        columns = {"group": self.group, "cloth": self.cloth}
+        units = {"group": "-", "cloth": "-"}
+        for dataset, names in (("position", "xyz"), ("velocity", "uvw")):
+            for place, name in enumerate(names):
+                columns[name], units[name] = frame[dataset][:, place], UNITS[dataset]
+        return Table(columns | {"stress": frame["stress"]}, units | {"stress": UNITS["stress"]})
+
+
+def cells_of(topology):
+    """Splits a topology of XDMF's kind "Mixed" into its polylines and quadrilaterals."""
+    cells, place = [], 0
+    while place < len(topology):
+        if topology[place] == POLYLINE:
+            first, count = place + 2, topology[place + 1]
+        elif topology[place] == QUADRILATERAL:
+            first, count = place + 1, 4
+        else:
+            raise ResultsError(f"a cell of cloth is of type {topology[place]}, neither polyline nor quadrilateral")
+        cells.append(topology[first:first + count])
+        place = first + count
+    return cells

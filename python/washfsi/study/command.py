@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command scripts/study."""
+
+import argparse
+import os
+import pathlib
+import signal
+import sys
+
+from washfsi.study.runs import ROOT, runs_of
+from washfsi.study.scheduler import Scheduler
+from washfsi.study.tables import HEADLINES, cases_of, groups_of, samples_of, write_tables
+from washfsi.study.tradeoff import ACTIONS, DPI, draw_tradeoff
+from washfsi.study.verdict import EXPLANATION, sentence
+
+TITLES = {"work": "Work of the bodies in a cycle", "relative_speed": "Speed of the water along the cloth",
+          "water_shear": "Shear of the water on the cloth", "stress": "Stress of the cloth", "turns": "Turns of the cloths"}
+
+
+def make_parser(description):
+    """Returns the parser of the command line."""
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("cases", nargs="+", type=pathlib.Path, metavar="CASE.opts")
+    parser.add_argument("--output", type=pathlib.Path, default=ROOT / "out" / "study", help="folder of the study")
+    parser.add_argument("--seeds", type=int, help="runs of each case, each with other seeds of its cloths (default: as many "
+                        "as the study's folder has, at least one)")
+    parser.add_argument("--jobs", type=int, help="runs at the same time (default: cores / ranks)")
+    parser.add_argument("--ranks", type=int, help="processes of each run (default: 1 with several jobs, else 2)")
+    parser.add_argument("--action", choices=ACTIONS, default="relative_speed", help="washing action of study.png")
+    parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build" / "bin" / "washfsi")
+    parser.add_argument("--table", action="store_true", help="run nothing, only look at what there is")
+    return parser
+
+
+def parse_arguments(words, description):
+    """Returns the command line's options, and those for every run."""
+    cut = words.index("--") if "--" in words else len(words)
+    parser = make_parser(description)
+    options = parser.parse_args(words[:cut])
+    for name in ("seeds", "jobs", "ranks"):
+        if getattr(options, name) is not None and getattr(options, name) < 1:
+            parser.error(f"--{name} must be 1 or more")
+    names = [case.stem for case in options.cases]
+    for case in options.cases:
+        if not case.is_file():
+            parser.error(f"no file {case}")
+        if names.count(case.stem) > 1:
+            parser.error(f"two cases are named {case.stem}")
+    return options, words[cut + 1:]
+
+
+def jobs_and_ranks(options, runs):
+    """Returns how many runs at a time, of how many ranks: as many as there are cores unless told otherwise."""
+    cores = len(os.sched_getaffinity(0))
+    jobs = options.jobs or min(max(cores // (options.ranks or 1), 1), max(runs, 1))
+    return jobs, options.ranks or (1 if jobs > 1 else min(2, cores))
+
+
+def samples_by_group(runs):
+    """Returns the figures of all designs for each group of cloths."""
+    cases = cases_of(runs)
+    groups = dict.fromkeys(group for mine in cases.values() for group in groups_of(mine))
+    every = {group: {case: samples_of(mine, group) for case, mine in cases.items() if group in groups_of(mine)}
+             for group in groups if group or len(groups) == 1}
+    return {group: figures for group, designs in every.items()
+            if (figures := {case: samples for case, samples in designs.items() if samples})}
+
+
+def sentences(groups):
+    """Returns a sentence for each headline figure."""
+    lines = []
+    for group, designs in groups.items():
+        for headline in HEADLINES:
+            samples = {case: values for case, figures in designs.items()
+                       for (name, _), values in figures.items() if name == headline}
+            unit = next((key[1] for figures in designs.values() for key in figures if key[0] == headline), "")
+            if samples and not (headline == "work" and group != next(iter(groups))):  # that of all is said once
+                of_group = f" ({group})" if len(groups) > 1 and headline != "work" else ""
+                lines.append(sentence(TITLES[headline] + of_group, samples, unit))
+    return lines
+
+
+def draw(groups, options):
+    """Writes study.png if there is anything to draw."""
+    if not any(name == options.action for designs in groups.values() for figures in designs.values()
+               for name, _ in figures):
+        return
+    seeds = min(len(values) for designs in groups.values() for figures in designs.values() for values in figures.values())
+    figure, _ = draw_tradeoff(groups, seeds, options.action)
+    figure.savefig(options.output / "study.png", dpi=DPI)
+    print(options.output / "study.png")
+
+
+def report(runs, options, last=True):
+    """Writes the tables and, when all has been run, what can be decided; prints it."""
+    table = write_tables(runs, options.output)
+    groups = samples_by_group(runs)
+    lines = sentences(groups) or ["No finished run has figures of agitation cycles, so there is nothing to decide."]
+    text = table + "\n" + "\n".join(f"- {line}" for line in lines) + "\n\n" + EXPLANATION
+    (options.output / "study.md").write_text(text, encoding="utf-8")
+    if last:
+        print(table + "\n" + "\n".join(lines))
+        draw(groups, options)
+
+
+def raise_interrupt(*_):
+    """Treats SIGTERM as Ctrl-C."""
+    raise KeyboardInterrupt
+
+
+def run_all(runs, options):
+    """Runs what has not finished; returns the exit status."""
+    waiting = []
+    for run in runs:
+        if run.status() == "finished":
+            print(f"study: {run.name} has finished before", flush=True)
+        else:
+            waiting.append(run)
+    jobs, ranks = jobs_and_ranks(options, len(waiting))
+    scheduler = Scheduler(options.program.resolve(), ranks, jobs, lambda: report(runs, options, last=False))
+    try:
+        return 0 if scheduler.work(waiting) else 1
+    except KeyboardInterrupt:
+        print("study: interrupted; the same command goes on", flush=True)
+        return 130
+
+
+def main(description):
+    """Runs the study and reports."""
+    options, words = parse_arguments(sys.argv[1:], description)
+    signal.signal(signal.SIGTERM, raise_interrupt)
+    runs = runs_of(options.cases, options.output, options.seeds, words)
+    status = 0 if options.table else run_all(runs, options)
+    report(runs, options)
+    return status

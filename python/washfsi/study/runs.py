@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The runs of a study: each case with each seed."""
+
+import pathlib
+from dataclasses import dataclass, field
+
+from washfsi.errors import ResultsError
+from washfsi.results import Results
+from washfsi.running import HERE
+
+ROOT = HERE.parents[2]  # where runs start, so that names of files in cases are relative to it
+
+
+@dataclass
+class Run:
+    """One run of a case. Seed 1 is that of the case itself; seed n adds n - 1 to the seed of every group."""
+
+    case: str
+    file: pathlib.Path
+    folder: pathlib.Path
+    seed: int = 1
+    words: list = field(default_factory=list)  # further options
+
+    @property
+    def name(self):
+        """Returns the run's name in messages."""
+        return str(self.folder.name if self.folder.name == self.case else f"{self.case}/{self.folder.name}")
+
+    def summary(self):
+        """Returns the run's summary, empty if there is none."""
+        try:
+            return Results(self.folder).summary
+        except ResultsError:
+            return {}
+
+    def status(self):
+        """Returns how far the run is, in a word or two."""
+        started = (self.folder / "run.log").is_file()
+        return self.summary().get("status", "unfinished" if started else "not run")
+
+    def figures(self):
+        """Returns the figures of its agitation cycles by name: (mean over cycles, standard deviation over cycles, unit)."""
+        figures = self.summary().get("cycles", {}).get("figures", {})
+        return {name: (figure["mean"], figure["std"], figure["unit"]) for name, figure in figures.items()
+                if figure["mean"] is not None}
+
+
+def words_in(file, seen=()):
+    """Returns the words of an options file, those of the files that it names included."""
+    path = (ROOT / file).resolve()
+    if path in seen or not path.is_file():
+        return []
+    words = [word for line in path.read_text(encoding="utf-8").splitlines() for word in line.split("#")[0].split()]
+    return with_files(words, (*seen, path))
+
+
+def with_files(words, seen=()):
+    """Returns words of options with the words of every -options_file in its place."""
+    every = []
+    for place, word in enumerate(words):
+        every.append(word)
+        if word == "-options_file" and place + 1 < len(words):
+            every += words_in(words[place + 1], seen)
+    return every
+
+
+def value_of(words, name, default):
+    """Returns the last value that an option is given."""
+    values = [value for option, value in zip(words, words[1:]) if option == f"-{name}"]
+    return values[-1] if values else default
+
+
+def seed_words(file, words, seed):
+    """Returns the options that change the seed of every group of cloths."""
+    if seed == 1:
+        return []
+    every = words_in(file.resolve()) + with_files(words)
+    usual = value_of(every, "cloths_seed", "1")
+    groups = [group for group in value_of(every, "cloths", "").split(",") if group]
+    return [word for group in groups
+            for word in (f"-{group}_seed", str(int(value_of(every, f"{group}_seed", usual)) + seed - 1))]
+
+
+def seeds_there(folder):
+    """Returns the number of seeds that a case's folder has been run with."""
+    return max([int(path.name[5:]) for path in folder.glob("seed_*") if path.name[5:].isdigit()], default=1)
+
+
+def folder_of(case_folder, seed, seeds):
+    """Returns a run's folder. One seed needs none of its own; and what has been run so remains seed 1."""
+    alone = seeds == 1 or seed == 1 and (case_folder / "run.log").is_file()
+    return case_folder if alone else case_folder / f"seed_{seed}"
+
+
+def runs_of(files, output, seeds, words):
+    """Returns all runs of a study: the first seed of every case, then the second, and so on."""
+    counts = {file: seeds or seeds_there(output / file.stem) for file in files}
+    return [Run(file.stem, file, folder_of(output / file.stem, seed, counts[file]), seed,
+                [*words, *seed_words(file, words, seed)])
+            for seed in range(1, max(counts.values()) + 1) for file in files if seed <= counts[file]]

@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What scripts/study makes of results: the tables, the sentences and the picture. The results are made up."""
+
+import csv
+import itertools
+import json
+import subprocess
+import sys
+import unittest
+
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.text import Text
+
+from study_fixtures import write_run, write_study
+from support import SOURCE, ProgramTest
+
+sys.path.insert(0, str(SOURCE / "python"))
+from washfsi.study import verdict  # noqa: E402
+from washfsi.study.runs import seed_words  # noqa: E402
+from washfsi.study.tradeoff import draw_tradeoff  # noqa: E402
+
+ALIKE = {"round": (10, 0.02, 2e5), "square": (10, 0.02, 2e5)}
+APART = {"gentle": (10, 0.02, 2e5), "rough": (14, 0.03, 4e5)}
+
+
+class Tables(ProgramTest):
+    def study(self, designs, seeds, *words):
+        """Writes a study and its table; returns what it prints."""
+        files = write_study(self.folder, designs, seeds)
+        outcome = subprocess.run([SOURCE / "scripts" / "study", "--table", "--output", self.folder / "study", *words, *files],
+                                 capture_output=True, text=True, check=False)
+        self.assertEqual(outcome.returncode, 0, outcome.stderr)
+        return outcome.stdout
+
+    def rows(self, name):
+        """Returns the rows of one of the tables."""
+        with open(self.folder / "study" / name, encoding="utf-8") as file:
+            return list(csv.DictReader(file))
+
+    def test_means_and_spreads_are_those_over_the_seeds(self):
+        self.study(APART, 3)
+        runs, (gentle, rough) = self.rows("runs.csv"), self.rows("study.csv")
+        self.assertEqual([(run["case"], run["seed"]) for run in runs],
+                         [(case, str(seed)) for case in APART for seed in (1, 2, 3)])
+        for case, row in (("gentle", gentle), ("rough", rough)):
+            values = [float(run["agitator_work [J]"]) for run in runs if run["case"] == case]
+            self.assertAlmostEqual(float(row["agitator_work [J]"]), np.mean(values), places=4)
+            self.assertAlmostEqual(float(row["agitator_work spread [J]"]), np.std(values, ddof=1), places=3)
+            self.assertEqual((row["seeds"], row["work [J]"]), ("3", row["agitator_work [J]"]))
+        self.assertLess(float(gentle["water_shear [Pa]"]), float(rough["water_shear [Pa]"]))
+
+    def test_every_figure_is_in_the_table_and_headlines_in_the_page(self):
+        self.study(APART, 2)
+        names = self.rows("study.csv")[0]
+        for name in ("agitator_work [J]", "drum_work [J]", "agitator_power_mean [W]", "relative_speed [m/s]", "turns [-]"):
+            self.assertIn(name, names)
+        page = (self.folder / "study" / "study.md").read_text(encoding="utf-8")
+        self.assertIn("| work [J] | relative_speed [m/s] | water_shear [Pa] | stress [Pa] | turns [-] |", page)
+        self.assertNotIn("agitator_power_mean", page)
+        self.assertIn("Welch", page)
+
+    def test_says_what_differs_and_what_does_not(self):
+        printed = self.study(APART, 3)
+        self.assertRegex(printed, r"Stress of the cloth: gentle \(.* Pa\) and rough \(.* Pa\) differ by more than their spread "
+                                  r"over 3 seeds \(Welch's t")
+        self.assertRegex(printed, r"Turns of the cloths: .* are not told apart")
+        self.assertTrue((self.folder / "study" / "study.png").is_file())
+
+    def test_one_seed_decides_nothing(self):
+        printed = self.study(APART, 1)
+        self.assertEqual(printed.count("nothing can be decided"), 5)
+        self.assertNotIn("differ by", printed)
+
+    def test_without_figures_it_says_so(self):
+        (self.folder / "short.opts").touch()
+        write_run(self.folder / "study" / "short", cycles=1, agitator_work=1)
+        printed = subprocess.run([SOURCE / "scripts" / "study", "--table", "--output", self.folder / "study",
+                                  self.folder / "short.opts"], capture_output=True, text=True, check=True).stdout
+        self.assertIn("No finished run has figures", printed)
+        self.assertFalse((self.folder / "study" / "study.png").exists())
+
+    def test_unfinished_runs_do_not_count(self):
+        files = write_study(self.folder, APART, 3)
+        path = self.folder / "study" / "rough" / "seed_3" / "summary.json"
+        path.write_text(json.dumps(json.loads(path.read_text()) | {"status": "stopped"}))
+        subprocess.run([SOURCE / "scripts" / "study", "--table", "--output", self.folder / "study", *files],
+                       stdout=subprocess.DEVNULL, check=True)
+        rough = self.rows("study.csv")[1]
+        self.assertEqual((rough["seeds"], rough["status"]), ("2", "2 of 3 finished"))
+
+
+class Verdict(unittest.TestCase):
+    def test_student_s_distribution(self):
+        for t, freedom, chance in ((12.706, 1, 0.05), (4.303, 2, 0.05), (2.776, 4, 0.05), (4.604, 4, 0.01),
+                                   (2.042, 30, 0.05), (0, 5, 1)):  # from any table
+            self.assertAlmostEqual(verdict.two_sided_chance(t, freedom), chance, delta=1e-4)
+
+    def test_welch(self):
+        t, freedom = verdict.welch([19.8, 20.4, 19.6, 17.8, 18.5, 18.9, 18.3, 18.9, 19.5, 22.0],
+                                   [28.2, 26.6, 20.1, 23.3, 25.2, 22.1, 17.7, 27.6, 20.6, 13.7,
+                                    23.2, 17.5, 20.6, 18.0, 23.9, 21.6, 24.3, 20.4, 24.0, 13.2])  # Wikipedia's example 3
+        self.assertAlmostEqual(t, -2.22, delta=0.005)
+        self.assertAlmostEqual(freedom, 24.5, delta=0.05)
+
+    def test_holm(self):
+        for raised, wanted in zip(verdict.holm([0.01, 0.04, 0.03, 0.005]), [0.03, 0.06, 0.06, 0.02]):
+            self.assertAlmostEqual(raised, wanted)
+
+    def test_designs_that_are_alike_are_rarely_told_apart(self):
+        random = np.random.default_rng(5)
+        for designs in (2, 6):
+            false = 0
+            for _ in range(400):
+                samples = {str(number): list(random.normal(10, 1, 3)) for number in range(designs)}
+                false += any(test.differ for test in verdict.compare(samples))
+            self.assertLess(false, 400 * 0.08)
+
+    def test_one_far_design_of_many_is_found(self):
+        random = np.random.default_rng(5)
+        samples = {name: list(random.normal(13 if name == "f" else 10, 0.3, 3)) for name in "abcdefgh"}
+        far = [test for test in verdict.compare(samples) if test.differ]
+        self.assertEqual({"f" in (test.first, test.second) for test in far}, {True})
+        self.assertEqual(len(far), 7)
+        text = verdict.sentence("Work", samples, "J")
+        self.assertIn("7 of the 28 pairs", text)
+        self.assertIn("From a, the first, f differs", text)
+
+    def test_seeds_that_change_nothing_decide_nothing(self):
+        self.assertIn("seeds change nothing", verdict.sentence("Work", {"a": [1.0, 1.0], "b": [2.0, 2.0]}, "J"))
+
+
+class Seeds(ProgramTest):
+    def test_the_seed_of_every_group_changes(self):
+        (self.folder / "base.opts").write_text("-cloths long,short,mat\n-cloths_seed 7 # of mat\n-long_seed 3\n")
+        case = self.folder / "case.opts"
+        case.write_text(f"-options_file {self.folder / 'base.opts'}\n")
+        self.assertEqual(seed_words(case, ["-short_seed", "5"], 1), [])
+        self.assertEqual(seed_words(case, ["-short_seed", "5"], 3),
+                         ["-long_seed", "5", "-short_seed", "7", "-mat_seed", "9"])
+
+
+class Picture(unittest.TestCase):
+    def test_labels_do_not_overlap(self):
+        random = np.random.default_rng(2)
+        designs = {f"design_{number}": {("work", "J"): list(10 + 0.1 * random.standard_normal(3)),
+                                        ("relative_speed", "m/s"): list(1 + 0.01 * random.standard_normal(3)),
+                                        ("stress", "Pa"): list(2e5 + 1e3 * random.standard_normal(3))}
+                   for number in range(12)} | {"far": {("work", "J"): [20.0, 20.2], ("relative_speed", "m/s"): [2.0, 2.1],
+                                                       ("stress", "Pa"): [4e5, 4.1e5]}}
+        figure, panels = draw_tradeoff({"towel": designs}, 3)
+        canvas = FigureCanvasAgg(figure)
+        canvas.draw()
+        self.assertEqual([len(labels) for labels in panels], [13, 13])
+        for labels in panels:
+            boxes = {label.get_text(): Text.get_window_extent(label, canvas.get_renderer()) for label in labels}
+            for (name, first), (other, second) in itertools.combinations(boxes.items(), 2):
+                self.assertFalse(first.overlaps(second), f"{name} on {other}")
+
+
+if __name__ == "__main__":
+    unittest.main()
