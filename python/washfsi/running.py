@@ -17,11 +17,14 @@ HERE = pathlib.Path(__file__).resolve()
 
 def find_program(program=None):
     """Returns the program: the one given, that of WASHFSI_PROGRAM, of the build, of the installation, or in PATH."""
-    if program or os.environ.get("WASHFSI_PROGRAM"):
-        return pathlib.Path(program or os.environ["WASHFSI_PROGRAM"]).resolve()
-    for place in (HERE.parents[2] / "build" / "bin" / "washfsi", HERE.parents[4] / "bin" / "washfsi"):
+    given = program or os.environ.get("WASHFSI_PROGRAM")
+    places = [pathlib.Path(given)] if given else [HERE.parents[2] / "build" / "bin" / "washfsi",
+                                                  HERE.parents[4] / "bin" / "washfsi"]
+    for place in places:
         if place.is_file():
-            return place
+            return place.resolve()
+    if given:
+        raise FileNotFoundError(f"no program {given}")
     found = shutil.which("washfsi")
     if not found:
         raise FileNotFoundError("no program washfsi: build it, or give its place as `program` or in WASHFSI_PROGRAM")

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is installed can be used: a project of others finds the library, builds on it and runs; the program runs too.
+"""What is installed can be used: a project of others finds the library, builds on it and runs; the program runs too, also
+from Python.
 Argument: the folder of the build."""
 
+import os
 import re
 import subprocess
 import sys
@@ -13,10 +15,10 @@ BUILD = sys.argv.pop(1)
 
 
 class Install(ProgramTest):
-    def call(self, *words):
+    def call(self, *words, environment=None):
         """Runs a command, which must succeed; returns what it prints."""
         outcome = subprocess.run([str(word) for word in words], cwd=self.folder, capture_output=True, text=True,
-                                 check=False, timeout=PATIENCE * 250)
+                                 check=False, timeout=PATIENCE * 250, env=environment)
         self.assertEqual(outcome.returncode, 0, outcome.stdout + outcome.stderr)
         return outcome.stdout
 
@@ -31,6 +33,11 @@ class Install(ProgramTest):
         self.assertLess(abs(ratio - 1), 0.003)
         self.call(place / "bin" / "washfsi", "-options_file", place / "share" / "washfsi" / "inputs" / "cavity.opts",
                   "-max_steps", 2, "-output_dir", self.folder / "out")
+        cavity = place / "share" / "washfsi" / "inputs" / "cavity.opts"
+        lines = f"import washfsi; print(washfsi.run('{cavity}', 'python', {{'max_steps': 2}}).history['step'][-1])"
+        module = {"PYTHONPATH": str(place / "lib" / "python3" / "dist-packages")}
+        environment = {name: value for name, value in os.environ.items() if name != "WASHFSI_PROGRAM"} | module
+        self.assertEqual(float(self.call(sys.executable, "-c", lines, environment=environment)), 2)
 
 
 if __name__ == "__main__":

@@ -37,6 +37,8 @@ def parse_arguments(words, description):
     cut = words.index("--") if "--" in words else len(words)
     parser = make_parser(description)
     options = parser.parse_args(words[:cut])
+    if not options.table and not options.program.is_file():
+        parser.error(f"no program {options.program}; scripts/build makes it")
     for name in ("seeds", "jobs", "ranks"):
         if getattr(options, name) is not None and getattr(options, name) < 1:
             parser.error(f"--{name} must be 1 or more")
