@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files and functions of the library are short enough to see whole."""
+"""Files and functions of the library and of the Python module are short enough to see whole."""
 import json
 import os
 import pathlib
@@ -13,8 +13,9 @@ MOST_OF_NINE_IN_TEN = 18
 
 
 def sources():
-    """The library's and the program's files."""
-    return sorted(path for folder in ("lib", "apps") for path in (SOURCE / folder).rglob("*.[hc]pp"))
+    """The files of the library, the program and the Python module."""
+    ends = {"lib": "*.[hc]pp", "apps": "*.[hc]pp", "python": "*.py"}
+    return sorted(path for folder, end in ends.items() for path in (SOURCE / folder).rglob(end))
 
 
 def long_files():
@@ -27,7 +28,8 @@ def long_files():
 
 def functions():
     """Lines and place of each function that is defined, the shortest first."""
-    command = ["ctags", "--output-format=json", "--languages=C++", "--kinds-C++=f", "--fields=+ne", "-f", "-",
+    command = ["ctags", "--output-format=json",
+               "--languages=C++,Python", "--kinds-C++=f", "--kinds-Python=fm", "--fields=+ne", "-f", "-",
                *map(str, sources())]
     found = subprocess.run(command, check=True, capture_output=True, text=True).stdout.splitlines()
     for tag in sorted(map(json.loads, found), key=lambda tag: tag["end"] - tag["line"]):

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What scripts/study makes of results: the tables, the sentences and the picture. The results are made up."""
 
+import argparse
 import csv
 import itertools
 import json
 import subprocess
 import sys
 import unittest
+import unittest.mock
 
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -17,6 +19,7 @@ from support import SOURCE, ProgramTest
 
 sys.path.insert(0, str(SOURCE / "python"))
 from washfsi.study import verdict  # noqa: E402
+from washfsi.study.command import jobs_and_ranks  # noqa: E402
 from washfsi.study.runs import seed_words  # noqa: E402
 from washfsi.study.tradeoff import draw_tradeoff  # noqa: E402
 
@@ -138,6 +141,16 @@ class Seeds(ProgramTest):
         self.assertEqual(seed_words(case, ["-short_seed", "5"], 1), [])
         self.assertEqual(seed_words(case, ["-short_seed", "5"], 3),
                          ["-long_seed", "5", "-short_seed", "7", "-mat_seed", "9"])
+
+
+class Jobs(unittest.TestCase):
+    def test_runs_at_a_time_are_as_many_as_there_are_cores_for(self):
+        with unittest.mock.patch("os.sched_getaffinity", return_value=set(range(8))):
+            for jobs, ranks, runs, wanted in ((None, None, 20, (8, 1)), (None, 3, 20, (2, 3)), (None, None, 1, (1, 2)),
+                                              (4, None, 20, (4, 1)), (4, 2, 20, (4, 2)), (1, None, 20, (1, 2)),
+                                              (None, 16, 20, (1, 16))):
+                options = argparse.Namespace(jobs=jobs, ranks=ranks)
+                self.assertEqual(jobs_and_ranks(options, runs), wanted)
 
 
 class Picture(unittest.TestCase):

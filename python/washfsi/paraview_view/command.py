@@ -44,7 +44,8 @@ def scene_of(results, axis, height, colour):
         origin[place] = flow.lower[place] + height * (flow.upper - flow.lower)[place]
     return {"case": results.case, "folder": str(results.folder.resolve()), "lower": list(map(float, flow.lower)),
             "upper": list(map(float, flow.upper)), "bodies": bodies_of(results), "groups": results.groups,
-            "slice_origin": list(map(float, origin)), "slice_normal": NORMALS[axis], "opacity": 0.8 if axis == "z" else 1.0, "colour": colour}
+            "slice_origin": list(map(float, origin)), "slice_normal": NORMALS[axis],
+            "opacity": 0.8 if axis == "z" else 1.0, "colour": colour}
 
 
 def write_scene(results, path, axis="z", height=0.3, colour="stress"):

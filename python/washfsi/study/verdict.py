@@ -12,8 +12,8 @@ LEVEL = 0.05  # a chance below this counts as a difference
 MOST_PAIRS = 6  # named in a sentence
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(200)
 
-EXPLANATION = f"""How this is decided. Each design is run with several seeds, which place its cloths differently. Its figure varies with
-them; the number behind ± is the standard deviation over seeds. Two designs differ when their means are further apart than
+EXPLANATION = f"""How this is decided. Each design is run with several seeds, which place its cloths differently. Its figure
+varies with them; the number behind ± is the standard deviation over seeds. Two designs differ when their means are further apart than
 this spread explains. The measure is t: the distance of the means over the standard error of that distance. p is the chance of
 such a t, or a larger one, between designs that are alike. Below {LEVEL:g} we say that they differ.
 
