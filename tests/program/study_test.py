@@ -99,6 +99,16 @@ class Study(ProgramTest):
         self.assertIn("study: thinner failed: washfsi: -fluid_viscosity -1: must be a number >= 0", outcome.stdout)
         self.assertEqual([row["status"] for row in self.table().values()], ["finished", "unfinished", "unfinished"])
 
+    def test_a_case_that_has_changed_since_is_told(self):
+        command = [*self.command[:-3], self.cases[0], "--", "-time_end", "0.01"]
+        told = "thick was run with other options than it has now"
+        for viscosity, changed in ((4, False), (4, False), (5, True)):
+            self.cases[0].write_text("# a comment\n" + CASE.format(viscosity))
+            printed = subprocess.run(command, env=self.environment, capture_output=True, text=True, check=True,
+                                     timeout=120).stdout
+            self.assertEqual(told in printed, changed, printed)
+        self.assertIn(told, (self.folder / "study" / "study.md").read_text(encoding="utf-8"))
+
     def test_seeds_place_the_cloths_anew_and_give_the_spread(self):
         cases = [self.folder / f"{name}.opts" for name in ("slow", "fast")]
         for case, speed in zip(cases, (2, 6)):

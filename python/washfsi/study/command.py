@@ -97,7 +97,9 @@ def report(runs, options, last=True):
     """Writes the tables and, when all has been run, what can be decided; prints it."""
     table = write_tables(runs, options.output)
     groups = samples_by_group(runs)
-    lines = sentences(groups) or ["No finished run has figures of agitation cycles, so there is nothing to decide."]
+    lines = [f"{run.name} was run with other options than it has now; delete {run.folder} to run it anew."
+             for run in runs if run.status() == "finished" and run.changed()]
+    lines += sentences(groups) or ["No finished run has figures of agitation cycles, so there is nothing to decide."]
     text = table + "\n" + "\n".join(f"- {line}" for line in lines) + "\n\n" + EXPLANATION
     (options.output / "study.md").write_text(text, encoding="utf-8")
     if last:

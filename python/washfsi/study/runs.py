@@ -26,6 +26,20 @@ class Run:
         """Returns the run's name in messages."""
         return str(self.folder.name if self.folder.name == self.case else f"{self.case}/{self.folder.name}")
 
+    @property
+    def record(self):
+        """Returns the file that keeps the options of the run."""
+        return self.folder / "study.opts"
+
+    def options(self):
+        """Returns all options of the run as it would be started now, in a text."""
+        words = without_names(words_in(self.file.resolve()) + with_files(self.words))
+        return " ".join(words).replace(" -", "\n-") + "\n"
+
+    def changed(self):
+        """Returns whether the run was made with other options than it would be now."""
+        return self.record.is_file() and self.record.read_text(encoding="utf-8") != self.options()
+
     def summary(self):
         """Returns the run's summary, empty if there is none."""
         try:
@@ -62,6 +76,11 @@ def with_files(words, seen=()):
         if word == "-options_file" and place + 1 < len(words):
             every += words_in(words[place + 1], seen)
     return every
+
+
+def without_names(words):
+    """Returns words without the names of options files."""
+    return [word for before, word in zip(["", *words], words) if "-options_file" not in (word, before)]
 
 
 def value_of(words, name, default):

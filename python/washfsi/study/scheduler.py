@@ -15,6 +15,7 @@ def launch(run, program, ranks):
     if (run.folder / "checkpoint.h5").is_file():
         words += ["-restart", (run.folder / "checkpoint.h5").resolve()]
     run.folder.mkdir(parents=True, exist_ok=True)
+    run.record.write_text(run.options(), encoding="utf-8")
     with open(run.folder / "run.log", "a", encoding="utf-8") as log:
         return start(program, words, ranks, cwd=ROOT, stdout=log, stderr=subprocess.STDOUT)
 
