@@ -67,7 +67,8 @@ def command_of(program, *words):
         return [program, *words]
     if not shutil.which("xvfb-run"):
         raise ResultsError("there is no display; Debian's packages xvfb and xauth make one")
-    return ["xvfb-run", "-a", "-s", "-screen 0 1600x1200x24", program, *words]
+    # An X server that starts anew when its only program has closed a connection would lose the next one.
+    return ["xvfb-run", "-a", "-s", "-screen 0 1600x1200x24 -noreset", program, *words]
 
 
 def parse_arguments(description):
