@@ -33,8 +33,9 @@ SAMPLE = {"cavity", "flag", "wash", "wash2d"}
 WORDS = ["nan", "inf", "-inf", "1e308", "-1e308", "5e-324", "1e-300", "0", "-0", "-1", "1", "2.5", "2147483648",
          "9223372036854775808", "1e999", "", "''", "1,2", "1,2,3,4,5", ",", "1,,2", "0x10", "1e", "--5", "true", "maybe", "none",
          "../..", "/dev/null", "/", "\x01", "\u00e9", "a" * 3000, "%s%n", "-5 -6", "1;2", "random", "$HOME", "#", '"']
-LINES = ["- 5", "-", "--", "5", "-fluid_viscosty 1", "-pc_type hypre", "-options_file", "-options_file nowhere.opts", '-cloths ""', '-bodies ""',
-         "-options_left", "-log_view ascii:/nowhere/x", "-PRESSURE_KSP_TYPE foo", "-mat_type foo", "-vec_type foo",
+LINES = ["- 5", "-", "--", "5", "-fluid_viscosty 1", "-pc_type hypre", "-options_file", "-options_file nowhere.opts",
+         '-cloths ""', '-bodies ""', '-bodies "', "-options_left", "-log_view ascii:/nowhere/x", "-PRESSURE_KSP_TYPE foo",
+         "-mat_type foo", "-vec_type foo",
          "-pressure_ksp_max_it -5", "-pressure_ksp_rtol nan", "-momentum_ksp_type foo", "-momentum_pc_type lu",
          "-pressure_pc_type mg", "-cloth_ksp_type preonly", "-bodies", "-bodies a,a", "-cloths", "-cloths rag,drum",
          "-bodies Grid", "-check", "-check maybe", "-malloc_debug", "-help", "-version", "-dm_view", "\x00", "-\u00e9 1",

@@ -91,6 +91,7 @@ class Options(ProgramTest):
         self.assertEqual(used["drum_motion_file"], str(self.folder / "cases" / "tables" / "turn.csv"))
         moved = self.write("elsewhere/resolved.opts", (self.folder / "resolved.opts").read_text(encoding="utf-8"))
         self.assertEqual(self.resolved("-options_file", moved)[1], used)
+        self.assertNotIn("drum_motion_file", self.resolved("-options_file", case, "-drum_motion_file", "")[1])
         here = self.write("here.csv", "0,0,0,0", "1,0,0,2").name
         self.assertEqual(self.resolved("-options_file", case, "-drum_motion_file", here)[1]["drum_motion_file"],
                          str(self.folder / here))

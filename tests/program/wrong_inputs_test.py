@@ -81,7 +81,7 @@ WRONG_OPTIONS = [
     ("word without a dash", ["fluid_viscosity", "3"], ["fluid_viscosity"]),
     ("text with a blank", ["-restart", "two words.h5"], ["-restart two words.h5"]),
     ("case name with a blank", ["-case_name", "two words"], ["-case_name two words"]),
-    ("file without a name", ["-drum_motion_file", ""], ["-drum_motion_file"]),
+    ("file without a name", ["-drum_motion_file"], ["-drum_motion_file", "name of a file"]),
     ("no such checkpoint", ["-restart", "nowhere.h5"], ["-restart nowhere.h5"]),
     ("cloth outside the drum", ["-short_placement", "line", "-short_center", "0,0.33"],
      ["-short_placement", "drum"]),

@@ -100,7 +100,7 @@ typename RigidMotion<Dim>::Pose RigidMotion<Dim>::pose(double time) const {
 
 namespace {
 
-// What the user may say of a motion; speeds in rpm stand in `motion.angular_speed` once they are read.
+// What the user may say of a motion; `motion` holds what it takes as it is.
 template <int Dim>
 struct MotionOptions {
   std::string prefix;  ///< -NAME_

@@ -17,10 +17,11 @@ bool holds_always(const Body<Dim>& body, const Point<Dim>& place, double spacing
   if (!body.motion.only_turns()) return false;
   const Point<Dim> arm = place - body.motion.center_at(0);
   const double radius = arm.template head<2>().norm();
-  double depth = 0;
-  for (double angle = 0; angle < 2 * std::numbers::pi; angle += std::max(depth, 0.25 * spacing) / radius) {
-    depth = -body.shape->distance(Pose<Dim>::at(Point<Dim>::Zero(), angle).in_body_frame(arm));
+  double angle = 0;
+  while (angle < 2 * std::numbers::pi) {
+    const double depth = -body.shape->distance(Pose<Dim>::at(Point<Dim>::Zero(), angle).in_body_frame(arm));
     if (depth < 0) return false;
+    angle += std::max(depth, 0.25 * spacing) / radius;
   }
   return true;
 }

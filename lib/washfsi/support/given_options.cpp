@@ -24,6 +24,11 @@ bool GivenOptions::on_command_line(const std::string& name) const {
   return option && option->file.empty();
 }
 
+bool GivenOptions::lacks_value(const std::string& name) const {
+  const GivenOption* option = last(name);
+  return option && !option->has_value;
+}
+
 std::string GivenOptions::resolve(const std::string& name, const std::string& path) const {
   const GivenOption* option = last(name);
   if (path.empty() || !option || option->file.empty()) return path;

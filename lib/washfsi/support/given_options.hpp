@@ -24,6 +24,8 @@ class GivenOptions {
   const std::vector<GivenOption>& all() const { return options_; }
 
   bool on_command_line(const std::string& name) const;
+  /// Whether it was given with nothing behind it, not even "".
+  bool lacks_value(const std::string& name) const;
   /// A file name that was given as this option's value: relative to the folder of the options file in which it stands;
   /// on the command line to the working directory.
   std::string resolve(const std::string& name, const std::string& path) const;

@@ -134,13 +134,14 @@ std::map<std::string, std::string> Options::database() {
 std::string Options::nearest(const std::string& name) const {
   std::string best;
   std::size_t smallest = std::max<std::size_t>(2, name.size() / 3) + 1;
-  for (const auto& [known, value] : values_) {
-    const std::size_t distance = edit_distance(name, known);
-    if (distance < smallest) {
-      smallest = distance;
-      best = known;
+  for (const auto* names : {&values_, &left_out_})
+    for (const auto& [known, value] : *names) {
+      const std::size_t distance = edit_distance(name, known);
+      if (distance < smallest) {
+        smallest = distance;
+        best = known;
+      }
     }
-  }
   return best;
 }
 
@@ -273,9 +274,9 @@ void OptionBlock::text(const std::string& name, std::string& value, const char* 
 void OptionBlock::file(const std::string& name, std::string& value, const char* help) {
   const auto given = ask(name, value, {help, "", ""});
   if (!given) return;
-  if (given->empty()) refuse(name, "", "the name of a file");
+  if (options_.given_.lacks_value(as_given(name))) refuse(name, "", "the name of a file");
   value = options_.given_.resolve(as_given(name), *given);
-  options_.record(prefix_ + name, std::filesystem::absolute(value).lexically_normal().string());
+  if (!value.empty()) options_.record(prefix_ + name, std::filesystem::absolute(value).lexically_normal().string());
 }
 
 void OptionBlock::choice(const std::string& name, std::string& value, const std::vector<std::string>& allowed,

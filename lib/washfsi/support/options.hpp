@@ -70,7 +70,7 @@ class OptionBlock {
   void boolean(const std::string& name, bool& value, const char* help);
   void text(const std::string& name, std::string& value, const char* help);
   /// The name of a file to be read: relative to the folder of the options file that gives it, or on the command line to
-  /// the working directory; recorded as an absolute one.
+  /// the working directory; recorded as an absolute one. An empty one, "", is none.
   void file(const std::string& name, std::string& value, const char* help);
   void choice(const std::string& name, std::string& value, const std::vector<std::string>& allowed, const char* help);
   /// One of the values of an enumeration, by its name (see `ChoiceNames`); of those in `allowed` if that is not empty.
