@@ -22,13 +22,14 @@ from support import (CAVITY, CHANNEL, COUETTE, EXPLICIT_WASH, PROGRAM, TIGHT, Pr
 CASE = [*EXPLICIT_WASH, "-time_end", 0.05, "-output_interval", 0.01,
         "-profiles", "middle", "-middle_from", "-0.3,0", "-middle_to", "0.3,0", "-middle_points", 61]
 TIMES = [0, 0.01, 0.02, 0.03, 0.04, 0.05]
+SERIES = ("flow", "cloth", "bodies", "surfaces")
 FILES = ["resolved.opts", "summary.json", "history.csv", "profiles/middle.csv", "cloth_final.csv", "tracks.csv", "cycles.csv",
          "checkpoint.h5",
-         "flow/constants.h5", "cloth/constants.h5", "bodies/constants.h5",
-         *(name + end for name in ("flow", "cloth", "bodies")
+         *(f"{name}/constants.h5" for name in SERIES),
+         *(name + end for name in SERIES
            for end in (".xdmf", ".h5", *(f"/{frame:06d}.h5" for frame in range(len(TIMES)))))]
 SUMMARY = ["program", "version", "git", "case", "status", "ranks", "steps", "time", "wall_seconds", "seconds_per_step",
-           "iterations", "max_divergence", "max_cfl", "peak_memory_bytes", "bodies", "walls", "cloths", "cycles"]
+           "iterations", "max_divergence", "max_cfl", "peak_memory_bytes", "bodies", "walls", "cloths", "trust", "cycles"]
 HISTORY = ["step", "time", "dt", "cfl", "kinetic_energy", "max_divergence"]
 BODIES, CLOTHS, MARKERS = ["drum", "agitator"], ["long", "short"], 400
 SOLVER_OPTION = re.compile(r"-(momentum|pressure|cloth)_(ksp|pc|snes)_")  # PETSc's own, listed under its objects
@@ -68,6 +69,11 @@ def cell_centers(file):
     x, y = (file.attrs[f"lower_{axis}"] + file.attrs[f"spacing_{axis}"] * (np.arange(n) + 0.5)
             for axis, n in (("x", nx), ("y", ny)))
     return np.meshgrid(x, y)
+
+
+def as_text(value):
+    """Returns an attribute's text."""
+    return value.decode() if isinstance(value, bytes) else str(value)
 
 
 class Output(ProgramTest):
@@ -203,8 +209,36 @@ class Output(ProgramTest):
             places, velocities = last["position"][:, :2], last["velocity"][:, :2]
         np.testing.assert_array_equal(np.array(rows)[:, 4:].astype(float), np.hstack([places, velocities]))
 
+    def test_every_field_has_its_unit_and_groups_their_names(self):
+        means = read_table(self.out / "history.csv")
+        units = {name[len("long_"):-len("_mean")]: unit for name, unit in zip(*means[:2])
+                 if name.startswith("long_") and name.endswith("_mean")}
+        with h5py.File(self.out / "cloth.h5") as file:
+            last = frames(file)[-1]
+            for name, unit in {**units, "position": "m", "velocity": "m/s"}.items():
+                self.assertEqual(as_text(last[name].attrs["unit"]), unit, name)
+            self.assertEqual(as_text(file["group"].attrs["names"]), "long,short")
+            # the history's mean is that of the markers
+            long = file["group"][()] == 0
+            for name in units:
+                mean = means[2][-1][means[0].index(f"long_{name}_mean")]
+                self.assertAlmostEqual(last[name][()][long].mean() / (mean or 1), 1 if mean else 0, places=10)
+
+    def test_surfaces_move_with_their_bodies(self):
+        agitator = Agitator(self.options)
+        with h5py.File(self.out / "surfaces.h5") as file:
+            self.assertEqual(as_text(file["body"].attrs["names"]), "drum,agitator")
+            of_agitator = file["body"][()] == 1
+            self.assertGreater(of_agitator.sum(), 50)
+            self.assertLess(file["topology"][()].max(), len(of_agitator))
+            for frame in frames(file):
+                x, y, _ = frame["position"][()].T
+                distance = agitator.distance(x[of_agitator], y[of_agitator], frame.attrs["time"])
+                self.assertLess(np.median(np.abs(distance)), 1e-4)
+                np.testing.assert_allclose(np.hypot(x, y)[~of_agitator], float(self.options["-drum_radius"]), atol=1e-3)
+
     def test_xdmf_refers_to_what_exists(self):
-        for name in ("flow", "cloth", "bodies"):
+        for name in SERIES:
             items = list(ElementTree.parse(self.out / f"{name}.xdmf").iter("DataItem"))
             references = [item for item in items if item.get("Format") == "HDF"]
             self.assertGreaterEqual(len(references), 2 * len(TIMES))
@@ -220,7 +254,7 @@ class Output(ProgramTest):
                 np.testing.assert_allclose(file[axis][()], np.linspace(lower[d], upper[d], int(cells[d]) + 1), atol=1e-12)
 
     def test_xdmf_has_the_times_of_the_frames(self):
-        for name in ("flow", "cloth", "bodies"):
+        for name in SERIES:
             times = [float(time.get("Value")) for time in ElementTree.parse(self.out / f"{name}.xdmf").iter("Time")]
             with self.subTest(name), h5py.File(self.out / f"{name}.h5") as file:
                 self.assertEqual(times, [frame.attrs["time"] for frame in frames(file)])
@@ -280,7 +314,7 @@ class Output(ProgramTest):
         self.assertTrue(old.exists(), "a check removes nothing")
         for word in ("64 x 64", f"{MARKERS} markers", "bound", "memory", "duration"):
             self.assertIn(word, text)
-        for name in ("flow", "cloth", "bodies"):
+        for name in SERIES:
             with h5py.File(self.folder / "out" / f"{name}.h5") as file:
                 self.assertEqual([frame.attrs["time"] for frame in frames(file)], [0])
         for name in ("history.csv", "summary.json", "checkpoint.h5"):

@@ -20,6 +20,10 @@ struct Pose {
     arm.template head<2>() = Point<2>(cosine * arm[0] + sine * arm[1], -sine * arm[0] + cosine * arm[1]);
     return arm;
   }
+  Point<Dim> in_space(Point<Dim> arm) const {
+    arm.template head<2>() = Point<2>(cosine * arm[0] - sine * arm[1], sine * arm[0] + cosine * arm[1]);
+    return center + arm;
+  }
 };
 
 }  // namespace washfsi

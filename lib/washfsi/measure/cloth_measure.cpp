@@ -265,11 +265,11 @@ void ClothMeasure<Dim>::measure_depths() {
 template <int Dim>
 std::vector<MarkerField> ClothMeasure<Dim>::fields() const {
   const std::vector<MarkerState> states = system_.model.cloths.marker_states(system_.state.positions);
+  const std::vector<WashingAction> actions = washing_action();
   std::vector<MarkerField> fields;
   for (const MarkerQuantity& quantity : marker_quantities<Dim>()) {
-    if (!quantity.in_series) continue;
-    MarkerField& field = fields.emplace_back(MarkerField{quantity.name, {}});
-    for (const MarkerState& state : states) field.values.push_back(quantity.value({state, {}}));
+    MarkerField& field = fields.emplace_back(MarkerField{quantity.name, quantity.unit, {}});
+    for (std::size_t m = 0; m < states.size(); ++m) field.values.push_back(quantity.value({states[m], actions[m]}));
   }
   return fields;
 }

@@ -23,25 +23,17 @@ double bending(Sample m) {
 const MarkerQuantity stretch{"stretch", "-", "\\|\\|X_s\\| - 1\\| of the edges beside",
                              [](Sample m) { return m.state.stretch; }};
 const MarkerQuantity curvature{"curvature", "1/m", "of the cloth", [](Sample m) { return m.state.curvature; }};
-const MarkerQuantity relative_speed{"relative_speed",
-                                    "m/s",
-                                    "of the water along the cloth, 1.5 cells away",
-                                    [](Sample m) { return m.action.relative_speed; },
-                                    false,
-                                    true};
-const MarkerQuantity water_shear{"water_shear",
-                                 "Pa",
-                                 "viscosity times the relative speed over the distance",
-                                 [](Sample m) { return m.action.shear; },
-                                 false,
-                                 true};
+const MarkerQuantity relative_speed{"relative_speed", "m/s", "of the water along the cloth, 1.5 cells away",
+                                    [](Sample m) { return m.action.relative_speed; }, true};
+const MarkerQuantity water_shear{"water_shear", "Pa", "viscosity times the relative speed over the distance",
+                                 [](Sample m) { return m.action.shear; }, true};
 
 }  // namespace
 
 template <>
 const std::vector<MarkerQuantity>& marker_quantities<2>() {
   static const std::vector<MarkerQuantity> all{
-      {"stress", "Pa", "at the surface (5.2-2): membrane and bending stress", surface<ss>, true, true},
+      {"stress", "Pa", "at the surface (5.2-2): membrane and bending stress", surface<ss>, true},
       {"membrane_stress", "Pa", "tension over thickness", membrane<ss>},
       {"bending_stress", "Pa", "at the surface, of bending", bending<ss>},
       stretch,
@@ -56,7 +48,7 @@ template <>
 const std::vector<MarkerQuantity>& marker_quantities<3>() {
   static const std::vector<MarkerQuantity> all{
       {"stress", "Pa", "at the surface (5.2-2 to 5.2-4), the mean along warp and weft",
-       [](Sample m) { return 0.5 * (surface<ss>(m) + surface<rr>(m)); }, true, true},
+       [](Sample m) { return 0.5 * (surface<ss>(m) + surface<rr>(m)); }, true},
       {"stress_ss", "Pa", "at the surface, along warp", surface<ss>},
       {"stress_rr", "Pa", "at the surface, along weft", surface<rr>},
       {"stress_sr", "Pa", "at the surface, of shear", surface<sr>},

@@ -18,12 +18,11 @@ struct MarkerSample {
 };
 
 /// One number of each marker: its mean over the markers of a group is a column, its average over time at each marker is
-/// in the summary by mean and standard deviation.
+/// in the summary by mean and standard deviation, and cloth.h5 has it.
 struct MarkerQuantity {
   const char *name, *unit, *meaning;
   double (*value)(const MarkerSample& sample);
-  bool in_series = false;  ///< whether it is in cloth.h5 too
-  bool of_cycle = false;   ///< whether its mean is a figure of a cycle
+  bool of_cycle = false;  ///< whether its mean is a figure of a cycle
 };
 
 /// All of them, in the plane or in space.

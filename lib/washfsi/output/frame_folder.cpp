@@ -163,4 +163,10 @@ std::string xdmf_attribute(const std::string& attribute, const std::string& type
          "</Attribute>\n";
 }
 
+void write_with_unit(Hdf5File& file, const std::string& dataset, const std::string& unit, const Slab& slab,
+                     const std::vector<double>& values) {
+  file.write(dataset, slab, values);
+  file.set_text(dataset, "unit", unit);
+}
+
 }  // namespace washfsi

@@ -61,6 +61,10 @@ class FrameFolder {
   std::vector<Frame> frames_;
 };
 
+/// Writes a dataset with its unit beside it, as the attribute `unit`. Collective. Errors: FileError.
+void write_with_unit(Hdf5File& file, const std::string& dataset, const std::string& unit, const Slab& slab,
+                     const std::vector<double>& values);
+
 /// XDMF text of an attribute on cells or nodes.
 std::string xdmf_attribute(const std::string& attribute, const std::string& type, const std::string& center,
                            const std::string& data_item);

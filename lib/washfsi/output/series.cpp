@@ -112,9 +112,9 @@ void FlowSeries<Dim>::write(double time, long step, Vec velocity, Vec pressure) 
   frames_.add(
       time, step,
       [&](Hdf5File& file) {
-        file.write("/velocity", vector, flow.velocity);
-        file.write("/pressure", scalar, p);
-        file.write("/vorticity", curl, flow.vorticity);
+        write_with_unit(file, "/velocity", "m/s", vector, flow.velocity);
+        write_with_unit(file, "/pressure", "Pa", scalar, p);
+        write_with_unit(file, "/vorticity", "1/s", curl, flow.vorticity);
       },
       [&](const Frame& frame) {
         const auto item = [&](const char* name, const Slab& slab) {
@@ -147,7 +147,7 @@ void BodySeries<Dim>::write(double time, long step) {
           for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) {
             distance.push_back(body.distance(grid_.cell_center(cell), time));
           });
-          file.write("/" + body.name, scalar, distance);
+          write_with_unit(file, "/" + body.name, "m", scalar, distance);
         }
       },
       [&](const Frame& frame) {
@@ -200,6 +200,9 @@ void ClothSeries<Dim>::write_constants(Hdf5File& file) const {
   }
   const Slab markers = marker_slab(cloths_.marker_count(), cloths_.begin(), cloths_.end(), 1);
   file.write("/group", markers, group);
+  std::vector<std::string> names;
+  for (const auto& of_group : cloths_.groups()) names.push_back(of_group.name);
+  file.set_text("/group", "names", join(names, ","));
   file.write("/cloth", markers, cloth);
 }
 
@@ -212,9 +215,10 @@ void ClothSeries<Dim>::write(double time, long step, const Points<Dim>& position
   frames_.add(
       time, step,
       [&](Hdf5File& file) {
-        file.write("/position", vector, flattened<Dim>(positions, 3));
-        file.write("/velocity", vector, flattened<Dim>(velocities, 3));
-        for (const MarkerField& field : fields) file.write("/" + field.name, scalar, field.values);
+        write_with_unit(file, "/position", "m", vector, flattened<Dim>(positions, 3));
+        write_with_unit(file, "/velocity", "m/s", vector, flattened<Dim>(velocities, 3));
+        for (const MarkerField& field : fields)
+          write_with_unit(file, "/" + field.name, field.unit, scalar, field.values);
       },
       [&](const Frame& frame) {
         const auto item = [&](const std::string& dataset, const Slab& slab) {

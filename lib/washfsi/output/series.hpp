@@ -39,7 +39,7 @@ class BodySeries {
 
 /// A number of each of this rank's markers, by name.
 struct MarkerField {
-  std::string name;
+  std::string name, unit;
   std::vector<double> values;
 };
 

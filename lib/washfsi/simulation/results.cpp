@@ -27,7 +27,10 @@ Results<Dim>::Results(const System<Dim>& system, Measures<Dim>& measures, std::v
       profiles_(std::move(profiles)),
       folder_(std::move(folder)),
       flow_(system.model.grid, system.model.boundary, folder_, restart_step) {
-  if (!system.model.bodies.empty()) bodies_.emplace(system.model.grid, system.model.bodies, folder_, restart_step);
+  if (!system.model.bodies.empty()) {
+    bodies_.emplace(system.model.grid, system.model.bodies, folder_, restart_step);
+    surfaces_.emplace(system.model.grid, system.model.bodies, folder_, restart_step);
+  }
   if (system.model.cloths.marker_count() > 0)
     cloth_.emplace(system.model.grid.comm(), system.model.cloths, folder_, restart_step);
   if (!flow_.is_new()) last_frame_ = restart_step;
@@ -123,6 +126,7 @@ void Results<Dim>::write_frame(long step) {
   const double time = system_.state.clock.time;
   flow_.write(time, step, system_.model.fluid.velocity(), system_.model.fluid.pressure());
   if (bodies_) bodies_->write(time, step);
+  if (surfaces_) surfaces_->write(time, step);
   if (cloth_) cloth_->write(time, step, system_.state.positions, system_.state.velocities, measures_.cloth().fields());
 }
 

@@ -7,6 +7,7 @@
 #include "washfsi/measure/measures.hpp"
 #include "washfsi/output/profile.hpp"
 #include "washfsi/output/series.hpp"
+#include "washfsi/output/surface_series.hpp"
 #include "washfsi/trust/finding.hpp"
 
 namespace washfsi {
@@ -58,6 +59,7 @@ class Results {
   std::string folder_;
   FlowSeries<Dim> flow_;
   std::optional<BodySeries<Dim>> bodies_;
+  std::optional<SurfaceSeries<Dim>> surfaces_;
   std::optional<ClothSeries<Dim>> cloth_;
   std::optional<History> history_, tracks_, cycles_;
   long last_frame_ = -1;

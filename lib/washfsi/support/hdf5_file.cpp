@@ -131,6 +131,16 @@ void Hdf5File::set_attribute(const std::string& object, const std::string& name,
   agree(attribute >= 0 && H5Awrite(attribute, H5T_NATIVE_DOUBLE, &value) >= 0, "cannot write attribute " + name);
 }
 
+void Hdf5File::set_text(const std::string& object, const std::string& name, const std::string& text) {
+  const Identifier space(H5Screate(H5S_SCALAR), H5Sclose), type(H5Tcopy(H5T_C_S1), H5Tclose);
+  const bool typed =
+      H5Tset_size(type, std::max<std::size_t>(1, text.size())) >= 0 && H5Tset_cset(type, H5T_CSET_UTF8) >= 0;
+  const Identifier attribute(
+      H5Acreate_by_name(file_, object.c_str(), name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+      H5Aclose);
+  agree(typed && attribute >= 0 && H5Awrite(attribute, type, text.c_str()) >= 0, "cannot write attribute " + name);
+}
+
 namespace {
 
 // Mixes the bits of two numbers (splitmix64's finaliser).
@@ -239,7 +249,9 @@ bool commit_file(const std::string& temporary, const std::string& path, const st
   if (!keep.empty() && std::filesystem::exists(path)) {
     std::filesystem::remove(keep, error);
     std::filesystem::create_hard_link(path, keep, error);
-    if (error) std::filesystem::copy_file(path, keep, error);  // a file system without links
+    if (error)  // a file system without links, or one that did not remove
+      std::filesystem::copy_file(path, keep, std::filesystem::copy_options::overwrite_existing, error);
+    if (error || !synced(keep, O_RDONLY)) return false;
   }
   std::filesystem::rename(temporary, path, error);
   const std::string folder = std::filesystem::path(path).parent_path().string();

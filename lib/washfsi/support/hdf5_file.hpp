@@ -41,6 +41,8 @@ class Hdf5File {
   /// Attributes of an existing object ("/" is the file itself): single finite numbers.
   void set_attribute(const std::string& object, const std::string& name, double value);
   double attribute(const std::string& object, const std::string& name);
+  /// A text beside an object, for readers.
+  void set_text(const std::string& object, const std::string& name, const std::string& text);
 
   void create_group(const std::string& name);
   /// Makes `name` stand for an object in another file, given by a path from this one's folder.

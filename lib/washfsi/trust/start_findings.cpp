@@ -115,9 +115,9 @@ void add_body(const Model<Dim>& model, std::size_t b, const std::vector<BodySurv
 
 template <int Dim>
 void add_motion(const Body<Dim>& body, const BodySurvey<Dim>& survey, Findings& findings) {
-  const std::string advice = body.motion.table
-                                 ? "are the angles of -" + body.name + "_motion_file in degrees? It is read in radians"
-                                 : "no machine is as fast; -" + body.name + "_angular_speed is in rad/s";
+  const std::string advice = body.motion.table ? "are the angles of -" + body.name + "_motion_file in degrees? Say -" +
+                                                     body.name + "_angle_unit deg"
+                                               : "no machine is as fast; -" + body.name + "_angular_speed is in rad/s";
   constexpr double fastest = 50;  // [m/s]: 1800 rpm at 0.26 m
   if (survey.top_speed > fastest)
     findings.push_back(

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/body/zero_surface.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace washfsi {
+
+namespace {
+
+constexpr PetscInt nodes_a_cell = 2;
+
+/// Marches through cells and collects what it finds.
+template <int Dim>
+class Marcher {
+ public:
+  Marcher(const Grid<Dim>& grid, const std::function<double(const Point<Dim>&)>& distance)
+      : grid_(grid), spacing_(grid.spacing() / nodes_a_cell), distance_(distance) {}
+
+  void march(const Index<Dim>& cell) {
+    Box<Dim> parts;
+    for (int d = 0; d < Dim; ++d) {
+      parts.lower[d] = nodes_a_cell * cell[d];
+      parts.upper[d] = nodes_a_cell * (cell[d] + 1);
+    }
+    for_each<Dim>(parts, [&](const Index<Dim>& corner) { march_cube(corner); });
+  }
+
+  SimplexMesh<Dim> mesh;
+
+ private:
+  using Node = Index<Dim>;
+  using Corners = std::array<Node, Dim + 1>;
+
+  Point<Dim> place(const Node& node) const {
+    Point<Dim> place = grid_.lower();
+    for (int d = 0; d < Dim; ++d) place[d] += static_cast<double>(node[d]) * spacing_[d];
+    return place;
+  }
+
+  double value(const Node& node) {
+    const auto [entry, is_new] = values_.try_emplace(node, 0.0);
+    if (is_new) entry->second = distance_(place(node));
+    return entry->second;
+  }
+
+  // Kuhn's simplices: from the lower corner to the upper, along the axes in every order.
+  void march_cube(const Node& corner) {
+    std::array<int, Dim> order{};
+    std::iota(order.begin(), order.end(), 0);
+    do {
+      Corners corners{corner};
+      for (int step = 0; step < Dim; ++step) {
+        corners[step + 1] = corners[step];
+        ++corners[step + 1][order[step]];
+      }
+      march_simplex(corners);
+    } while (std::next_permutation(order.begin(), order.end()));
+  }
+
+  void march_simplex(const Corners& corners) {
+    std::vector<Node> inside, outside;
+    for (const Node& node : corners) (value(node) < 0 ? inside : outside).push_back(node);
+    if (inside.empty() || outside.empty()) return;
+    const Point<Dim> outwards = place(outside[0]) - place(inside[0]);
+    std::vector<std::size_t> cuts;
+    for (std::size_t i = 0; i < inside.size(); ++i)
+      for (std::size_t o = 0; o < outside.size(); ++o)  // there and back, so that four of them go round
+        cuts.push_back(vertex(inside[i], outside[i % 2 == 0 ? o : outside.size() - 1 - o]));
+    for (std::size_t last = Dim - 1; last < cuts.size(); ++last) {
+      std::array<std::size_t, Dim> facet{cuts[0]};
+      for (int n = 1; n < Dim; ++n) facet[n] = cuts[last + n - (Dim - 1)];
+      add(facet, outwards);
+    }
+  }
+
+  void add(std::array<std::size_t, Dim> facet, const Point<Dim>& outwards) {
+    const Point<Dim> edge = mesh.vertices[facet[1]] - mesh.vertices[facet[0]];
+    double side = 0;
+    if constexpr (Dim == 2)
+      side = edge[1] * outwards[0] - edge[0] * outwards[1];
+    else
+      side = edge.cross(mesh.vertices[facet[2]] - mesh.vertices[facet[0]]).dot(outwards);
+    if (side < 0) std::swap(facet[0], facet[1]);
+    mesh.facets.push_back(facet);
+  }
+
+  // Where the distance is zero between two nodes.
+  std::size_t vertex(const Node& inside, const Node& outside) {
+    const auto [entry, is_new] = cuts_.try_emplace({inside, outside}, mesh.vertices.size());
+    if (is_new) {
+      const double below = value(inside), above = value(outside);
+      const Point<Dim> start = place(inside), end = place(outside);
+      mesh.vertices.emplace_back(start + below / (below - above) * (end - start));
+    }
+    return entry->second;
+  }
+
+  const Grid<Dim>& grid_;
+  Point<Dim> spacing_;
+  const std::function<double(const Point<Dim>&)>& distance_;
+  std::map<Node, double> values_;
+  std::map<std::pair<Node, Node>, std::size_t> cuts_;
+};
+
+}  // namespace
+
+template <int Dim>
+SimplexMesh<Dim> zero_surface(const Grid<Dim>& grid, const std::function<double(const Point<Dim>&)>& distance) {
+  Marcher<Dim> marcher(grid, distance);
+  const double reach = 0.5 * grid.spacing().norm();
+  for_each<Dim>(grid.owned(), [&](const Index<Dim>& cell) {
+    if (std::abs(distance(grid.cell_center(cell))) <= reach) marcher.march(cell);
+  });
+  return std::move(marcher.mesh);
+}
+
+template SimplexMesh<2> zero_surface<2>(const Grid<2>&, const std::function<double(const Point<2>&)>&);
+template SimplexMesh<3> zero_surface<3>(const Grid<3>&, const std::function<double(const Point<3>&)>&);
+
+}  // namespace washfsi
