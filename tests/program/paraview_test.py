@@ -10,6 +10,7 @@ import sys
 import tempfile
 import unittest
 
+import h5py
 import numpy as np
 from matplotlib.image import imread
 
@@ -26,7 +27,7 @@ PLANE = ["-options_file", WASH, "-grid_cells", "32,32", "-long_markers", 8, "-sh
          "-output_interval", 0.01]
 READER = """import sys
 from paraview import simple
-for name in ("flow", "bodies", "cloth"):
+for name in ("flow", "bodies", "surfaces", "cloth"):
     series = simple.OpenDataFile(f"{sys.argv[1]}/{name}.xdmf")  # as by a double click
     for time in series.TimestepValues:
         series.UpdatePipeline(time)
@@ -82,8 +83,12 @@ class Paraview(ProgramTest):
         script = self.folder / "reader.py"
         script.write_text(READER)
         for name, flow, cloth in (("space", 16 ** 3, 4 * 9), ("plane", 32 ** 2, 20)):
+            with h5py.File(self.root / name / "surfaces.h5") as file:
+                facets = len(file["topology"])
+            self.assertGreater(facets, 100)
             self.assertEqual(self.pvpython(script, self.root / name),
-                             3 * [("flow", flow)] + 3 * [("bodies", flow)] + 3 * [("cloth", cloth)])
+                             [(series, cells) for series, cells in (("flow", flow), ("bodies", flow), ("surfaces", facets),
+                                                                    ("cloth", cloth)) for _ in range(3)])
 
     @unittest.skipUnless(SHOWS, "there is no ParaView with a display: no pvpython, or neither DISPLAY nor xvfb-run")
     def test_the_scene_shows_flow_bodies_and_cloths(self):

@@ -9,6 +9,8 @@ import shutil
 import subprocess
 import sys
 
+import h5py
+
 from washfsi.errors import ResultsError
 from washfsi.results import Results
 
@@ -29,10 +31,22 @@ def surrounds(distance):
 
 
 def bodies_of(results):
-    """Returns name and place of each body that has a surface in the box."""
+    """Returns name, number on the surfaces and place of each body that has a surface in the box."""
     fields = results.bodies.frame(0).data if results.bodies else {}
-    return [{"name": name, "surrounds": surrounds(distance)} for name, distance in fields.items()
-            if distance.min() < 0 < distance.max()]
+    numbers = surface_numbers(results.folder)
+    return [{"name": name, "number": numbers.get(name, -1), "surrounds": surrounds(distance)}
+            for name, distance in fields.items() if distance.min() < 0 < distance.max()]
+
+
+def surface_numbers(folder):
+    """Returns the number of each body on the surfaces; none of a run that has none."""
+    path = folder / "surfaces.h5"
+    if not path.is_file():
+        return {}
+    with h5py.File(path) as file:
+        names = file["body"].attrs["names"]
+    names = names.decode() if isinstance(names, bytes) else names
+    return {name: number for number, name in enumerate(names.split(","))}
 
 
 def scene_of(results, axis, height, colour):

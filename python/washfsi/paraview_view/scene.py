@@ -56,21 +56,26 @@ def clip(source, name, inside):
     return part
 
 
-def surface_of(points, name):
-    """Returns the solid of a body in the plane, its surface in space: where its signed distance is zero."""
+def surface_of(points, body, surfaces):
+    """Returns the solid of a body in the plane, its surface in space: its triangles, or where its distance is zero."""
     if plane():
-        return clip(points, name, inside=True)
-    surface = pv.Contour(registrationName=name, Input=points)
-    surface.ContourBy = ["POINTS", name]
-    surface.Isosurfaces, surface.ComputeScalars = [0.0], 0
+        return clip(points, body["name"], inside=True)
+    if surfaces is None or body["number"] < 0:
+        surface = pv.Contour(registrationName=body["name"], Input=points)
+        surface.ContourBy = ["POINTS", body["name"]]
+        surface.Isosurfaces, surface.ComputeScalars = [0.0], 0
+        return surface
+    surface = pv.Threshold(registrationName=body["name"], Input=surfaces)
+    surface.Scalars = ["POINTS", "body"]
+    surface.LowerThreshold = surface.UpperThreshold = body["number"]
     return surface
 
 
 def show_bodies(points, view):
     """Shows each body in grey; one round the water can be seen through."""
-    shown = {}
+    shown, surfaces = {}, None if plane() else open_series("surfaces")
     for body in SCENE["bodies"]:
-        shown[body["name"]] = surface_of(points, body["name"])
+        shown[body["name"]] = surface_of(points, body, surfaces)
         display = pv.Show(shown[body["name"]], view)
         display.ColorArrayName = ["POINTS", ""]
         display.DiffuseColor = display.AmbientColor = SOLID
