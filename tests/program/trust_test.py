@@ -99,8 +99,12 @@ class Trust(ProgramTest):
         name = "towel marker spacing"
         self.assert_found(self.findings(*SHEET, "-towel_markers", 2, "-grid_cells", "64,64,64"), name, "fail", "12.7 cells")
         self.assert_found(self.findings(*SHEET, "-towel_markers", 30, "-grid_cells", "8,8,8"), name, "fail", "0.0794 cells")
-        self.assert_found(self.findings(*SHEET, "-cloths", "towel,shirt", "-shirt_size", 0.08, "-shirt_markers", 16),
-                          "distance of cloths", "fail", "place them apart")
+        same = [word for name, value in (("size", "0.08,0.06"), ("markers", "8,6"), ("center", "0,0,0.08"),
+                                         ("direction", "0.5,0.1,1"), ("across", "0.2,1,0"))
+                for word in (f"-shirt_{name}", value)]
+        explicit = ["-coupling_scheme", "explicit", "-time_cfl", 0, "-time_step", 1e-4]
+        self.assert_found(self.findings(*SHEET, *explicit, "-cloths", "towel,shirt", *same), "distance of cloths", "fail",
+                          "place them apart")
 
     def test_intervals_beyond_the_run(self):
         found = self.findings(*SHEET, "-checkpoint_interval", 100)

@@ -227,11 +227,6 @@ Value ClothMeasure<Dim>::mean_over_cloths(std::size_t group, const std::vector<V
 }
 
 template <int Dim>
-std::optional<double> ClothMeasure<Dim>::least_distance() const {
-  return crossings_ ? std::optional(crossings_->least_distance()) : std::nullopt;
-}
-
-template <int Dim>
 double ClothMeasure<Dim>::path(std::size_t group) const {
   const std::span<const double> totals = paths_.totals();
   return mean_over_cloths(group, std::vector<double>(totals.begin(), totals.end()), 0.0);

@@ -39,9 +39,6 @@ class ClothMeasure : public Measure<Dim> {
   const std::vector<GroupMeasures<Dim>>& groups() const { return groups_; }
   double elastic_energy() const;  ///< of all [J; per unit depth in the plane]
 
-  /// Least distance of a marker from another cloth now [m], at most half a spacing; unknown in the plane.
-  std::optional<double> least_distance() const;
-
   /// The columns of tracks.csv, the centre of each cloth, and their present values.
   std::vector<Column> track_columns() const;
   std::vector<double> track_row() const;

@@ -37,6 +37,7 @@ Simulation<Dim>::Simulation(Options& options, const std::string& case_name) : pr
   scheme_ = make_coupling_scheme<Dim>(chosen.coupling, *system_);
   body_speeds_ = std::make_unique<BodySpeeds<Dim>>(system_->model);
   measures_ = std::make_unique<Measures<Dim>>(*system_, chosen.measure);
+  judge_start();
   if (!run_.restart.empty()) {
     state_ = read_checkpoint<Dim>(run_.restart, *system_, *measures_);
     first_step_ = clock().step;
@@ -52,12 +53,12 @@ Simulation<Dim>::Simulation(Options& options, const std::string& case_name) : pr
   for (const std::string& change : changed_options(state_.options, now)) notes_.push_back(change);
   state_.options = now;
   start_results(options);
-  judge_start();
 }
 
+// Of the system at t = 0, where a restart goes on from too.
 template <int Dim>
 void Simulation<Dim>::judge_start() {
-  at_start_ = start_findings(*system_, *measures_,
+  at_start_ = start_findings(*system_, measures_->cycles(),
                              {.end = run_.time_end,
                               .checkpoint_interval = run_.checkpoint_interval,
                               .output_interval = run_.output_interval,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "washfsi/machine/crossings.hpp"
 #include "washfsi/support/format_text.hpp"
 
 namespace washfsi {
@@ -147,14 +148,15 @@ void add_cloth(const ClothGroup<Dim>& group, const Model<Dim>& model, Findings& 
                                "water passes between its markers; more -" + group.name + "_markers"));
 }
 
-template <int Dim>
-void add_distance(const Model<Dim>& model, const Measures<Dim>& measures, Findings& findings) {
-  const std::optional<double> distance = measures.cloth().least_distance();
-  if (!distance || model.cloths.pieces().size() < 2) return;
-  const double h = std::pow(model.grid.cell_volume(), 1.0 / Dim);
-  if (*distance < 0.1 * h)
-    findings.push_back(at_least("distance of cloths", *distance / h, {0.1, 1e-3},
-                                format_text("%.3g m, %.2g cells", *distance, *distance / h),
+void add_distance(const System<3>& system, Findings& findings) {
+  const Model<3>& model = system.model;
+  if (model.cloths.pieces().size() < 2) return;
+  ClothCrossings crossings(model.cloths);
+  crossings.observe(system.state.positions);
+  const double distance = crossings.least_distance(), h = std::cbrt(model.grid.cell_volume());
+  if (distance < 0.1 * h)
+    findings.push_back(at_least("distance of cloths", distance / h, {0.1, 1e-3},
+                                format_text("%.3g m, %.2g cells", distance, distance / h),
                                 "cloths that lie in each other move as one, or cross; place them apart"));
 }
 
@@ -230,7 +232,7 @@ FlowScales flow_scales(const Model<Dim>& model, const std::vector<BodySurvey<Dim
 }
 
 template <int Dim>
-Findings start_findings(const System<Dim>& system, const Measures<Dim>& measures, const RunTimes& times) {
+Findings start_findings(const System<Dim>& system, const Cycles& cycles, const RunTimes& times) {
   const Model<Dim>& model = system.model;
   const auto surveys = survey_bodies<Dim>(model.grid, model.bodies, system.state.clock.time);
   Findings findings;
@@ -243,14 +245,14 @@ Findings start_findings(const System<Dim>& system, const Measures<Dim>& measures
   }
   if (model.has_fluid)
     for (const auto& group : model.cloths.groups()) add_cloth<Dim>(group, model, findings);
-  add_distance(model, measures, findings);
-  add_times(times, measures.cycles(), findings);
+  if constexpr (Dim == 3) add_distance(system, findings);
+  add_times(times, cycles, findings);
   return findings;
 }
 
 template FlowScales flow_scales<2>(const Model<2>&, const std::vector<BodySurvey<2>>&);
 template FlowScales flow_scales<3>(const Model<3>&, const std::vector<BodySurvey<3>>&);
-template Findings start_findings<2>(const System<2>&, const Measures<2>&, const RunTimes&);
-template Findings start_findings<3>(const System<3>&, const Measures<3>&, const RunTimes&);
+template Findings start_findings<2>(const System<2>&, const Cycles&, const RunTimes&);
+template Findings start_findings<3>(const System<3>&, const Cycles&, const RunTimes&);
 
 }  // namespace washfsi

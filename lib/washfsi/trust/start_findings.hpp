@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "washfsi/measure/measures.hpp"
+#include "washfsi/measure/cycles.hpp"
+#include "washfsi/scheme/system.hpp"
 #include "washfsi/trust/body_survey.hpp"
 #include "washfsi/trust/finding.hpp"
 
@@ -24,8 +25,9 @@ struct FlowScales {
 template <int Dim>
 FlowScales flow_scales(const Model<Dim>& model, const std::vector<BodySurvey<Dim>>& surveys);
 
-/// What can be said of a case before its first step: scales, resolution, bodies, cloths, times. Collective.
+/// What can be said of a case before its first step, of the system at t = 0: scales, resolution, bodies, cloths, times.
+/// Collective.
 template <int Dim>
-Findings start_findings(const System<Dim>& system, const Measures<Dim>& measures, const RunTimes& times);
+Findings start_findings(const System<Dim>& system, const Cycles& cycles, const RunTimes& times);
 
 }  // namespace washfsi
