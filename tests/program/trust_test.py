@@ -8,7 +8,9 @@ from support import SOURCE, ProgramTest, run
 
 WATER = ["-grid_cells", "16,16,16", "-fluid_viscosity", 1e-3, "-time_step", 1e-3, "-time_end", 1, "-check"]
 WASH = ["-options_file", SOURCE / "inputs" / "wash.opts", "-grid_cells", "12,12,12", "-towel_markers", 4]
-SHEET = ["-options_file", SOURCE / "inputs" / "sheet.opts", "-check"]
+# explicit: cloths that lie in each other cannot be solved for
+SHEET = ["-options_file", SOURCE / "inputs" / "sheet.opts", "-check", "-coupling_scheme", "explicit", "-time_cfl", 0,
+         "-time_step", 1e-5]
 STL = [*WATER, "-bodies", "rock", "-rock_shape", "stl", "-rock_file", "rock.stl"]
 LOW, HIGH = (0.3, 0.3, 0.3), (0.7, 0.6, 0.7)
 
@@ -102,8 +104,7 @@ class Trust(ProgramTest):
         same = [word for name, value in (("size", "0.08,0.06"), ("markers", "8,6"), ("center", "0,0,0.08"),
                                          ("direction", "0.5,0.1,1"), ("across", "0.2,1,0"))
                 for word in (f"-shirt_{name}", value)]
-        explicit = ["-coupling_scheme", "explicit", "-time_cfl", 0, "-time_step", 1e-4]
-        self.assert_found(self.findings(*SHEET, *explicit, "-cloths", "towel,shirt", *same), "distance of cloths", "fail",
+        self.assert_found(self.findings(*SHEET, "-cloths", "towel,shirt", *same), "distance of cloths", "fail",
                           "place them apart")
 
     def test_intervals_beyond_the_run(self):
