@@ -57,10 +57,13 @@ MeshShells::MeshShells(std::vector<TriangleMesh> shells, const std::string& star
   std::vector<TriangleMesh> cavities;
   for (TriangleMesh& shell : shells) {
     const double volume = shell.volume();
-    if (volume > 0)
-      solids_.push_back({std::make_unique<MeshDistance>(std::move(shell)), volume, {}});
-    else
+    if (volume > 0) {
+      Solid& solid = solids_.emplace_back();
+      solid.outside = std::make_unique<MeshDistance>(std::move(shell));
+      solid.volume = volume;
+    } else {
       cavities.push_back(std::move(shell));
+    }
   }
   for (TriangleMesh& cavity : cavities) {
     Solid& solid = around(cavity.vertices.front(), start);

@@ -20,7 +20,7 @@ class MeshShells : public Shape<3> {
  private:
   struct Solid {
     std::unique_ptr<MeshDistance> outside;
-    double volume;
+    double volume = 0;
     std::vector<std::unique_ptr<MeshDistance>> cavities;
   };
   Solid& around(const Point<3>& place, const std::string& start);
