@@ -6,20 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include "support/unit_grid.hpp"
 #include "washfsi/body/primitives.hpp"
 #include "washfsi/support/collective.hpp"
 
 namespace washfsi::test {
 namespace {
-
-template <int Dim>
-Grid<Dim> unit_grid(PetscInt n) {
-  GridShape<Dim> shape;
-  shape.cells.fill(n);
-  shape.lower.setZero();
-  shape.upper.setOnes();
-  return Grid<Dim>(PETSC_COMM_WORLD, shape);
-}
 
 template <int Dim>
 SimplexMesh<Dim> ball(PetscInt n, double radius, const Point<Dim>& center) {

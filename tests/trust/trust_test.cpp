@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/unit_grid.hpp"
 #include "washfsi/body/primitives.hpp"
 #include "washfsi/support/collective.hpp"
 #include "washfsi/trust/body_survey.hpp"
@@ -36,15 +37,6 @@ Body<Dim> body(const std::string& name, ShapePtr<Dim> shape, const Point<Dim>& c
   Body<Dim> made{name, std::move(shape), {}};
   made.motion.center = center;
   return made;
-}
-
-template <int Dim>
-Grid<Dim> unit_grid(PetscInt n) {
-  GridShape<Dim> shape;
-  shape.cells.fill(n);
-  shape.lower.setZero();
-  shape.upper.setOnes();
-  return Grid<Dim>(PETSC_COMM_WORLD, shape);
 }
 
 TEST(BodySurvey, SeesTheSizeOfABall) {
