@@ -122,6 +122,18 @@ TEST(Cycles, OfAnotherPeriodBeginAnewWithTheNextWholeOne) {
   EXPECT_NEAR(second.rows[1].end, 2.1, 0.01);
 }
 
+TEST(Cycles, MeansBeginAnewWithTheNextWholeOneWhenTheCaseChanges) {
+  Machine machine;
+  machine.run_to(2.5);
+  ASSERT_EQ(machine.cycles->counted(), 1);
+  machine.cycles->forget_means();
+  machine.run_to(4);
+  EXPECT_EQ(machine.cycles->counted(), 1);  // the fourth; the third was seen in part
+  ASSERT_EQ(machine.rows.size(), 3U);
+  EXPECT_EQ(machine.rows.back().number, 4);
+  EXPECT_EQ(machine.cycles->mean(work).mean, machine.rows.back().values[work]);
+}
+
 TEST(Cycles, RowsLongerThanACycleAreToldAsTheyAre) {
   Machine machine;
   for (int n = 0; n < 4; ++n) machine.step(2.5);

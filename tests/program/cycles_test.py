@@ -5,6 +5,7 @@ import json
 import shutil
 import unittest
 
+import h5py
 import numpy as np
 
 from support import SOURCE, ProgramTest, read_columns, read_table
@@ -60,6 +61,7 @@ class Cycles(ProgramTest):
             self.check_cycle(history, cycles, n)
         self.assert_close(cycles["energy_open"], cycles["agitator_work"] - sum(cycles[name] for name in KEPT_OR_LOST))
         self.check_summary(cycles)
+        self.check_checkpoints()
         self.check_restart()
 
     def check_summary(self, cycles):
@@ -73,6 +75,15 @@ class Cycles(ProgramTest):
             self.assertEqual(figure["unit"], unit)
             self.assert_close(figure["mean"], cycles[name][1:].mean())
             self.assert_close(figure["std"], cycles[name][1:].std(ddof=1))
+
+    def check_checkpoints(self):
+        """The one before the last is of an earlier step, though the last was due when the run ended."""
+        steps = []
+        for name in ("checkpoint_before.h5", "checkpoint.h5"):
+            with h5py.File(self.folder / "run" / name) as file:
+                steps.append(file.attrs["step"])
+        self.assertEqual(steps[1], 21)
+        self.assertLess(steps[0], 21)
 
     def check_restart(self):
         """Goes on from the middle of the third cycle: the table, its means and the history are the same to the bit."""

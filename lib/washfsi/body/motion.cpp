@@ -153,7 +153,7 @@ void MotionOptions<Dim>::read_programme(OptionBlock& block) {
 template <int Dim>
 void MotionOptions<Dim>::refuse(const std::string& option, const Given& others) const {
   for (const auto& [other, given] : others)
-    if (given) throw InputError(prefix + option + ": cannot be combined with " + prefix + other);
+    if (given) throw InputError(prefix + option + ": cannot be combined with " + prefix + other + "; set that to 0");
 }
 
 template <int Dim>

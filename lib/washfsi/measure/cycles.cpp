@@ -46,12 +46,17 @@ void Cycles::begin(double time) {
   if (!are_there() || (kept_period_ == period_ && kept_figures_ == figures)) return;
   kept_period_ = period_;
   kept_figures_ = figures;
-  std::ranges::fill(means_, 0.0);
-  std::ranges::fill(squares_, 0.0);
-  told_ = counted_ = 0;
+  forget_means();
+  told_ = 0;
   take_values();
   const double number = std::floor(time / period_ + rounding);
   enter(number, time <= start_of(number) + rounding * period_);
+}
+
+void Cycles::forget_means() {
+  counted_ = is_whole_ = 0;
+  std::ranges::fill(means_, 0.0);
+  std::ranges::fill(squares_, 0.0);
 }
 
 void Cycles::take_values() {

@@ -31,6 +31,8 @@ class Cycles {
 
   /// Begins at a time [s] with the values taken last, unless a checkpoint has told of the same cycles.
   void begin(double time);
+  /// Lets the means begin anew, with the next whole cycle: what is simulated has changed.
+  void forget_means();
   /// Adds the values taken last, at the end of an interval [s].
   void observe(double time, double interval);
 

@@ -48,8 +48,8 @@ struct Units {
 inline std::vector<CycleFigure> mean_peak_rms(const std::string& name, const std::string& unit,
                                               const std::string& meaning, bool is_headline = false) {
   return {{name + "_mean", unit, OverCycle::mean, "mean " + meaning},
-          {name + "_peak", unit, OverCycle::peak, "largest " + meaning + ", in size", 0, is_headline},
-          {name + "_rms", unit, OverCycle::rms, "root mean square of the " + meaning}};
+          {name + "_peak", unit, OverCycle::peak, "largest " + meaning + ", in size"},
+          {name + "_rms", unit, OverCycle::rms, "root mean square of the " + meaning, 0, is_headline}};
 }
 
 /// Declares the components of the load with a number among others, which must outlive the list: its force and its

@@ -49,4 +49,12 @@ std::vector<std::string> changed_options(const std::string& before, const std::s
   return changes;
 }
 
+std::string repeatable(const std::string& resolved) {
+  std::istringstream lines(resolved);
+  std::string text;
+  for (std::string line; std::getline(lines, line);)
+    text += line.starts_with("-restart ") ? "# the run went on from " + line.substr(9) + "\n" : line + "\n";
+  return text;
+}
+
 }  // namespace washfsi

@@ -32,9 +32,10 @@ std::string solvers_text() {
          petsc::option_value("", "-pressure_pc_type", "transform");
 }
 
-std::string figure_text(const CycleFigure& figure, const Cycles::Mean& mean) {
+std::string figure_text(const CycleFigure& figure, const Cycles::Mean& mean, long count) {
   const std::string unit = figure.unit == "-" ? "" : " " + figure.unit;
-  return format_text("    %-26s %.4g%s (+- %.2g)", figure.name.c_str(), mean.mean, unit.c_str(), mean.deviation);
+  const std::string spread = count > 1 ? format_text(" (+- %.2g)", mean.deviation) : "";
+  return format_text("    %-26s %.4g%s", figure.name.c_str(), mean.mean, unit.c_str()) + spread;
 }
 
 }  // namespace
@@ -92,7 +93,8 @@ std::vector<std::string> cycle_lines(const Cycles& cycles) {
   std::vector<std::string> lines{
       format_text("  cycle              mean of %ld from the second on (+- their spread)", cycles.counted())};
   for (std::size_t n = 0; n < cycles.figures().size(); ++n)
-    if (cycles.figures()[n].is_headline) lines.push_back(figure_text(cycles.figures()[n], cycles.mean(n)));
+    if (cycles.figures()[n].is_headline)
+      lines.push_back(figure_text(cycles.figures()[n], cycles.mean(n), cycles.counted()));
   return lines;
 }
 

@@ -41,6 +41,8 @@ Simulation<Dim>::Simulation(Options& options, const std::string& case_name) : pr
   if (!run_.restart.empty()) {
     state_ = read_checkpoint<Dim>(run_.restart, *system_, *measures_);
     first_step_ = clock().step;
+    std::error_code other;
+    if (std::filesystem::equivalent(run_.restart, run_.output_dir + "/checkpoint.h5", other)) kept_step_ = first_step_;
     if (finished() && Results<Dim>::holds_an_end(options.comm(), run_.output_dir))
       throw InputError("-time_end " + to_text(run_.time_end) +
                        ": must be later than the checkpoint of -restart, which is at " + to_text(clock().time) + " s");
@@ -50,7 +52,9 @@ Simulation<Dim>::Simulation(Options& options, const std::string& case_name) : pr
   options.reject_unread();
   notes_ = options.notes();
   const std::string now = case_options(options.resolved());
-  for (const std::string& change : changed_options(state_.options, now)) notes_.push_back(change);
+  const std::vector<std::string> changes = changed_options(state_.options, now);
+  notes_.insert(notes_.end(), changes.begin(), changes.end());
+  if (!changes.empty()) measures_->cycles().forget_means();
   state_.options = now;
   start_results(options);
 }
@@ -118,7 +122,7 @@ void Simulation<Dim>::start_results(Options& options) {
   }
   lock_ = std::make_unique<FolderLock>(options.comm(), run_.output_dir);
   if (rank_of(options.comm()) == 0) remove_parts(run_.output_dir);
-  write_text_file(options.comm(), run_.output_dir + "/resolved.opts", options.resolved());
+  write_text_file(options.comm(), run_.output_dir + "/resolved.opts", repeatable(options.resolved()));
   const long continues_from = run_.restart.empty() || run_.check ? -1 : clock().step;
   if (continues_from < 0 && !run_.check) Results<Dim>::remove_ends(options.comm(), run_.output_dir);
   if (continues_from >= 0) Results<Dim>::remove_summary(options.comm(), run_.output_dir);
@@ -141,7 +145,7 @@ void Simulation<Dim>::run() {
       step();
       stopped = signals.requested(system_->model.grid.comm());
     }
-    write_checkpoint<Dim>(run_.output_dir, *system_, *measures_, state_);
+    keep_state();
     end(stopped ? "stopped" : "finished");
   } catch (const DivergedError& error) {
     end("failed");
@@ -167,7 +171,7 @@ void Simulation<Dim>::step() {
   const double time = clock().time;
   if (all) results_->write_row(clock().step);
   if (due(run_.output_interval, time)) results_->write_frame(clock().step);
-  if (due(run_.checkpoint_interval, time)) write_checkpoint<Dim>(run_.output_dir, *system_, *measures_, state_);
+  if (due(run_.checkpoint_interval, time)) keep_state();
   if (clock().step % 50 == 0) watch_step_bound();
   progress_.show({.step = clock().step,
                   .time = time,
@@ -175,6 +179,14 @@ void Simulation<Dim>::step() {
                   .courant = measures_->flow().courant.value,
                   .momentum_iterations = system_->model.fluid.counts().momentum / static_cast<double>(clock().step),
                   .pressure_iterations = system_->model.fluid.counts().pressure / static_cast<double>(clock().step)});
+}
+
+// Once of each step: the one before is to be an earlier one.
+template <int Dim>
+void Simulation<Dim>::keep_state() {
+  if (clock().step == kept_step_) return;
+  kept_step_ = clock().step;
+  write_checkpoint<Dim>(run_.output_dir, *system_, *measures_, state_);
 }
 
 // Whether a multiple of the interval lies in the step that ends at a time.

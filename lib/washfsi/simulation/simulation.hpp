@@ -34,6 +34,7 @@ class Simulation {
   void print_banner();
   void check_only();
   void step();
+  void keep_state();
   void watch_step_bound();
   void check_markers() const;
   void check_velocity() const;
@@ -60,7 +61,7 @@ class Simulation {
   Progress progress_;
   RunState state_;
   Findings at_start_;  ///< how far to believe the case
-  long first_step_ = 0, attempted_step_ = 0;
+  long first_step_ = 0, attempted_step_ = 0, kept_step_ = -1;
   double attempt_start_ = 0;  ///< time before the last attempted step [s]
   bool warned_of_step_ = false;
 };

@@ -36,9 +36,6 @@ class Surface {
     int bin = 1;
     if (posed_.distance(body_, below(bin)) >= 0) return;  // an edge that the distance rounds off
     while (bin < bins && posed_.distance(body_, below(bin)) < 0) ++bin;
-    if (bin < 10)
-      printf("DBG %g %g %g  d %g n %g %g %g bin %d\n", place[0], place[1], place[2], distance, normal[0], normal[1],
-             normal[2], bin);
     ++counts_[static_cast<std::size_t>(bin)];
   }
 

@@ -32,10 +32,10 @@ void add_energy(const Model<Dim>& model, const Cycles& run, Findings& findings) 
   const double open = std::abs(figure_named(run, "energy_open")) / work,
                mask = figure_named(run, "mask_dissipated") / work;
   const std::string of_work = format_text("of %.3g %s put in", work, Dim == 2 ? "J/m" : "J");
-  findings.push_back(at_most("energy open", open, {0.05, 0.2}, format_text("%.2g %% ", 100 * open) + of_work,
+  findings.push_back(at_most("energy open", 100 * open, {5, 20}, format_text("%.2g %% ", 100 * open) + of_work,
                              "loads and flow are not in balance by so much; shorter -time_step, more -grid_cells"));
   if (mask > 0)
-    findings.push_back(at_most("energy lost by the mask", mask, {0.1, 0.5},
+    findings.push_back(at_most("energy lost by the mask", 100 * mask, {10, 50},
                                format_text("%.2g %% ", 100 * mask) + of_work,
                                "the staircase of moving walls takes it; more -grid_cells"));
 }
@@ -47,7 +47,7 @@ void add_drift(const Cycles& cycles, Findings& findings) {
     const auto [mean, deviation] = cycles.mean(n);
     if (figure.balance <= 0 || mean == 0) continue;
     const double spread = deviation / std::abs(mean);
-    findings.push_back(at_most(figure.name + " of cycles", spread, {0.1, 0.5},
+    findings.push_back(at_most(figure.name + " of cycles", 100 * spread, {10, 50},
                                format_text("spread by %.2g %% of their mean, over %ld", 100 * spread, cycles.counted()),
                                "one cycle does not stand for the others; longer -time_end, several seeds"));
   }
@@ -66,7 +66,7 @@ template <int Dim>
 void add_cloth(const Model<Dim>& model, const QuantityList& quantities, const std::string& name, Findings& findings) {
   const std::string pointer = "/cloths/" + name;
   const double stretch = quantities.summary_value(pointer + "/max_stretch");
-  findings.push_back(at_most(name + " stretch", stretch, {0.05, 0.2}, format_text("%.2g %% at most", 100 * stretch),
+  findings.push_back(at_most(name + " stretch", 100 * stretch, {5, 20}, format_text("%.2g %% at most", 100 * stretch),
                              "no fabric stretches as much; stiffer -" + name + "_ke, shorter -time_step"));
   if (model.bodies.empty()) return;
   const double depth = quantities.summary_value(pointer + "/max_depth"),

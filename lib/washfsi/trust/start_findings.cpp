@@ -48,8 +48,9 @@ void add_flow(const Model<Dim>& model, const FlowScales& scales, Findings& findi
                                   scales.length_of.c_str()),
                       Verdict::ok, scales.reynolds, Finding::none, ""});
   const double cell = scales.speed * h / nu, layer = 5 * scales.length / (root * h);
-  findings.push_back({"cell Reynolds number", format_text("%.3g, of the widest side of a cell", cell), Verdict::ok,
-                      cell, Finding::none, ""});
+  findings.push_back(at_most("cell Reynolds number", cell, {100},
+                             format_text("%.3g, of the widest side of a cell", cell),
+                             "eddies smaller than a cell have no model here; more -grid_cells, or -advection upwind"));
   findings.push_back(at_least("boundary layer", layer, {4}, format_text("%.2g cells", layer),
                               "friction and shear at walls are not resolved; more -grid_cells"));
   // Blasius' laminar plate; beyond 5e5 Prandtl's turbulent one
@@ -119,7 +120,7 @@ void add_motion(const Body<Dim>& body, const BodySurvey<Dim>& survey, Findings& 
   const std::string advice = body.motion.table ? "are the angles of -" + body.name + "_motion_file in degrees? Say -" +
                                                      body.name + "_angle_unit deg"
                                                : "no machine is as fast; -" + body.name + "_angular_speed is in rad/s";
-  constexpr double fastest = 50;  // [m/s]: 1800 rpm at 0.26 m
+  const double fastest = body.motion.table ? 10 : 50;  // [m/s]: 1800 rpm at 0.26 m are 50; tables are of agitators
   if (survey.top_speed > fastest)
     findings.push_back(
         at_most(body.name + " speed", survey.top_speed, {fastest}, format_text("%.3g m/s", survey.top_speed), advice));
@@ -172,14 +173,19 @@ void add_box(const Model<Dim>& model, Findings& findings) {
                                          : at_least("box", size, {smallest}, text, advice));
 }
 
-void add_times(const RunTimes& times, const Cycles& cycles, Findings& findings) {
+void add_times(const RunTimes& times, const Cycles& cycles, bool moves, Findings& findings) {
   const auto beyond = [&](const char* name, double interval, const char* what) {
     if (interval > times.end)
       findings.push_back(at_most(name, interval, {times.end}, format_text("%.3g s", interval), what));
   };
   beyond("checkpoint interval", times.checkpoint_interval, "nothing is kept before the end of the run");
   beyond("output interval", times.output_interval, "the series have only the first and the last frame");
-  if (!cycles.are_there()) return;
+  if (!cycles.are_there()) {
+    if (moves)
+      findings.push_back({"cycles", "none, since no body moves periodically; -cycle_time would make them", Verdict::ok,
+                          Finding::none, Finding::none, ""});
+    return;
+  }
   if (times.history_interval > 0.02 * cycles.period())
     findings.push_back(at_most("history interval", times.history_interval / cycles.period(), {0.02},
                                format_text("%.2g of a cycle", times.history_interval / cycles.period()),
@@ -246,7 +252,8 @@ Findings start_findings(const System<Dim>& system, const Cycles& cycles, const R
   if (model.has_fluid)
     for (const auto& group : model.cloths.groups()) add_cloth<Dim>(group, model, findings);
   if constexpr (Dim == 3) add_distance(system, findings);
-  add_times(times, cycles, findings);
+  add_times(times, cycles, std::ranges::any_of(model.bodies, [](const auto& body) { return !body.motion.at_rest(); }),
+            findings);
   return findings;
 }
 

@@ -82,6 +82,17 @@ def sentences(groups):
     return lines
 
 
+def doubts(runs):
+    """Returns a line for each design of whose runs something fails: the sentences stand on that."""
+    lines = []
+    for case, mine in cases_of(runs).items():
+        found = dict(finding for run in mine for finding in run.failures())
+        if found:
+            told = "; ".join(f"{name}, {text}" for name, text in found.items())
+            lines.append(f"{case} is not to be believed: {told}.")
+    return lines
+
+
 def draw(groups, options):
     """Writes study.png if there is anything to draw."""
     if not any(name == options.action for designs in groups.values() for figures in designs.values()
@@ -99,6 +110,7 @@ def report(runs, options, last=True):
     groups = samples_by_group(runs)
     lines = [f"{run.name} was run with other options than it has now; delete {run.folder} to run it anew."
              for run in runs if run.status() == "finished" and run.changed()]
+    lines += doubts(runs)
     lines += sentences(groups) or ["No finished run has figures of agitation cycles, so there is nothing to decide."]
     text = table + "\n" + "\n".join(f"- {line}" for line in lines) + "\n\n" + EXPLANATION
     (options.output / "study.md").write_text(text, encoding="utf-8")

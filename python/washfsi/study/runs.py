@@ -2,6 +2,7 @@
 """The runs of a study: each case with each seed."""
 
 import pathlib
+import re
 from dataclasses import dataclass, field
 
 from washfsi.errors import ResultsError
@@ -33,8 +34,8 @@ class Run:
 
     def options(self):
         """Returns all options of the run as it would be started now, in a text."""
-        words = without_names(words_in(self.file.resolve()) + with_files(self.words))
-        return " ".join(words).replace(" -", "\n-") + "\n"
+        words = words_in(self.file.resolve()) + with_files(self.words, ROOT)
+        return re.sub(r"\s+(?=-[A-Za-z])", "\n", " ".join(words)) + "\n"
 
     def changed(self):
         """Returns whether the run was made with other options than it would be now."""
@@ -52,6 +53,12 @@ class Run:
         started = (self.folder / "run.log").is_file()
         return self.summary().get("status", "unfinished" if started else "not run")
 
+    def failures(self):
+        """Returns what fails of how far the run is to be believed: (name, what was found)."""
+        trust = self.summary().get("trust", {})
+        return [(finding["name"], finding["found"]) for part in ("start", "end") for finding in trust.get(part, [])
+                if finding["verdict"] == "fail"]
+
     def figures(self):
         """Returns the figures of its agitation cycles by name: (mean over cycles, standard deviation over cycles, unit)."""
         figures = self.summary().get("cycles", {}).get("figures", {})
@@ -61,26 +68,22 @@ class Run:
 
 def words_in(file, seen=()):
     """Returns the words of an options file, those of the files that it names included."""
-    path = (ROOT / file).resolve()
+    path = file.resolve()
     if path in seen or not path.is_file():
         return []
     words = [word for line in path.read_text(encoding="utf-8").splitlines() for word in line.split("#")[0].split()]
-    return with_files(words, (*seen, path))
+    return with_files(words, path.parent, (*seen, path))
 
 
-def with_files(words, seen=()):
-    """Returns words of options with the words of every -options_file in its place."""
-    every = []
-    for place, word in enumerate(words):
-        every.append(word)
-        if word == "-options_file" and place + 1 < len(words):
-            every += words_in(words[place + 1], seen)
+def with_files(words, folder, seen=()):
+    """Returns words of options, those of the files that -options_file names, seen from a folder, in its place."""
+    every, rest = [], iter(words)
+    for word in rest:
+        if word == "-options_file":
+            every += words_in(folder / next(rest, ""), seen)
+        else:
+            every.append(word)
     return every
-
-
-def without_names(words):
-    """Returns words without the names of options files."""
-    return [word for before, word in zip(["", *words], words) if "-options_file" not in (word, before)]
 
 
 def value_of(words, name, default):
@@ -93,7 +96,7 @@ def seed_words(file, words, seed):
     """Returns the options that change the seed of every group of cloths."""
     if seed == 1:
         return []
-    every = words_in(file.resolve()) + with_files(words)
+    every = words_in(file.resolve()) + with_files(words, ROOT)
     usual = value_of(every, "cloths_seed", "1")
     groups = [group for group in value_of(every, "cloths", "").split(",") if group]
     return [word for group in groups
