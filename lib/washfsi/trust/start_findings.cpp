@@ -140,9 +140,9 @@ template <int Dim>
 void add_cloth(const ClothGroup<Dim>& group, const Model<Dim>& model, Findings& findings) {
   const auto [widest, narrowest] = spacings_in_cells<Dim>(group, model.grid);
   const std::string name = group.name + " marker spacing";
-  if (narrowest < 0.5)
+  if (narrowest < 0.75)
     findings.push_back(
-        at_least(name, narrowest, {0.5, 0.2}, format_text("%.3g cells", narrowest),
+        at_least(name, narrowest, {0.75, 0.2}, format_text("%.3g cells", narrowest),
                  "markers this near lock the cloth: it is too stiff; fewer -" + group.name + "_markers"));
   else
     findings.push_back(at_most(name, widest, {1.5, 3}, format_text("%.3g cells", widest),
