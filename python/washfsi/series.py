@@ -10,8 +10,6 @@ import numpy as np
 from washfsi.errors import ResultsError
 from washfsi.table import Table
 
-UNITS = {"velocity": "m/s", "pressure": "Pa", "vorticity": "1/s", "position": "m", "stress": "Pa"}
-DISTANCE_UNIT = "m"  # of bodies, whose fields bear their names
 POLYLINE, QUADRILATERAL = 2, 5  # XDMF's numbers of these types of cells
 
 
@@ -32,6 +30,17 @@ class Frame:
 
     def __iter__(self):
         return iter(self.data)
+
+
+def text_of(attribute):
+    """Returns an attribute of an HDF5 file as text; empty if there is none."""
+    return attribute.decode() if isinstance(attribute, bytes) else str(attribute or "")
+
+
+def data_and_units(group):
+    """Returns the datasets of a frame, and the unit that stands beside each."""
+    return ({name: dataset[()] for name, dataset in group.items()},
+            {name: text_of(dataset.attrs.get("unit")) for name, dataset in group.items()})
 
 
 class Series:
@@ -78,9 +87,8 @@ class Series:
         if not -len(self) <= number < len(self):
             raise ResultsError(f"no frame {number}; they run from 0 to {len(self) - 1}")
         name = self.names[number]
-        data = self._read(lambda file: {key: dataset[()] for key, dataset in file["frames"][name].items()})
-        return Frame(self.times[number], int(self.steps[number]), data,
-                     {key: UNITS.get(key, DISTANCE_UNIT) for key in data})
+        data, units = self._read(lambda file: data_and_units(file["frames"][name]))
+        return Frame(self.times[number], int(self.steps[number]), data, units)
 
 
 class Fields(Series):
@@ -130,10 +138,12 @@ class Markers(Series):
         frame = self.frame(number)
         columns = {"group": self.group, "cloth": self.cloth}
         units = {"group": "-", "cloth": "-"}
-        for dataset, names in (("position", "xyz"), ("velocity", "uvw")):
+        vectors = {"position": "xyz", "velocity": "uvw"}
+        for dataset, names in vectors.items():
             for place, name in enumerate(names):
-                columns[name], units[name] = frame[dataset][:, place], UNITS[dataset]
-        return Table(columns | {"stress": frame["stress"]}, units | {"stress": UNITS["stress"]})
+                columns[name], units[name] = frame[dataset][:, place], frame.units[dataset]
+        numbers = {name: values for name, values in frame.data.items() if name not in vectors}
+        return Table(columns | numbers, frame.units | units)
 
 
 def cells_of(topology):

@@ -95,7 +95,9 @@ class Module(ProgramTest):
             for name in [name for name in ("x", "y", "z", "u") if name in end]:
                 np.testing.assert_array_equal(last[name], end[name])
                 self.assertEqual(last.units[name], end.units[name])
-            self.assertEqual(last.units["stress"], "Pa")
+            self.assertEqual((last.units["stress"], last.units["stretch"], last.units["curvature"]), ("Pa", "-", "1/m"))
+            self.assertEqual(set(last), {"group", "cloth", *"xyzuvw", *(results.cloth.frame().data.keys() -
+                                                                        {"position", "velocity"})})
             self.assertEqual({len(line) for line in results.cloth.lines}, {8, 6} if results is self.plane else {4})
 
     def test_options_become_words(self):

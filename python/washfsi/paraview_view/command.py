@@ -13,6 +13,7 @@ import h5py
 
 from washfsi.errors import ResultsError
 from washfsi.results import Results
+from washfsi.series import text_of
 
 NORMALS = {"x": [1, 0, 0], "y": [0, 1, 0], "z": [0, 0, 1]}
 HEAD = """# Scene of a run of washfsi for ParaView 5.11 or later, written by scripts/paraview. Open it by
@@ -44,8 +45,7 @@ def surface_numbers(folder):
     if not path.is_file():
         return {}
     with h5py.File(path) as file:
-        names = file["body"].attrs["names"]
-    names = names.decode() if isinstance(names, bytes) else names
+        names = text_of(file["body"].attrs["names"])
     return {name: number for number, name in enumerate(names.split(","))}
 
 
