@@ -5,11 +5,9 @@ import contextlib
 import csv
 import json
 import os
-import pathlib
 import pty
 import re
 import subprocess
-import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
 
@@ -79,9 +77,7 @@ def as_text(value):
 class Output(ProgramTest):
     @classmethod
     def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory(prefix="washfsi_")
-        cls.addClassCleanup(folder.cleanup)
-        cls.root = pathlib.Path(folder.name)
+        cls.root = cls.shared_folder()
         cls.outcome = run(2, *CASE, "-output_dir", "out", folder=cls.root)
         if cls.outcome.returncode != 0:
             raise AssertionError(cls.outcome.stderr)

@@ -3,11 +3,9 @@
 are paraview, xvfb and xauth."""
 
 import os
-import pathlib
 import shutil
 import subprocess
 import sys
-import tempfile
 import unittest
 
 import h5py
@@ -39,9 +37,7 @@ SHOWS = shutil.which("pvpython") and (os.environ.get("DISPLAY") or shutil.which(
 class Paraview(ProgramTest):
     @classmethod
     def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory(prefix="washfsi_")
-        cls.addClassCleanup(folder.cleanup)
-        cls.root = pathlib.Path(folder.name)
+        cls.root = cls.shared_folder()
         for name, words in (("space", SPACE), ("plane", PLANE), ("design", [*SPACE, "-check"])):
             outcome = run(1, *words, "-output_dir", name, folder=cls.root)
             if outcome.returncode:

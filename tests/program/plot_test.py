@@ -5,8 +5,6 @@ import itertools
 import shutil
 import subprocess
 import sys
-import pathlib
-import tempfile
 import unittest
 
 import numpy as np
@@ -33,9 +31,7 @@ PLANE = ["-options_file", WASH, "-grid_cells", "32,32", "-long_markers", 8, "-sh
 class Plot(ProgramTest):
     @classmethod
     def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory(prefix="washfsi_")
-        cls.addClassCleanup(folder.cleanup)
-        cls.root = pathlib.Path(folder.name)
+        cls.root = cls.shared_folder()
         for name, words in (("space", [*SPACE, "-time_end", 0.01, "-output_interval", 0.005]),
                             ("plane", [*PLANE, "-time_end", 0.02, "-output_interval", 0.01]),
                             ("design", [*SPACE, "-check"])):

@@ -2,12 +2,10 @@
 """The Python module reads what the program writes and starts runs; the lines of Python in the documents run."""
 
 import os
-import pathlib
 import re
 import signal
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 
@@ -38,9 +36,7 @@ def python_blocks(page):
 class Module(ProgramTest):
     @classmethod
     def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory(prefix="washfsi_")
-        cls.addClassCleanup(folder.cleanup)
-        cls.root = pathlib.Path(folder.name)
+        cls.root = cls.shared_folder()
         cls.plane = washfsi.run(WASH, cls.root / "plane" / "out", PLANE, ranks=2)
         cls.space = washfsi.run(MACHINE, cls.root / "space" / "out", SPACE)
         for results in (cls.plane, cls.space):

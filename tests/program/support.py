@@ -34,6 +34,13 @@ class ProgramTest(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
 
+    @classmethod
+    def shared_folder(cls):
+        """Returns a temporary folder for all tests of the class, for its setUpClass; removed after the last."""
+        folder = tempfile.TemporaryDirectory(prefix="washfsi_")
+        cls.addClassCleanup(folder.cleanup)
+        return pathlib.Path(folder.name)
+
     def run_well(self, ranks, *options):
         """Runs the program, which must end with exit status 0; returns its standard output."""
         outcome = run(ranks, *options, folder=self.folder)

@@ -48,9 +48,7 @@ ShapePtr<3> shape_from_stl(MPI_Comm comm, const StlOptions& options, const std::
   const double spacing = options.sample_spacing;
   const auto lattice = Lattice<3>::around(lower, upper, margin_in_points * spacing, spacing);
   check_size(lattice, (upper - lower).maxCoeff(), options, name);
-  std::vector<TriangleMesh> shells = shells_of(mesh);
-  if (shells.size() == 1) return Sampled<3>::of(comm, MeshDistance(std::move(mesh)), lattice);
-  return Sampled<3>::of(comm, MeshShells(std::move(shells), option + " " + options.file + ": "), lattice);
+  return Sampled<3>::of(comm, MeshShells(shells_of(mesh), option + " " + options.file + ": "), lattice);
 }
 
 }  // namespace washfsi

@@ -19,9 +19,7 @@ struct InitialFlowOptions {
 ///   rest
 ///   uniform       a velocity that is the same everywhere
 ///   taylor_green  one wave of vortices in the x,y plane: u = (-cos kx sin ly, (k/l) sin kx cos ly)
-///   rotation      turning with a body as if it were solid: u = omega e_z x (x - x_body), which has no divergence on
-///   the
-///                 staggered grid either
+///   rotation      turning with a body as if it were solid: u = omega e_z x (x - x_body)
 ///   couette       steady circular flow between a turning drum and a turning cylinder in it: u = (A r + B/r) e_theta
 ///   (4.3-1)
 /// Collective. Errors: InputError if the bodies do not fit the flow.

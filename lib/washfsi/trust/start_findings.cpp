@@ -195,10 +195,6 @@ void add_times(const RunTimes& times, const Cycles& cycles, bool moves, Findings
                               "the first is start-up, and one more has no spread; longer -time_end"));
 }
 
-}  // namespace
-
-namespace {
-
 // What water flows round or in, where no body drives it.
 template <int Dim>
 void choose_length(const Model<Dim>& model, const std::vector<BodySurvey<Dim>>& surveys, FlowScales& scales) {
