@@ -300,7 +300,9 @@ class Output(ProgramTest):
         self.assertEqual(ours - explained, set())
 
     def test_help_needs_no_case(self):
-        self.assertIn("-grid_cells", self.run_well(1, "-help"))
+        for word in ("-help", "--help", "-h"):
+            with self.subTest(word):
+                self.assertIn("-grid_cells", self.run_well(1, word))
 
     def test_check_writes_the_start_only(self):
         old = self.folder / "out" / "cloth_final.csv"

@@ -119,6 +119,11 @@ void check_for_stray_words(int argc, char** argv) {
       throw InputError(std::string(argv[i]) + ": this word belongs to no option (options begin with -)");
 }
 
+// PETSc's word for help where the user says it as other programs have it.
+std::string petsc_word(const std::string& word) {
+  return word == "--help" || word == "-h" ? "-help" : word;
+}
+
 // What files and the command line give, in this order.
 GivenOptions read_all(int argc, char** argv) {
   GivenOptions given, of_line;
@@ -129,7 +134,7 @@ GivenOptions read_all(int argc, char** argv) {
     if (word == "-options_file")
       FileReader(given, true).read(value, "-options_file " + value);
     else
-      of_line.add({word, value, has_value, ""});
+      of_line.add({petsc_word(word), value, has_value, ""});
     if (has_value) ++i;
   }
   for (const GivenOption& option : of_line.all()) given.add(option);
