@@ -236,9 +236,12 @@ void Mask<Dim>::add_hidden_shear(int axis, End end, const ConstFaceView<Dim>& u,
   const ConstFaceView<Dim> holder(grid_.face_dm(), body_), fraction(grid_.face_dm(), fraction_);
   const double spacing = grid_.spacing()[axis], area = grid_.cell_volume() / spacing;
   const int outwards = end == End::upper ? 1 : -1;
-  for_each<Dim>(grid_.cells_beside(axis, end), [&](const Index<Dim>& face) {
-    for (int c = 0; c < Dim; ++c) {
-      if (c == axis || holder(face, c) < 0) continue;
+  for (int c = 0; c < Dim; ++c) {
+    if (c == axis) continue;
+    Box<Dim> faces = grid_.cells_beside(axis, end);
+    faces.lower[c] = std::max(faces.lower[c], grid_.inner_faces(c).lower[c]);  // others take no part in the load
+    for_each<Dim>(faces, [&](const Index<Dim>& face) {
+      if (holder(face, c) < 0) return;
       const auto b = static_cast<std::size_t>(holder(face, c));
       Point<Dim> place = grid_.face_center(face, c), force = Point<Dim>::Zero();
       place[axis] += 0.5 * outwards * spacing;
@@ -246,8 +249,8 @@ void Mask<Dim>::add_hidden_shear(int axis, End end, const ConstFaceView<Dim>& u,
       const double rate = (u(face, c) - u(shifted<Dim>(face, axis, outwards), c)) / spacing;
       force[c] = (1 - fraction(face, c)) * area * mu * rate;  // on water beside the body it is the water's
       loads[b].add(place - bodies_[b].motion.center_at(time), force);
-    }
-  });
+    });
+  }
 }
 
 template class Mask<2>;
