@@ -12,6 +12,8 @@ WASH = ["-options_file", SOURCE / "inputs" / "wash.opts", "-grid_cells", "12,12,
 SHEET = ["-options_file", SOURCE / "inputs" / "sheet.opts", "-check", "-coupling_scheme", "explicit", "-time_cfl", 0,
          "-time_step", 1e-5]
 STL = [*WATER, "-bodies", "rock", "-rock_shape", "stl", "-rock_file", "rock.stl"]
+DRUM = ["-grid_cells", "16,16,12", "-fluid_viscosity", 1, "-time_step", 5e-3, "-time_end", 0.02, "-bodies", "drum", "-drum_inverted",
+        "-drum_shape", "cylinder", "-drum_radius", 0.4, "-drum_height", 2, "-drum_center", "0.5,0.5,0.5", "-drum_angular_speed", 1]
 LOW, HIGH = (0.3, 0.3, 0.3), (0.7, 0.6, 0.7)
 
 
@@ -81,8 +83,8 @@ class Trust(ProgramTest):
     def test_bodies_where_they_do_not_belong(self):
         ball = ["-ball_radius", 0.2, "-ball_center"]
         self.assert_found(self.findings(*WATER, "-bodies", "ball", *ball, "3,0,0"), "body ball", "fail", "outside the box")
-        self.assert_found(self.findings(*WATER, "-bodies", "ball", *ball, "0.5,0.5,0.5", "-ball_radius", 3), "body ball", "fail",
-                          "fills the box")
+        found = self.findings(*WATER, "-bodies", "ball", *ball, "0.5,0.5,0.5", "-ball_radius", 3)
+        self.assert_found(found, "body ball", "fail", "it fills the box, all 4096 cells: no water is left")
         two = [*WATER, "-bodies", "ball,egg", *ball, "0.4,0.5,0.5", "-egg_center", "0.6,0.5,0.5"]
         self.assert_found(self.findings(*two, "-egg_radius", 0.2), "bodies ball, egg", "warn", "share 40 cells")
         self.assert_found(self.findings(*two, "-egg_radius", 0.5), "bodies ball, egg", "fail", "ball lies wholly within egg")
@@ -90,6 +92,23 @@ class Trust(ProgramTest):
     def test_a_box_in_millimetres(self):
         found = self.findings(*WASH, "-grid_lower", "-356.4,-356.4,0", "-grid_upper", "356.4,356.4,237.6", "-check")
         self.assert_found(found, "box", "warn", "713 m")
+
+    def test_walls_that_rest_where_a_drum_turns(self):
+        found = self.findings(*DRUM, "-bc_z_upper", "slip", "-check")
+        self.assert_found(found, "drum over bc_z_lower", "warn", "up to 0.398 m/s past 124 cells of a wall that rests (limit 0)")
+        self.assertEqual([name for name in found if " over " in name], ["drum over bc_z_lower"])
+        found = self.findings(*DRUM, "-drum_radius", 0.53, "-check")  # it is cut off by all sides
+        self.assertEqual(len([name for name in found if " over " in name]), 6)
+        for options in (["-drum_height", 0.65], ["-drum_angular_speed", 0], ["-drum_inverted", "false"]):
+            with self.subTest(options):
+                self.assertEqual([name for name in self.findings(*DRUM, *options, "-check") if " over " in name], [])
+
+    def test_energy_of_water_that_turns_at_the_start(self):
+        for height, of_what in ((0.65, "of the 15.4 J of the start"), (2, "of the 21.8 J of the start")):
+            with self.subTest(height):
+                found = self.findings(*DRUM, "-drum_height", height, "-fluid_initial", "rotation")
+                self.assert_found(found, "energy open", "ok", of_what)
+                self.assertLess(float(found["energy open"].split()[3]), 0.1)
 
     def test_a_motion_in_degrees(self):
         (self.folder / "turn.csv").write_text("time,x,y,z,angle\n0,0,0,0,0\n0.1,0,0,0,60\n0.2,0,0,0,0\n")
@@ -120,6 +139,8 @@ class Trust(ProgramTest):
     def test_the_summary_has_what_was_found_at_start_and_end(self):
         out = self.run_well(2, *WASH, "-time_step", 4e-3, "-max_steps", 3, "-cycle_time", 4e-3)
         self.assertIn("energy open", out)
+        self.assertIn("\n  ok    Reynolds number", out)  # always told
+        self.assertNotIn("\n  ok    body drum", out)
         trust = json.loads((self.folder / "out" / "summary.json").read_text())["trust"]
         start = {entry["name"]: entry for entry in trust["start"]}
         self.assertEqual(start["viscosity"]["verdict"], "warn")

@@ -50,6 +50,8 @@ class Cycles {
 
   /// The figures of the cycle under way.
   std::vector<double> so_far() const;
+  /// What their quantities were when it began.
+  const std::vector<double>& at_start() const { return before_; }
 
   /// A table of the figures in Markdown.
   std::string document() const;

@@ -21,7 +21,7 @@ std::vector<std::string> result_lines(const System<Dim>& system, const Measures<
 /// Means over the cycles, with their spread; nothing without cycles.
 std::vector<std::string> cycle_lines(const Cycles& cycles);
 
-/// What was looked at: all of it, or only what is to be warned of and what has no limit.
+/// What was looked at: all of it, or only what is to be warned of and what is always told.
 std::vector<std::string> trust_lines(const Findings& findings, bool all);
 
 }  // namespace washfsi

@@ -13,6 +13,9 @@ namespace washfsi {
 enum class Verdict { ok, warn, fail };
 std::string name_of(Verdict verdict);
 
+/// When the terminal of a run tells of what was looked at: where it is not ok, or as what it may be known by.
+enum class Telling { in_doubt, always };
+
 /// One thing that was looked at.
 struct Finding {
   static constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -22,6 +25,7 @@ struct Finding {
   Verdict verdict = Verdict::ok;
   double value = none, limit = none;  ///< of a number that was judged; `none` if it is none
   std::string advice;                 ///< what to do, where it is not ok
+  Telling telling = Telling::in_doubt;
 };
 
 using Findings = std::vector<Finding>;

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "washfsi/machine/crossings.hpp"
 #include "washfsi/support/format_text.hpp"
+#include "washfsi/trust/resting_sides.hpp"
 
 namespace washfsi {
 
@@ -46,7 +48,7 @@ void add_flow(const Model<Dim>& model, const FlowScales& scales, Findings& findi
   findings.push_back({"Reynolds number",
                       format_text("%.3g, of %.3g m/s and %.3g m, %s", scales.reynolds, scales.speed, scales.length,
                                   scales.length_of.c_str()),
-                      Verdict::ok, scales.reynolds, Finding::none, ""});
+                      Verdict::ok, scales.reynolds, Finding::none, "", Telling::always});
   const double cell = scales.speed * h / nu, layer = 5 * scales.length / (root * h);
   findings.push_back(at_most("cell Reynolds number", cell, {100},
                              format_text("%.3g, of the widest side of a cell", cell),
@@ -83,10 +85,10 @@ Finding presence(const Body<Dim>& body, const BodySurvey<Dim>& survey, double al
                 body.name + "_center, -" + body.name + "_scale)"};
   if (survey.cells == all_cells)
     return {name,
-            "it fills the box",
+            format_text("it fills the box, all %.0f cells", all_cells),
             Verdict::fail,
             survey.cells,
-            all_cells - 1,
+            Finding::none,
             "no water is left: a drum is -" + body.name + "_inverted; an STL file in millimetres needs -" + body.name +
                 "_scale 0.001"};
   return {name, survey_text<Dim>(survey), Verdict::ok, survey.cells, Finding::none, ""};
@@ -236,7 +238,8 @@ FlowScales flow_scales(const Model<Dim>& model, const std::vector<BodySurvey<Dim
 template <int Dim>
 Findings start_findings(const System<Dim>& system, const Cycles& cycles, const RunTimes& times) {
   const Model<Dim>& model = system.model;
-  const auto surveys = survey_bodies<Dim>(model.grid, model.bodies, system.state.clock.time);
+  const double time = system.state.clock.time;
+  const auto surveys = survey_bodies<Dim>(model.grid, model.bodies, time);
   Findings findings;
   add_water(model, findings);
   add_flow(model, flow_scales(model, surveys), findings);
@@ -245,6 +248,7 @@ Findings start_findings(const System<Dim>& system, const Cycles& cycles, const R
     add_body<Dim>(model, b, surveys, findings);
     add_motion<Dim>(model.bodies[b], surveys[b], findings);
   }
+  if (model.has_fluid) std::ranges::move(resting_side_findings(model, time), std::back_inserter(findings));
   if (model.has_fluid)
     for (const auto& group : model.cloths.groups()) add_cloth<Dim>(group, model, findings);
   if constexpr (Dim == 3) add_distance(system, findings);

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/scheme/model.hpp"
+#include "washfsi/trust/finding.hpp"
+
+namespace washfsi {
+
+/// Walls of the box that rest although they close a body that moves round the water, as the ends of a turning drum: one
+/// finding for each, none where there is nothing to be warned of. Collective.
+template <int Dim>
+Findings resting_side_findings(const Model<Dim>& model, double time);
+
+}  // namespace washfsi
