@@ -25,11 +25,22 @@ PLANE = ["-options_file", WASH, "-grid_cells", "32,32", "-long_markers", 8, "-sh
          "-output_interval", 0.01]
 READER = """import sys
 from paraview import simple
-for name in ("flow", "bodies", "surfaces", "cloth"):
+for name in sys.argv[2:]:
     series = simple.OpenDataFile(f"{sys.argv[1]}/{name}.xdmf")  # as by a double click
     for time in series.TimestepValues:
         series.UpdatePipeline(time)
         print(name, series.GetDataInformation().GetNumberOfCells())
+"""
+FIELDS = ("velocity", "pressure", "vorticity")
+SHOWER = """import sys
+from paraview import simple
+for name in sys.argv[2:]:
+    for open_series in (simple.OpenDataFile, lambda path: simple.XDMFReader(FileNames=[path])):
+        series = open_series(f"{sys.argv[1]}/{name}.xdmf")
+        representation = simple.Show(series).Representation.GetData()
+        fields = series.GetDataInformation().GetCellDataInformation()
+        print(name, representation, *sorted(fields.GetArrayInformation(n).GetName() for n in range(fields.GetNumberOfArrays())))
+        simple.Delete(series)
 """
 SHOWS = shutil.which("pvpython") and (os.environ.get("DISPLAY") or shutil.which("xvfb-run") and shutil.which("xauth"))
 
@@ -43,12 +54,16 @@ class Paraview(ProgramTest):
             if outcome.returncode:
                 raise AssertionError(outcome.stderr)
 
-    def pvpython(self, *words):
-        """Runs a script in ParaView's Python; returns what it prints as (name, number)."""
+    def pvpython_lines(self, *words):
+        """Runs a script in ParaView's Python; returns what it prints as lists of words."""
         outcome = subprocess.run(command_of("pvpython", *map(str, words)), capture_output=True, text=True, check=False,
                                  timeout=PATIENCE * 120)
         self.assertEqual(outcome.returncode, 0, outcome.stdout + outcome.stderr)
-        lines = [line.split() for line in outcome.stdout.splitlines()]
+        return [line.split() for line in outcome.stdout.splitlines()]
+
+    def pvpython(self, *words):
+        """The same, of lines that are a name and a number."""
+        lines = self.pvpython_lines(*words)
         return [(line[0], int(line[1])) for line in lines if len(line) == 2 and line[1].isdigit()]
 
     def test_the_script_knows_the_run(self):
@@ -78,13 +93,40 @@ class Paraview(ProgramTest):
     def test_paraview_opens_every_frame_of_every_series(self):
         script = self.folder / "reader.py"
         script.write_text(READER)
-        for name, flow, cloth in (("space", 16 ** 3, 4 * 9), ("plane", 32 ** 2, 20)):
+        for name, flow, cloth, slices in (("space", 16 ** 3, 4 * 9, [("slices", 3 * 16 ** 2)]), ("plane", 32 ** 2, 20, [])):
             with h5py.File(self.root / name / "surfaces.h5") as file:
                 facets = len(file["topology"])
             self.assertGreater(facets, 100)
-            self.assertEqual(self.pvpython(script, self.root / name),
-                             [(series, cells) for series, cells in (("flow", flow), ("bodies", flow), ("surfaces", facets),
-                                                                    ("cloth", cloth)) for _ in range(3)])
+            expected = [("flow", flow), ("bodies", flow), ("surfaces", facets), ("cloth", cloth), *slices]
+            self.assertEqual(self.pvpython(script, self.root / name, *dict(expected)),
+                             [(series, cells) for series, cells in expected for _ in range(3)])
+
+    @unittest.skipUnless(SHOWS, "there is no ParaView with a display: no pvpython, or neither DISPLAY nor xvfb-run")
+    def test_paraview_shows_slices_surfaces_and_cloths_at_once(self):
+        script = self.folder / "shower.py"
+        script.write_text(SHOWER)
+        shown = self.pvpython_lines(script, self.root / "space", "slices", "surfaces", "cloth")
+        self.assertEqual([line[:2] for line in shown if line], [[name, "Surface"] for name in ("slices", "surfaces", "cloth")
+                                                                for _ in range(2)])
+        self.assertEqual([line[2:] for line in shown if line[:1] == ["slices"]], 2 * [sorted(FIELDS)])
+
+    def test_slices_are_the_middle_layers_of_the_flow(self):
+        flow = Results(self.root / "space").flow
+        with h5py.File(self.root / "space" / "slices.h5") as file:
+            for axis, plane in enumerate(("yz", "xz", "xy")):
+                places = file[plane]["position"][()]
+                self.assertEqual(places.shape, (17, 17, 3))
+                middle = flow.centres()[axis][8]
+                np.testing.assert_allclose(places[..., axis], middle, atol=1e-15)
+                others = np.delete(np.arange(3), axis)
+                np.testing.assert_allclose(places[0, 0, others], flow.lower[others], atol=1e-15)
+                np.testing.assert_allclose(places[-1, -1, others], flow.upper[others], atol=1e-15)
+                self.assertEqual(list(file["frames"]), flow.names)
+                for frame, of_flow in zip(file["frames"].values(), flow):
+                    self.assertEqual((frame.attrs["time"], frame.attrs["step"]), (of_flow.time, of_flow.step))
+                    for field in FIELDS:
+                        np.testing.assert_array_equal(frame[plane][field], np.take(of_flow[field], 8, axis=2 - axis))
+        self.assertFalse((self.root / "plane" / "slices.xdmf").exists())
 
     @unittest.skipUnless(SHOWS, "there is no ParaView with a display: no pvpython, or neither DISPLAY nor xvfb-run")
     def test_the_scene_shows_flow_bodies_and_cloths(self):

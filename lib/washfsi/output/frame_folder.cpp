@@ -92,7 +92,7 @@ void FrameFolder::write_constants(const std::function<void(Hdf5File&)>& write) c
 }
 
 void FrameFolder::add(double time, long step, const std::function<void(Hdf5File&)>& write,
-                      const std::function<std::string(const Frame&)>& describe) {
+                      const std::function<std::string(const Frame&)>& describe, Parts parts) {
   const Frame frame{frames_.empty() ? 0 : frames_.back().number + 1, time};
   write_whole(path(file_of(frame.number)), [&](Hdf5File& file) {
     write(file);
@@ -101,7 +101,7 @@ void FrameFolder::add(double time, long step, const std::function<void(Hdf5File&
   });
   frames_.push_back(frame);
   write_index();
-  describe_all(describe);
+  describe_all(describe, parts);
 }
 
 // Under another name until it is complete and on disk.
@@ -129,11 +129,12 @@ void FrameFolder::write_index() const {
   });
 }
 
-void FrameFolder::describe_all(const std::function<std::string(const Frame&)>& describe) const {
+void FrameFolder::describe_all(const std::function<std::string(const Frame&)>& describe, Parts parts) const {
+  const std::string type = parts == Parts::one ? "Uniform" : "Collection\" CollectionType=\"Spatial";
   std::string text = "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n<Domain>\n<Grid Name=\"" + name_ +
                      "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
   for (const Frame& frame : frames_)
-    text += "<Grid Name=\"" + name_ + "\" GridType=\"Uniform\">\n<Time Value=\"" + to_text(frame.time) + "\"/>\n" +
+    text += "<Grid Name=\"" + name_ + "\" GridType=\"" + type + "\">\n<Time Value=\"" + to_text(frame.time) + "\"/>\n" +
             describe(frame) + "</Grid>\n";
   text += "</Grid>\n</Domain>\n</Xdmf>\n";
   write_text_file(comm_, path(".xdmf"), text);

@@ -35,9 +35,12 @@ class FrameFolder {
   /// Writes what does not change in time, into NAME/constants.h5.
   void write_constants(const std::function<void(Hdf5File&)>& write) const;
 
-  /// Adds a frame: `write(file)` writes its datasets, `describe(frame)` gives its XDMF grid element.
+  /// Whether a frame's XDMF describes one grid, or is made of several elements `Grid`.
+  enum class Parts { one, several };
+
+  /// Adds a frame: `write(file)` writes its datasets, `describe(frame)` gives what its XDMF grid element holds.
   void add(double time, long step, const std::function<void(Hdf5File&)>& write,
-           const std::function<std::string(const Frame&)>& describe);
+           const std::function<std::string(const Frame&)>& describe, Parts parts = Parts::one);
 
   /// XDMF text of a dataset of a frame, or of what does not change.
   std::string frame_item(const Frame& frame, const std::string& dataset, const std::vector<hsize_t>& shape) const;
@@ -52,7 +55,7 @@ class FrameFolder {
   static void set_aside(const std::string& file, const std::string& why);
   void write_whole(const std::string& file, const std::function<void(Hdf5File&)>& write) const;
   void write_index() const;
-  void describe_all(const std::function<std::string(const Frame&)>& describe) const;
+  void describe_all(const std::function<std::string(const Frame&)>& describe, Parts parts) const;
 
   MPI_Comm comm_;
   std::string folder_, name_;

@@ -62,30 +62,32 @@ std::string xdmf_mesh(const Grid<Dim>& grid, const FrameFolder& frames) {
   }
 }
 
-/// Velocity at cell centres with three components, and the curl of it by central differences.
+// Velocity at cell centres with three components, the curl of it by central differences, and the pressure.
 template <int Dim>
-struct CentredFlow {
-  std::vector<double> velocity, vorticity;
-
-  CentredFlow(const Grid<Dim>& grid, const Boundary<Dim>& boundary, Vec face_velocity, double time) {
-    const GhostedVelocity<Dim> local(boundary, grid.face_dm(), face_velocity, time);
-    const ConstFaceView<Dim> u(grid.face_dm(), local);
-    const auto centred = [&](const Index<Dim>& cell, int c) {
-      return 0.5 * (u(cell, c) + u(shifted<Dim>(cell, c, 1), c));
-    };
-    const auto slope = [&](const Index<Dim>& cell, int c, int d) {
-      return (centred(shifted<Dim>(cell, d, 1), c) - centred(shifted<Dim>(cell, d, -1), c)) / (2 * grid.spacing()[d]);
-    };
-    for_each<Dim>(grid.owned(), [&](const Index<Dim>& cell) {
-      for (int c = 0; c < 3; ++c) velocity.push_back(c < Dim ? centred(cell, c) : 0.0);
-      if constexpr (Dim == 3) {
-        vorticity.push_back(slope(cell, 2, 1) - slope(cell, 1, 2));
-        vorticity.push_back(slope(cell, 0, 2) - slope(cell, 2, 0));
-      }
-      vorticity.push_back(slope(cell, 1, 0) - slope(cell, 0, 1));
-    });
-  }
-};
+std::vector<CellField> fields_of(const Grid<Dim>& grid, const Boundary<Dim>& boundary, Vec face_velocity, Vec pressure,
+                                 double time) {
+  const GhostedVelocity<Dim> local(boundary, grid.face_dm(), face_velocity, time);
+  const ConstFaceView<Dim> u(grid.face_dm(), local);
+  const ConstCellView<Dim> p(grid.cell_dm(), pressure);
+  const auto centred = [&](const Index<Dim>& cell, int c) {
+    return 0.5 * (u(cell, c) + u(shifted<Dim>(cell, c, 1), c));
+  };
+  const auto slope = [&](const Index<Dim>& cell, int c, int d) {
+    return (centred(shifted<Dim>(cell, d, 1), c) - centred(shifted<Dim>(cell, d, -1), c)) / (2 * grid.spacing()[d]);
+  };
+  CellField velocity{"velocity", "m/s", 3, {}}, pressures{"pressure", "Pa", 1, {}};
+  CellField vorticity{"vorticity", "1/s", Dim == 2 ? 1 : 3, {}};
+  for_each<Dim>(grid.owned(), [&](const Index<Dim>& cell) {
+    for (int c = 0; c < 3; ++c) velocity.values.push_back(c < Dim ? centred(cell, c) : 0.0);
+    pressures.values.push_back(p(cell));
+    if constexpr (Dim == 3) {
+      vorticity.values.push_back(slope(cell, 2, 1) - slope(cell, 1, 2));
+      vorticity.values.push_back(slope(cell, 0, 2) - slope(cell, 2, 0));
+    }
+    vorticity.values.push_back(slope(cell, 1, 0) - slope(cell, 0, 1));
+  });
+  return {velocity, pressures, vorticity};
+}
 
 }  // namespace
 
@@ -96,34 +98,28 @@ FlowSeries<Dim>::FlowSeries(const Grid<Dim>& grid, const Boundary<Dim>& boundary
       boundary_(boundary),
       frames_(grid.comm(), folder, "flow", restart_step, attributes_of(grid), nodes<Dim>()) {
   write_nodes(grid, frames_);
+  if constexpr (Dim == 3) slices_.emplace(grid, folder, restart_step);
 }
 
 template <int Dim>
 void FlowSeries<Dim>::write(double time, long step, Vec velocity, Vec pressure) {
   const petsc::LogPart part("output");
-  const CentredFlow<Dim> flow(grid_, boundary_, velocity, time);
-  std::vector<double> p;
-  {
-    const ConstCellView<Dim> view(grid_.cell_dm(), pressure);
-    for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) { p.push_back(view(cell)); });
-  }
-  constexpr int curl_components = Dim == 2 ? 1 : 3;
-  const Slab vector = field_slab(grid_, 3), scalar = field_slab(grid_, 1), curl = field_slab(grid_, curl_components);
+  const std::vector<CellField> fields = fields_of(grid_, boundary_, velocity, pressure, time);
   frames_.add(
       time, step,
       [&](Hdf5File& file) {
-        write_with_unit(file, "/velocity", "m/s", vector, flow.velocity);
-        write_with_unit(file, "/pressure", "Pa", scalar, p);
-        write_with_unit(file, "/vorticity", "1/s", curl, flow.vorticity);
+        for (const CellField& field : fields)
+          write_with_unit(file, "/" + field.name, field.unit, field_slab(grid_, field.components), field.values);
       },
       [&](const Frame& frame) {
-        const auto item = [&](const char* name, const Slab& slab) {
-          return frames_.frame_item(frame, name, slab.shape);
-        };
-        return xdmf_mesh(grid_, frames_) + xdmf_attribute("velocity", "Vector", "Cell", item("/velocity", vector)) +
-               xdmf_attribute("pressure", "Scalar", "Cell", item("/pressure", scalar)) +
-               xdmf_attribute("vorticity", Dim == 2 ? "Scalar" : "Vector", "Cell", item("/vorticity", curl));
+        std::string text = xdmf_mesh(grid_, frames_);
+        for (const CellField& field : fields)
+          text +=
+              xdmf_attribute(field.name, field.components == 1 ? "Scalar" : "Vector", "Cell",
+                             frames_.frame_item(frame, "/" + field.name, field_slab(grid_, field.components).shape));
+        return text;
       });
+  if (slices_) slices_->write(time, step, fields);
 }
 
 template <int Dim>

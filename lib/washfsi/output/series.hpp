@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+
 #include "washfsi/body/body.hpp"
 #include "washfsi/cloth/cloths.hpp"
 #include "washfsi/grid/boundary.hpp"
 #include "washfsi/output/frame_folder.hpp"
+#include "washfsi/output/slice_series.hpp"
 
 namespace washfsi {
 
-/// flow.h5, flow.xdmf: velocity, pressure and vorticity at cell centres.
+/// flow.h5, flow.xdmf: velocity, pressure and vorticity at cell centres; in space the slices of them too.
 template <int Dim>
 class FlowSeries {
  public:
@@ -21,6 +24,7 @@ class FlowSeries {
   const Grid<Dim>& grid_;
   const Boundary<Dim>& boundary_;
   FrameFolder frames_;
+  std::optional<SliceSeries> slices_;
 };
 
 /// bodies.h5, bodies.xdmf: the signed distance [m] of each body at cell centres; its zero contour is the surface.
