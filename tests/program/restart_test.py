@@ -180,5 +180,29 @@ class RestartOfMovingBodies(ProgramTest):
                     self.assertLessEqual(relative_difference(state[name], values), 0 if ranks == 2 else 1e-7)
 
 
+class RestartOfSurfaces(ProgramTest):
+    """The bodies' surfaces are joined alike on any number of ranks, so that the frames of several starts are one series."""
+
+    case = ["-grid_cells", "16,16,12", "-fluid_viscosity", 1, "-time_step", 5e-3, "-output_interval", 0.01, "-bodies", "ball,egg",
+            "-ball_radius", 0.21, "-ball_center", "0.31,0.47,0.52", "-ball_velocity", "1,0,0",
+            "-egg_radius", 0.13, "-egg_center", "0.7,0.53,0.5"]
+
+    def areas(self, folder):
+        """Returns the area of the surfaces in each frame."""
+        with h5py.File(self.folder / folder / "surfaces.h5") as file:
+            corners = [frame["position"][()][file["topology"][()]] for frame in file["frames"].values()]
+        return [0.5 * np.linalg.norm(np.cross(c[:, 1] - c[:, 0], c[:, 2] - c[:, 0]), axis=1).sum() for c in corners]
+
+    def test_frames_before_and_after_are_of_the_same_surfaces(self):
+        self.run_well(1, *self.case, "-time_end", 0.01, "-output_dir", "out")
+        self.run_well(3, *self.case, "-time_end", 0.02, "-restart", "out/checkpoint.h5", "-output_dir", "out")
+        np.testing.assert_allclose(self.areas("out"), 3 * [4 * np.pi * (0.21 ** 2 + 0.13 ** 2)], rtol=0.02)
+
+    def test_the_series_begins_anew_with_other_bodies(self):
+        self.run_well(1, *self.case, "-time_end", 0.01, "-output_dir", "out")
+        self.run_well(1, *self.case, "-time_end", 0.02, "-restart", "out/checkpoint.h5", "-output_dir", "out", "-egg_radius", 0.2)
+        np.testing.assert_allclose(self.areas("out"), [4 * np.pi * (0.21 ** 2 + 0.2 ** 2)], rtol=0.02)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -2,8 +2,11 @@
 #include "washfsi/body/zero_surface.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
+
+#include "washfsi/support/collective.hpp"
 
 namespace washfsi {
 
@@ -104,15 +107,48 @@ class Marcher {
   std::map<std::pair<Node, Node>, std::size_t> cuts_;
 };
 
+// All ranks' numbers on rank 0, the lowest first; none on others.
+std::vector<long long> gathered(MPI_Comm comm, const std::vector<long long>& mine) {
+  const auto ranks = static_cast<std::size_t>(ranks_of(comm));
+  std::vector<int> counts(ranks), starts(ranks, 0);
+  const int count = static_cast<int>(mine.size());
+  MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, comm);
+  for (std::size_t r = 1; r < ranks; ++r) starts[r] = starts[r - 1] + counts[r - 1];
+  std::vector<long long> all;
+  if (rank_of(comm) == 0) all.resize(static_cast<std::size_t>(starts.back() + counts.back()));
+  MPI_Gatherv(mine.data(), count, MPI_LONG_LONG, all.data(), counts.data(), starts.data(), MPI_LONG_LONG, 0, comm);
+  std::ranges::sort(all);
+  return all;
+}
+
+// The cells of the box in which a surface may lie, x fastest, by their numbers; on rank 0.
+template <int Dim>
+std::vector<long long> cells_of_surface(const Grid<Dim>& grid,
+                                        const std::function<double(const Point<Dim>&)>& distance) {
+  const double reach = 0.5 * grid.spacing().norm();
+  std::vector<long long> numbers;
+  for_each<Dim>(grid.owned(), [&](const Index<Dim>& cell) {
+    if (std::abs(distance(grid.cell_center(cell))) > reach) return;
+    long long number = 0;
+    for (int d = Dim; d-- > 0;) number = number * grid.cells()[d] + cell[d];
+    numbers.push_back(number);
+  });
+  return gathered(grid.comm(), numbers);
+}
+
 }  // namespace
 
 template <int Dim>
 SimplexMesh<Dim> zero_surface(const Grid<Dim>& grid, const std::function<double(const Point<Dim>&)>& distance) {
   Marcher<Dim> marcher(grid, distance);
-  const double reach = 0.5 * grid.spacing().norm();
-  for_each<Dim>(grid.owned(), [&](const Index<Dim>& cell) {
-    if (std::abs(distance(grid.cell_center(cell))) <= reach) marcher.march(cell);
-  });
+  for (long long number : cells_of_surface(grid, distance)) {
+    Index<Dim> cell;
+    for (int d = 0; d < Dim; ++d) {
+      cell[d] = static_cast<PetscInt>(number % grid.cells()[d]);
+      number /= grid.cells()[d];
+    }
+    marcher.march(cell);
+  }
   return std::move(marcher.mesh);
 }
 

@@ -16,9 +16,9 @@ struct SimplexMesh {
       facets;  ///< their vertices; normals point to where the distance is positive
 };
 
-/// The surface on which a signed distance [m] is zero, in this rank's cells: by marching simplices (Kuhn's, of a
+/// The surface on which a signed distance [m] is zero, in the cells of the box: by marching simplices (Kuhn's, of a
 /// lattice of half the grid's spacing), linear between the lattice's nodes. The distance must never be beyond the true
-/// one.
+/// one. All of it is on rank 0, so that it is the same on any number of ranks; others have none. Collective.
 template <int Dim>
 SimplexMesh<Dim> zero_surface(const Grid<Dim>& grid, const std::function<double(const Point<Dim>&)>& distance);
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/output/surface_series.hpp"
 
-#include <numeric>
-
 #include "washfsi/body/zero_surface.hpp"
 #include "washfsi/output/field_slab.hpp"
 #include "washfsi/support/collective.hpp"
+#include "washfsi/support/errors.hpp"
 #include "washfsi/support/options.hpp"
 
 namespace washfsi {
@@ -13,51 +12,63 @@ namespace washfsi {
 template <int Dim>
 SurfaceSeries<Dim>::SurfaceSeries(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies,
                                   const std::string& folder, long restart_step)
-    : grid_(grid), bodies_(bodies), frames_(grid.comm(), folder, "surfaces", restart_step, {}, {"topology", "body"}) {
-  find_surfaces();
-  share();
+    : grid_(grid),
+      bodies_(bodies),
+      surfaces_(find(grid, bodies)),
+      scalar_(slab(surfaces_.vertices.size(), 1)),
+      vector_(slab(surfaces_.vertices.size(), 3)),
+      topology_(slab(surfaces_.facets.size() / Dim, Dim)),
+      frames_(grid.comm(), folder, "surfaces", are_joined_as_in(folder) ? restart_step : -1, {}, {"topology", "body"}) {
   write_constants();
 }
 
 template <int Dim>
-void SurfaceSeries<Dim>::find_surfaces() {
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    const auto pose = bodies_[b].motion.pose(0);
+typename SurfaceSeries<Dim>::Surfaces SurfaceSeries<Dim>::find(const Grid<Dim>& grid,
+                                                               const std::vector<Body<Dim>>& bodies) {
+  Surfaces found;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const auto pose = bodies[b].motion.pose(0);
     const auto mesh = zero_surface<Dim>(
-        grid_, [&](const Point<Dim>& place) { return bodies_[b].shape->distance(pose.in_body_frame(place)); });
+        grid, [&](const Point<Dim>& place) { return bodies[b].shape->distance(pose.in_body_frame(place)); });
     for (const auto& facet : mesh.facets)
-      for (const std::size_t vertex : facet) facets_.push_back(static_cast<long long>(vertices_.size() + vertex));
-    for (const auto& vertex : mesh.vertices) vertices_.push_back(pose.in_body_frame(vertex));
-    owner_.resize(vertices_.size(), b);
+      for (const std::size_t vertex : facet)
+        found.facets.push_back(static_cast<long long>(found.vertices.size() + vertex));
+    for (const auto& vertex : mesh.vertices) found.vertices.push_back(pose.in_body_frame(vertex));
+    found.owner.resize(found.vertices.size(), static_cast<double>(b));
   }
+  return found;
 }
 
-// The numbers of this rank's vertices and facets among those of all.
+// Of a dataset of which rank 0 has all rows.
 template <int Dim>
-void SurfaceSeries<Dim>::share() {
-  const auto slab = [&](std::size_t own, hsize_t columns) {
-    std::vector<double> counts(static_cast<std::size_t>(ranks_of(grid_.comm())), 0.0);
-    const auto rank = static_cast<std::size_t>(rank_of(grid_.comm()));
-    counts[rank] = static_cast<double>(own);
-    counts = ordered_sum(grid_.comm(), counts);
-    const auto first =
-        static_cast<hsize_t>(std::accumulate(counts.begin(), counts.begin() + static_cast<long>(rank), 0.0));
-    const auto all = static_cast<hsize_t>(std::accumulate(counts.begin(), counts.end(), 0.0));
-    if (columns == 1) return Slab{{all}, {first}, {own}};
-    return Slab{{all, columns}, {first, 0}, {own, own == 0 ? 0 : columns}};
+Slab SurfaceSeries<Dim>::slab(hsize_t rows, hsize_t columns) const {
+  const auto all = static_cast<hsize_t>(ordered_sum(grid_.comm(), static_cast<double>(rows)));
+  if (columns == 1) return {{all}, {0}, {rows}};
+  return {{all, columns}, {0, 0}, {rows, rows == 0 ? 0 : columns}};
+}
+
+// Whether the frames that a folder holds are of these facets: their places may be others.
+template <int Dim>
+bool SurfaceSeries<Dim>::are_joined_as_in(const std::string& folder) const {
+  const auto same = [&] {
+    try {
+      Hdf5File constants(MPI_COMM_SELF, folder + "/surfaces/constants.h5", Hdf5File::Mode::read);
+      return constants.read("/topology", topology_) ==
+                 std::vector<double>(surfaces_.facets.begin(), surfaces_.facets.end()) &&
+             constants.read("/body", scalar_) == surfaces_.owner;
+    } catch (const InputError&) {  // there are none, or of another shape
+      return false;
+    }
   };
-  scalar_ = slab(vertices_.size(), 1);
-  vector_ = slab(vertices_.size(), 3);
-  topology_ = slab(facets_.size() / Dim, Dim);
-  for (long long& vertex : facets_) vertex += static_cast<long long>(scalar_.offset[0]);
+  return any_rank(grid_.comm(), rank_of(grid_.comm()) == 0 && same());
 }
 
 template <int Dim>
 void SurfaceSeries<Dim>::write_constants() const {
   if (topology_.shape[0] == 0) return;  // no body's surface is in the box
   frames_.write_constants([&](Hdf5File& file) {
-    file.write("/topology", topology_, facets_);
-    file.write("/body", scalar_, std::vector<double>(owner_.begin(), owner_.end()));
+    file.write("/topology", topology_, surfaces_.facets);
+    file.write("/body", scalar_, surfaces_.owner);
     std::vector<std::string> names;
     for (const auto& body : bodies_) names.push_back(body.name);
     file.set_text("/body", "names", join(names, ","));
@@ -71,7 +82,8 @@ void SurfaceSeries<Dim>::write(double time, long step) {
   std::vector<Pose<Dim>> poses;
   for (const auto& body : bodies_) poses.push_back(body.motion.pose(time));
   Points<Dim> places;
-  for (std::size_t v = 0; v < vertices_.size(); ++v) places.push_back(poses[owner_[v]].in_space(vertices_[v]));
+  for (std::size_t v = 0; v < surfaces_.vertices.size(); ++v)
+    places.push_back(poses[static_cast<std::size_t>(surfaces_.owner[v])].in_space(surfaces_.vertices[v]));
   frames_.add(
       time, step, [&](Hdf5File& file) { write_with_unit(file, "/position", "m", vector_, flattened<Dim>(places, 3)); },
       [&](const Frame& frame) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "washfsi/body/body.hpp"
 #include "washfsi/grid/grid.hpp"
 #include "washfsi/output/frame_folder.hpp"
@@ -8,7 +11,8 @@
 namespace washfsi {
 
 /// surfaces.h5, surfaces.xdmf: the bodies' surfaces as triangles, in the plane lines, with the number of the body.
-/// Found once, where the bodies are at t = 0, within the box; then they move.
+/// Found once, where the bodies are at t = 0, within the box; then they move. A restart goes on with the series if they
+/// are joined as before.
 template <int Dim>
 class SurfaceSeries {
  public:
@@ -19,15 +23,20 @@ class SurfaceSeries {
   void write(double time, long step);
 
  private:
-  void find_surfaces();
-  void share();
+  /// Of all bodies, on rank 0; others have none of it.
+  struct Surfaces {
+    Points<Dim> vertices;           ///< in the frame of their body [m]
+    std::vector<double> owner;      ///< the number of the body of each
+    std::vector<long long> facets;  ///< their vertices, `Dim` each
+  };
+  static Surfaces find(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies);
+  bool are_joined_as_in(const std::string& folder) const;
+  Slab slab(hsize_t rows, hsize_t columns) const;
   void write_constants() const;
 
   const Grid<Dim>& grid_;
   const std::vector<Body<Dim>>& bodies_;
-  Points<Dim> vertices_;            ///< of this rank, in the frame of their body [m]
-  std::vector<std::size_t> owner_;  ///< the body of each
-  std::vector<long long> facets_;   ///< of this rank: the vertices, by their numbers among those of all ranks
+  Surfaces surfaces_;
   Slab scalar_, vector_, topology_;
   FrameFolder frames_;
 };
