@@ -10,7 +10,8 @@
 from washfsi.errors import ResultsError, RunError
 from washfsi.results import Results
 from washfsi.running import run
-from washfsi.series import Fields, Frame, Markers
+from washfsi.series import Fields, Frame, Markers, Surfaces
 from washfsi.table import Table, read_table
 
-__all__ = ["Fields", "Frame", "Markers", "Results", "ResultsError", "RunError", "Table", "read_table", "run"]
+__all__ = ["Fields", "Frame", "Markers", "Results", "ResultsError", "RunError", "Surfaces", "Table", "read_table",
+           "run"]

@@ -6,7 +6,7 @@ import json
 import pathlib
 
 from washfsi.errors import ResultsError
-from washfsi.series import Fields, Markers
+from washfsi.series import Fields, Markers, Surfaces
 from washfsi.table import read_table
 
 
@@ -93,6 +93,11 @@ class Results:
     def bodies(self):
         """Returns the series of the bodies' signed distances, None without bodies."""
         return self._series(Fields, "bodies")
+
+    @functools.cached_property
+    def surfaces(self):
+        """Returns the series of the bodies' surfaces, None where the box has none."""
+        return self._series(Surfaces, "surfaces")
 
     @functools.cached_property
     def cloth(self):

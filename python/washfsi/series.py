@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Time series: fields on the grid, and markers of cloths."""
+"""Time series: fields on the grid, surfaces of bodies, and markers of cloths."""
 
 import pathlib
 from dataclasses import dataclass, field
@@ -122,6 +122,23 @@ class Fields(Series):
         """Returns the centres of the cells along each axis [m], x first."""
         return [low + step * (np.arange(count) + 0.5) for low, step, count in
                 zip(self.lower, self.spacing, self.cells)]
+
+
+class Surfaces(Series):
+    """Surfaces of all bodies, in each frame the `position` of their vertices: `facets` joins these to triangles, in the plane
+    to lines, and `body` is the number of each one's body in `bodies`."""
+
+    def __init__(self, path):
+        super().__init__(path)
+        self.facets, self.body, names = self._read(
+            lambda file: (file["topology"][()], file["body"][()].astype(int), text_of(file["body"].attrs["names"])))
+        self.bodies = names.split(",")
+
+    def facets_of(self, name):
+        """Returns the facets of one body."""
+        if name not in self.bodies:
+            raise KeyError(f"no body '{name}'; there are {', '.join(self.bodies)}")
+        return self.facets[self.body[self.facets[:, 0]] == self.bodies.index(name)]
 
 
 class Markers(Series):

@@ -85,6 +85,22 @@ class Module(ProgramTest):
             with h5py.File(results.folder / "flow.h5") as file:
                 np.testing.assert_array_equal(file["frames/000002/pressure"], frame["pressure"])
 
+    def test_surfaces(self):
+        for results in (self.plane, self.space):
+            surfaces = results.surfaces
+            self.assertEqual(surfaces.bodies, ["drum", "agitator"])
+            np.testing.assert_array_equal(surfaces.times, results.flow.times)
+            self.assertEqual(surfaces.frame().units["position"], "m")
+            self.assertEqual(surfaces.facets.shape[1], results.flow.dim)
+            of_drum, of_agitator = (surfaces.facets_of(name) for name in surfaces.bodies)
+            self.assertEqual(len(of_drum) + len(of_agitator), len(surfaces.facets))
+            places = surfaces.frame(0)["position"]
+            np.testing.assert_allclose(np.hypot(*places[of_drum].T[:2]), float(results.options["drum_radius"]), rtol=0.02)
+            self.assertGreater(np.abs(surfaces.frame()["position"] - places)[of_agitator].max(), 0)
+            with self.assertRaisesRegex(KeyError, "no body 'tub'; there are drum, agitator"):
+                surfaces.facets_of("tub")
+        self.assertIsNone(washfsi.Results(self.folder).surfaces)
+
     def test_markers(self):
         for results in (self.plane, self.space):
             last, end = results.cloth.table(), results.markers
@@ -143,7 +159,7 @@ class Module(ProgramTest):
         return outcome.stdout
 
     def test_lines_of_the_documents_read_runs_in_plane_and_space(self):
-        for page, count in (("user-guide.md", 3), ("python.md", 5)):
+        for page, count in (("user-guide.md", 3), ("python.md", 6)):
             blocks = [block for block in python_blocks(page) if "washfsi.run" not in block]
             self.assertEqual(len(blocks), count)
             for results in (self.plane, self.space):

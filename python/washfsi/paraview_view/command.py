@@ -9,11 +9,8 @@ import shutil
 import subprocess
 import sys
 
-import h5py
-
 from washfsi.errors import ResultsError
 from washfsi.results import Results
-from washfsi.series import text_of
 
 NORMALS = {"x": [1, 0, 0], "y": [0, 1, 0], "z": [0, 0, 1]}
 HEAD = """# Scene of a run of washfsi for ParaView 5.11 or later, written by scripts/paraview. Open it by
@@ -34,19 +31,9 @@ def surrounds(distance):
 def bodies_of(results):
     """Returns name, number on the surfaces and place of each body that has a surface in the box."""
     fields = results.bodies.frame(0).data if results.bodies else {}
-    numbers = surface_numbers(results.folder)
+    numbers = {name: number for number, name in enumerate(results.surfaces.bodies)} if results.surfaces else {}
     return [{"name": name, "number": numbers.get(name, -1), "surrounds": surrounds(distance)}
             for name, distance in fields.items() if distance.min() < 0 < distance.max()]
-
-
-def surface_numbers(folder):
-    """Returns the number of each body on the surfaces; none of a run that has none."""
-    path = folder / "surfaces.h5"
-    if not path.is_file():
-        return {}
-    with h5py.File(path) as file:
-        names = text_of(file["body"].attrs["names"])
-    return {name: number for number, name in enumerate(names.split(","))}
 
 
 def scene_of(results, axis, height, colour):
