@@ -115,7 +115,7 @@ std::vector<long long> gathered(MPI_Comm comm, const std::vector<long long>& min
   MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, comm);
   for (std::size_t r = 1; r < ranks; ++r) starts[r] = starts[r - 1] + counts[r - 1];
   std::vector<long long> all;
-  if (rank_of(comm) == 0) all.resize(static_cast<std::size_t>(starts.back() + counts.back()));
+  if (rank_of(comm) == 0) all.resize(static_cast<std::size_t>(starts.back()) + static_cast<std::size_t>(counts.back()));
   MPI_Gatherv(mine.data(), count, MPI_LONG_LONG, all.data(), counts.data(), starts.data(), MPI_LONG_LONG, 0, comm);
   std::ranges::sort(all);
   return all;
