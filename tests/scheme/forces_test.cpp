@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "support/fibre_in_water.hpp"
-#include "washfsi/scheme/marker_vectors.hpp"
+#include "washfsi/coupling/marker_vectors.hpp"
 #include "washfsi/support/collective.hpp"
 
 namespace washfsi::test {

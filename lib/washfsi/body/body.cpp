@@ -22,7 +22,8 @@ const ChoiceNames<BodyMethod>& names_of(BodyMethod) {
   static const ChoiceNames<BodyMethod> names{{"mapping", BodyMethod::mapping},
                                              {"mapping_variable", BodyMethod::mapping_variable},
                                              {"ghost", BodyMethod::ghost},
-                                             {"cut_stencil", BodyMethod::cut_stencil}};
+                                             {"cut_stencil", BodyMethod::cut_stencil},
+                                             {"direct_forcing", BodyMethod::direct_forcing}};
   return names;
 }
 
@@ -32,16 +33,22 @@ const ChoiceNames<MaskEdge>& names_of(MaskEdge) {
 }
 
 BodyTreatment BodyTreatment::from_options(Options& options) {
+  constexpr Range spacings{0.5, 2, false, "from 0.5 to 2"}, tight{0.0, 0.1, true, "a number > 0 and at most 0.1"};
   BodyTreatment treatment;
   options.block("", "Bodies and water", [&](OptionBlock& block) {
-    block.choice("body_method", treatment.method,
-                 "how bodies hold the water: mapping is the thesis's (4.2-6) with the plain projection (4.2-12),"
-                 " mapping_variable with (4.2-9); ghost extrapolates velocities through the wall; with cut_stencil, the"
-                 " most accurate, viscous stencils end at the walls");
+    block.choice(
+        "body_method", treatment.method,
+        "how bodies hold the water: mapping is the thesis's (4.2-6) with the plain projection (4.2-12),"
+        " mapping_variable with (4.2-9); ghost extrapolates velocities through the wall; with cut_stencil"
+        " viscous stencils end at the walls; direct_forcing, the most accurate, holds it by markers on the walls");
     block.choice("body_mask", treatment.edge,
                  "mask of the solid; smooth over two spacings to either side, for the mapping methods");
+    block.real("body_marker_spacing", treatment.marker_spacing, "cells", spacings,
+               "least distance of two patches of markers on a wall (direct_forcing)");
+    block.real("body_slip_tolerance", treatment.slip_tolerance, "-", tight,
+               "rms slip that is left at the walls' markers, over the largest speed (direct_forcing)");
   });
-  const bool puts_wall = treatment.method == BodyMethod::ghost || treatment.method == BodyMethod::cut_stencil;
+  const bool puts_wall = treatment.method != BodyMethod::mapping && treatment.method != BodyMethod::mapping_variable;
   if (treatment.edge == MaskEdge::smooth && puts_wall)
     throw InputError("-body_mask smooth: needs -body_method mapping or mapping_variable; " + name_of(treatment.method) +
                      " puts the wall where it is");

@@ -10,8 +10,9 @@
 namespace washfsi {
 
 /// How bodies hold the water: by the mask (4.2-6) with the plain projection (4.2-12) or with the variable one (4.2-9);
-/// by velocities extrapolated through the wall (Yokoi); by the mask with viscous stencils that end at the walls.
-enum class BodyMethod { mapping, mapping_variable, ghost, cut_stencil };
+/// by velocities extrapolated through the wall (Yokoi); by the mask with viscous stencils that end at the walls; by
+/// forces of markers on the walls.
+enum class BodyMethod { mapping, mapping_variable, ghost, cut_stencil, direct_forcing };
 const ChoiceNames<BodyMethod>& names_of(BodyMethod);
 
 /// The edge of the solid's mask.
@@ -22,6 +23,8 @@ const ChoiceNames<MaskEdge>& names_of(MaskEdge);
 struct BodyTreatment {
   BodyMethod method = BodyMethod::mapping;
   MaskEdge edge = MaskEdge::sharp;  ///< smooth: the mapping methods only
+  double marker_spacing = 1.2;      ///< of direct forcing: least distance of two patches [cells]
+  double slip_tolerance = 0.005;    ///< of direct forcing: rms slip at the markers over the largest speed
 
   /// Errors: InputError.
   static BodyTreatment from_options(Options& options);
@@ -56,6 +59,7 @@ class PosedBodies {
   double distance(std::size_t body, const Point<Dim>& place) const {
     return bodies_[body].shape->distance(poses_[body].in_body_frame(place));
   }
+  Point<Dim> in_space(std::size_t body, const Point<Dim>& arm) const { return poses_[body].in_space(arm); }
   /// Unit vector out of a body: the direction in which its distance grows, over differences of `step` [m].
   Point<Dim> normal(std::size_t body, const Point<Dim>& place, double step) const {
     Point<Dim> slope;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "washfsi/body/subdivide.hpp"
@@ -10,12 +11,25 @@
 
 namespace washfsi {
 
+namespace {
+
+constexpr double deep_inside = -std::numeric_limits<double>::max();
+constexpr double depth_behind_markers = 2.5;  // beyond their reach [cells]
+
+double smoothing_of(const BodyTreatment& treatment, double cell) {
+  if (treatment.method == BodyMethod::direct_forcing) return cell;
+  return treatment.edge == MaskEdge::smooth ? 2 * cell : 0;
+}
+
+}  // namespace
+
 template <int Dim>
 Mask<Dim>::Mask(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies, const BodyTreatment& treatment)
     : grid_(grid),
       bodies_(bodies),
       treatment_(treatment),
-      smoothing_(treatment.edge == MaskEdge::smooth ? 2 * grid.spacing().maxCoeff() : 0),
+      smoothing_(smoothing_of(treatment, grid.spacing().maxCoeff())),
+      depth_(treatment.method == BodyMethod::direct_forcing ? depth_behind_markers * grid.spacing().maxCoeff() : 0),
       fraction_(grid.face_vector()),
       solid_velocity_(grid.face_vector()),
       held_velocity_(grid.face_vector()),
@@ -25,10 +39,16 @@ Mask<Dim>::Mask(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies, con
       any_moves_(std::any_of(bodies.begin(), bodies.end(), [](const auto& body) { return !body.motion.at_rest(); })) {
   WASH_PETSC(VecSet(fraction_, 1.0));
   WASH_PETSC(VecSet(body_, -1.0));
+  if (depth_ > 0) {
+    share_ = petsc::zeros_like(fraction_);
+    WASH_PETSC(VecSet(share_, 1.0));
+    resting_share_ = petsc::zeros_like(fraction_);
+  }
   const PosedBodies<Dim> posed(bodies_, 0);
   for (std::size_t b = 0; b < bodies_.size(); ++b)
     if (bodies_[b].motion.at_rest()) place(posed, b, 0);
   WASH_PETSC(VecCopy(fraction_, resting_fraction_));
+  if (share_) WASH_PETSC(VecCopy(share_, resting_share_));
   WASH_PETSC(VecCopy(body_, resting_body_));
   if (treatment_.method == BodyMethod::cut_stencil) find_cuts(posed, 0);
   update(0);
@@ -40,6 +60,7 @@ void Mask<Dim>::update(double time) {
   const petsc::LogPart part("bodies");
   const PosedBodies<Dim> posed(bodies_, time);
   WASH_PETSC(VecCopy(resting_fraction_, fraction_));
+  if (share_) WASH_PETSC(VecCopy(resting_share_, share_));
   WASH_PETSC(VecCopy(resting_body_, body_));
   WASH_PETSC(VecZeroEntries(solid_velocity_));
   for (std::size_t b = 0; b < bodies_.size(); ++b)
@@ -58,32 +79,48 @@ double Mask<Dim>::fraction_at(double distance) const {
 // Where bodies overlap, a face is held by the one that leaves the water least; among equals, by the one named first.
 template <int Dim>
 void Mask<Dim>::place(const PosedBodies<Dim>& posed, std::size_t body, double time) {
-  const FaceView<Dim> fraction(grid_.face_dm(), fraction_), solid(grid_.face_dm(), solid_velocity_);
-  const FaceView<Dim> holder(grid_.face_dm(), body_);
+  const FaceView<Dim> share(grid_.face_dm(), fluid_share()), solid(grid_.face_dm(), solid_velocity_);
+  const FaceView<Dim> holder(grid_.face_dm(), body_), fraction(grid_.face_dm(), fraction_);
   const RigidMotion<Dim>& motion = bodies_[body].motion;
   const bool moves = !motion.at_rest();
   const auto number = static_cast<double>(body);
-  const auto hold = [&](const Index<Dim>& face, int c, const Point<Dim>& place, double H) {
-    const double before = fraction(face, c);
+  const auto hold = [&](const Index<Dim>& face, int c, const Point<Dim>& place, double distance) {
+    if (depth_ > 0 && distance < -depth_) fraction(face, c) = 0;
+    const double H = fraction_at(distance), before = share(face, c);
     if (H == 1 || H > before || (H == before && holder(face, c) < number)) return;
-    fraction(face, c) = H;
+    share(face, c) = H;
     holder(face, c) = number;
     solid(face, c) = moves ? motion.velocity(place, time)[c] : 0;
   };
   subdivide<Dim>(
-      grid_, grid_.owned(), smoothing_, [&](const Point<Dim>& place) { return posed.distance(body, place); },
+      grid_, grid_.owned(), std::max(smoothing_, depth_),
+      [&](const Point<Dim>& place) { return posed.distance(body, place); },
       [&](const Box<Dim>& part, int sign) {
         if (sign < 0)
           for_each<Dim>(part, [&](const Index<Dim>& face) {
-            for (int c = 0; c < Dim; ++c) hold(face, c, grid_.face_center(face, c), 0);
+            for (int c = 0; c < Dim; ++c) hold(face, c, grid_.face_center(face, c), deep_inside);
           });
       },
       [&](const Index<Dim>& face) {
         for (int c = 0; c < Dim; ++c) {
           const Point<Dim> place = grid_.face_center(face, c);
-          hold(face, c, place, fraction_at(posed.distance(body, place)));
+          hold(face, c, place, posed.distance(body, place));
         }
       });
+}
+
+template <int Dim>
+Point<Dim> Mask<Dim>::velocity_of_side(const Point<Dim>& place, const Point<Dim>& own, const PosedBodies<Dim>& posed,
+                                       double time) const {
+  Point<Dim> velocity = own;
+  double least = 1;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const double H = fraction_at(posed.distance(b, place));
+    if (H >= least) continue;
+    least = H;
+    velocity = H * own + (1 - H) * bodies_[b].motion.velocity(place, time);
+  }
+  return velocity;
 }
 
 template <int Dim>
@@ -161,7 +198,7 @@ void Mask<Dim>::hold(Vec velocity) const {
 template <int Dim>
 void Mask<Dim>::add_constraint_force(Vec constraint_force, Vec density, double time, Loads<Dim>& loads) const {
   const ConstFaceView<Dim> f(grid_.face_dm(), constraint_force), rho(grid_.face_dm(), density);
-  const ConstFaceView<Dim> holder(grid_.face_dm(), body_), fraction(grid_.face_dm(), fraction_);
+  const ConstFaceView<Dim> holder(grid_.face_dm(), body_), fraction(grid_.face_dm(), fluid_share());
   grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
     if (holder(face, c) < 0) return;
     const auto b = static_cast<std::size_t>(holder(face, c));
@@ -233,7 +270,7 @@ template <int Dim>
 template <class Form>
 void Mask<Dim>::add_hidden_shear(int axis, End end, const ConstFaceView<Dim>& u, const Form& viscosity, double time,
                                  Loads<Dim>& loads) const {
-  const ConstFaceView<Dim> holder(grid_.face_dm(), body_), fraction(grid_.face_dm(), fraction_);
+  const ConstFaceView<Dim> holder(grid_.face_dm(), body_), fraction(grid_.face_dm(), fluid_share());
   const double spacing = grid_.spacing()[axis], area = grid_.cell_volume() / spacing;
   const int outwards = end == End::upper ? 1 : -1;
   for (int c = 0; c < Dim; ++c) {

@@ -23,8 +23,13 @@ class Mask {
   /// velocity through the wall (Yokoi 2003, thesis 4.3.1.2). The velocity is filled and has wide ghosts.
   void extrapolate(Vec local_velocity, double time);
 
-  Vec fluid_fraction() const { return fraction_; }        ///< H, on faces
+  Vec fluid_fraction() const { return fraction_; }  ///< H, on faces
+  /// The share of each face that lies in fluid: H, but where markers hold the walls and H is 0 only behind them.
+  Vec fluid_share() const { return share_ ? share_ : fraction_; }
   Vec solid_velocity() const { return solid_velocity_; }  ///< on faces [m/s]
+  /// The velocity of a place of a side of the box on which bodies may stand: theirs by their share, else its own [m/s].
+  Point<Dim> velocity_of_side(const Point<Dim>& place, const Point<Dim>& own, const PosedBodies<Dim>& posed,
+                              double time) const;
   bool empty() const { return bodies_.empty(); }
   bool extrapolates() const { return treatment_.method == BodyMethod::ghost && !empty(); }
   /// What the fluid's equations need of it; valid until the next `update`.
@@ -62,8 +67,10 @@ class Mask {
   const std::vector<Body<Dim>>& bodies_;
   BodyTreatment treatment_;
   double smoothing_;  ///< eps [m]; 0: sharp
+  double depth_;      ///< behind the walls from which on solids hold the water [m]
   std::vector<CutFace<Dim>> cuts_;
   petsc::Vector fraction_, solid_velocity_;
+  petsc::Vector share_, resting_share_;            ///< null unless markers hold the walls
   petsc::Vector held_velocity_;                    ///< for `BodyMethod::ghost`, what solid faces are held at [m/s]
   petsc::Vector body_;                             ///< number of the body that holds each face; -1 in fluid
   petsc::Vector resting_fraction_, resting_body_;  ///< of the bodies at rest alone

@@ -33,6 +33,8 @@ class MotionTable {
                           AngleUnit unit = AngleUnit::rad);
 
   State at(double time) const;
+  /// The time of the last row [s].
+  double end() const { return times_.back(); }
   /// Whether the centre never moves.
   bool only_turns() const { return largest_rate().template head<Dim>().isZero(0); }
   /// Largest size of each rate at any time [m/s, rad/s].

@@ -11,9 +11,10 @@ namespace washfsi {
 /// Divides a box of cells by their distance [m] from a surface: calls far(part, sign) for parts that lie farther than
 /// `reach` from it, on its positive or negative side, and near(cell) for all other cells. A part is judged by the
 /// distance of its middle, since a distance changes no faster than the place; so the effort grows with the surface, not
-/// with the volume. A cell's faces belong to it. `distance(place)` may be smaller in size than the true one.
-template <int Dim, class Distance, class Far, class Near>
-void subdivide(const Grid<Dim>& grid, const Box<Dim>& box, double reach, const Distance& distance, const Far& far,
+/// with the volume. A cell's faces belong to it. `distance(place)` may be smaller in size than the true one. The cells
+/// are those of a `Grid`, or of anything else that has `lower` and `spacing`.
+template <int Dim, class Cells, class Distance, class Far, class Near>
+void subdivide(const Cells& grid, const Box<Dim>& box, double reach, const Distance& distance, const Far& far,
                const Near& near) {
   Point<Dim> middle, size;
   PetscInt longest = 0;

@@ -10,10 +10,11 @@
 
 namespace washfsi {
 
-/// Shapes of the regularised delta: the thesis's cosine of any half width; Peskin's of half width 2 (Acta Numerica 11
-/// (2002) 479, 6.27); that of Bao, Kaye and Peskin of half width 3 (J. Comput. Phys. 316 (2016) 139), three times
-/// continuously differentiable.
-enum class DeltaKernel { cosine, peskin, bao };
+/// Shapes of the regularised delta: the thesis's cosine of any half width; that of Roma, Peskin and Berger of half
+/// width 3/2 (J. Comput. Phys. 153 (1999) 509); the same smoothed by Yang, Zhang, Li and He, of half width 2 (J.
+/// Comput. Phys. 228 (2009) 7821); Peskin's of half width 2 (Acta Numerica 11 (2002) 479, 6.27); that of Bao, Kaye and
+/// Peskin of half width 3 (J. Comput. Phys. 316 (2016) 139), three times continuously differentiable.
+enum class DeltaKernel { cosine, roma, yang, peskin, bao };
 const ChoiceNames<DeltaKernel>& names_of(DeltaKernel);
 
 /// Shape and half widths of the regularised delta in cells.
@@ -29,6 +30,29 @@ struct DeltaOptions {
 inline double cosine_delta(double distance, double width) {
   if (std::abs(distance) >= width) return 0;
   return (1 + std::cos(std::numbers::pi * distance / width)) / (2 * width);
+}
+
+/// h phi(x) of Roma, Peskin and Berger, x in cells, for |x| < 3/2: the sum is 1, the first moment vanishes and the sum
+/// of squares is 1/2 wherever the points start.
+inline double roma_delta(double distance) {
+  const double r = std::abs(distance);
+  if (r >= 1.5) return 0;
+  if (r <= 0.5) return (1 + std::sqrt(1 - 3 * r * r)) / 3;
+  return (5 - 3 * r - std::sqrt(std::max(0.0, 1 - 3 * (1 - r) * (1 - r)))) / 6;
+}
+
+/// h phi(x) of Yang, Zhang, Li and He, x in cells, for |x| < 2: the mean of `roma_delta` over a cell, so that what a
+/// moving marker gives to a face changes without kinks. The sum is 1, the first moment vanishes and the second moment
+/// is constant.
+inline double yang_delta(double distance) {
+  const double r = std::abs(distance), root3 = std::numbers::sqrt3, pi = std::numbers::pi;
+  if (r >= 2) return 0;
+  if (r <= 1)
+    return 17.0 / 48 + root3 * pi / 108 + r / 4 - r * r / 4 + (1 - 2 * r) / 16 * std::sqrt(1 + 12 * r * (1 - r)) -
+           root3 / 12 * std::asin(root3 / 2 * (2 * r - 1));
+  return 55.0 / 48 - root3 * pi / 108 - 13 * r / 12 + r * r / 4 +
+         (2 * r - 3) / 48 * std::sqrt(std::max(0.0, -23 + 12 * r * (3 - r))) +
+         root3 / 36 * std::asin(root3 / 2 * (2 * r - 3));
 }
 
 /// h phi(x) of Peskin, x in cells, for |x| < 2: sums over even and odd points are equal, the first moment vanishes and
@@ -69,6 +93,8 @@ inline double bao_delta(double distance) {
 
 inline double regularised_delta(DeltaKernel kernel, double distance, double width) {
   return kernel == DeltaKernel::cosine   ? cosine_delta(distance, width)
+         : kernel == DeltaKernel::roma   ? roma_delta(distance)
+         : kernel == DeltaKernel::yang   ? yang_delta(distance)
          : kernel == DeltaKernel::peskin ? peskin_delta(distance)
                                          : bao_delta(distance);
 }

@@ -57,6 +57,13 @@ void FractionalStep<Dim>::predict(const TimeStep& step, const StepFields<Dim>& f
   const petsc::LogPart part("momentum");
   step_ = step;
   fields_ = fields;
+  if (fields.walls) {
+    if (!force_) force_ = grid_.face_vector();
+    WASH_PETSC(VecCopy(fields.force, force_));
+    fields.walls->begin_trial();
+    fields.walls->add_held(force_);
+    fields_.force = force_;
+  }
   explicit_terms();
   // the guesses: linear extrapolation of the two last velocities, and a pressure that changes at the same rate as
   // before
@@ -68,6 +75,7 @@ void FractionalStep<Dim>::predict(const TimeStep& step, const StepFields<Dim>& f
   if (fields.constraint.fluid_fraction) momentum_.constraint_force(rhs_, step.end(), intermediate_, constraint_force_);
   poisson_.set_density(fields.liquid.density,
                        fields.constraint.in_projection ? fields.constraint.fluid_fraction : nullptr);
+  if (fields.walls) fields.walls->push(step, fields.liquid.density, intermediate_);
 }
 
 template <int Dim>
@@ -126,6 +134,37 @@ void FractionalStep<Dim>::project() {
   const petsc::LogPart part("pressure");
   solve_pressure(phi_);
   add_viscous_pressure();
+  hold_walls();
+}
+
+template <int Dim>
+void FractionalStep<Dim>::hold_walls() {
+  if (!fields_.walls) return;
+  const WallForces::Project project = [this](Vec increment) { free_of_divergence(increment); };
+  if (!fields_.walls->hold(step_, fields_.liquid.density, project, intermediate_)) return;
+  if (!phi_of_force_) phi_of_force_ = grid_.cell_vector();
+  WASH_PETSC(VecZeroEntries(phi_of_force_));
+  solve_pressure(phi_of_force_);
+}
+
+template <int Dim>
+void FractionalStep<Dim>::free_of_divergence(Vec increment) {
+  constexpr double accuracy = 1e-4;
+  double speed = 0;
+  WASH_PETSC(VecNorm(increment, NORM_INFINITY, &speed));
+  {
+    const petsc::LocalVector local(grid_.face_dm(), increment);
+    boundary_.fill_homogeneous(local);
+    const ConstFaceView<Dim> u(grid_.face_dm(), local);
+    const CellView<Dim> r(grid_.cell_dm(), minus_divergence_);
+    const Spacing<Dim> h(grid_.spacing());
+    for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) { r(cell) = -divergence<Dim>(u, cell, h); });
+  }
+  const petsc::GlobalVector phi(grid_.cell_dm());
+  WASH_PETSC(VecZeroEntries(phi));
+  counts_.pressure +=
+      static_cast<double>(poisson_.solve(minus_divergence_, accuracy * speed / grid_.spacing().minCoeff(), phi));
+  poisson_.correct(phi, increment);
 }
 
 // What the viscous force of the correction makes of the pressure.
@@ -183,6 +222,7 @@ void FractionalStep<Dim>::add_force(Vec force) {
   if (!phi_of_force_) phi_of_force_ = grid_.cell_vector();
   WASH_PETSC(VecZeroEntries(phi_of_force_));  // not the last one: a restart does not know it
   solve_pressure(phi_of_force_);
+  hold_walls();
 }
 
 template <int Dim>
@@ -200,6 +240,7 @@ template <int Dim>
 void FractionalStep<Dim>::finish() {
   velocity_before_ = std::exchange(velocity_, std::exchange(intermediate_, std::move(velocity_before_)));
   std::swap(advection_before_, advection_);
+  if (fields_.walls) fields_.walls->accept();
   has_history_ = true;
   dt_before_ = step_.dt;
   boundary_.accept_outflow();

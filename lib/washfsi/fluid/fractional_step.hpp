@@ -7,6 +7,7 @@
 //   2. predict         u* - (mu dt / 2 rho) lap u* = b,    u* = u_b on the boundary, u* = u_solid in solids
 //   3. project         div( (1/rho) grad q ) = div u* / dt,    u^(n+1) = u* - (dt/rho) grad q
 //                      p^(n+1/2) = p^(n-1/2) + q - (mu/2) div u*
+//      walls that hold the water by forces add them in 1, mend u* after 2, and hold the projected velocity
 //   3b. add_force      (couplings only) u += (dt/rho) H f, projected again: p += q without the viscous term
 //   4. finish          n becomes n + 1
 // The first step takes (u.grad u)^0 alone (forward Euler). Where the viscosity varies, div tau (`viscous_stress.hpp`)
@@ -19,6 +20,7 @@
 #include "washfsi/fluid/momentum.hpp"
 #include "washfsi/fluid/options.hpp"
 #include "washfsi/fluid/pressure.hpp"
+#include "washfsi/fluid/wall_forces.hpp"
 #include "washfsi/support/clock.hpp"
 
 namespace washfsi {
@@ -34,6 +36,7 @@ struct StepFields {
   LiquidFields liquid;
   Vec force = nullptr;
   Constraint<Dim> constraint;
+  WallForces* walls = nullptr;  ///< what holds the water by forces, if anything does
 };
 
 /// A velocity's component c at a place [m/s].
@@ -97,6 +100,8 @@ class FractionalStep {
   double largest_speed() const;
   void solve_pressure(Vec phi);
   void add_viscous_pressure();
+  void hold_walls();
+  void free_of_divergence(Vec increment);
 
   const Grid<Dim>& grid_;
   Boundary<Dim>& boundary_;  ///< its open sides take part in the step
@@ -111,11 +116,12 @@ class FractionalStep {
   petsc::Vector intermediate_;                  ///< u*, then u^(n+1)
   petsc::Vector advection_, advection_before_;  ///< (u.grad u)^n, (u.grad u)^(n-1)
   petsc::Vector rhs_;                           ///< b of the last `predict`
+  petsc::Vector force_;                         ///< all of the step under way, with that of walls
   petsc::Vector constraint_force_;
   petsc::Vector pressure_;  ///< p^(n-1/2)
   petsc::Vector phi_;       ///< dt q / rho_f of the last projection: the next one's guess
   petsc::Vector minus_divergence_;
-  petsc::Vector phi_of_force_, kept_pressure_;  ///< for `add_force` and `keep_pressure`; made when first used
+  petsc::Vector phi_of_force_, kept_pressure_;  ///< for forces on top and `keep_pressure`; made when first used
   TimeStep step_;                               ///< under way
   StepFields<Dim> fields_;                      ///< of it
   double dt_before_ = 0;

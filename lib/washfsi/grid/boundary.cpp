@@ -118,6 +118,24 @@ void Boundary<Dim>::accept_outflow() {
 }
 
 template <int Dim>
+void Boundary<Dim>::cover_sides(double time, const typename SideCover<Dim>::Velocity& velocity) {
+  if (covers_.empty())
+    for (int axis = 0; axis < Dim; ++axis)
+      for (const End end : both_ends)
+        if (touches(axis, end) && side(axis, end).kind == BoundaryKind::wall && !side(axis, end).motion)
+          covers_.emplace_back(grid_, axis, end, side(axis, end).velocity);
+  for (auto& cover : covers_) cover.set(time, velocity);
+}
+
+// What bodies make of a side; null where none may stand.
+template <int Dim>
+const SideCover<Dim>* Boundary<Dim>::cover(int axis, End end) const {
+  for (const auto& cover : covers_)
+    if (cover.axis() == axis && cover.end() == end) return &cover;
+  return nullptr;
+}
+
+template <int Dim>
 const Side<Dim>& Boundary<Dim>::side(int axis, End end) const {
   return sides_[axis][end == End::upper ? 1 : 0];
 }
@@ -160,6 +178,7 @@ double Boundary<Dim>::value(int axis, End end, const Index<Dim>& face, int compo
   const Side<Dim>& here = side(axis, end);
   if (here.kind == BoundaryKind::outflow) return outflow(axis, end)(face, component, time > outflow_time_);
   if (here.motion) return here.motion(foot(face, component, axis, end), time)[component];
+  if (const auto* moved = cover(axis, end); moved && component != axis) return (*moved)(face, component, time);
   if (here.profile == InflowProfile::uniform) return here.velocity[component];
   return here.velocity[component] * profile_at(axis, foot(face, component, axis, end));
 }
@@ -169,7 +188,8 @@ template <int Dim>
 template <class Use>
 void Boundary<Dim>::with_values(int axis, End end, int component, double time, Use&& use) const {
   const Side<Dim>& here = side(axis, end);
-  if (here.kind == BoundaryKind::outflow || here.motion || here.profile != InflowProfile::uniform)
+  const bool varies = here.kind == BoundaryKind::outflow || here.motion || here.profile != InflowProfile::uniform;
+  if (varies || cover(axis, end))
     use([&](const Index<Dim>& face) { return value(axis, end, face, component, time); });
   else
     use([same = here.velocity[component]](const Index<Dim>&) { return same; });

@@ -7,6 +7,7 @@
 #include "washfsi/grid/grid.hpp"
 #include "washfsi/grid/outflow.hpp"
 #include "washfsi/grid/side.hpp"
+#include "washfsi/grid/side_cover.hpp"
 
 namespace washfsi {
 
@@ -51,6 +52,10 @@ class Boundary {
   /// The time of the present values, as a restart sets it.
   void set_outflow_time(double time) { outflow_time_ = time; }
 
+  /// Lets no-slip sides move along themselves from `time` on where bodies stand on them: `velocity` tells it for every
+  /// place of a side.
+  void cover_sides(double time, const typename SideCover<Dim>::Velocity& velocity);
+
   const Side<Dim>& side(int axis, End end) const;
   /// +1 or -1: the sign with which a ghost of this component mirrors the interior; 0 if it does not, on periodic and
   /// open sides.
@@ -76,11 +81,13 @@ class Boundary {
   void balance_outflow(double time);
   const OutflowLayer<Dim>& outflow(int axis, End end) const;
   void check_net_flux() const;
+  const SideCover<Dim>* cover(int axis, End end) const;
   Point<Dim> foot(const Index<Dim>& face, int component, int axis, End end) const;
 
   const Grid<Dim>& grid_;
   Sides sides_;
   std::vector<OutflowLayer<Dim>> outflows_;
+  std::vector<SideCover<Dim>> covers_;
   double outflow_time_ = 0, next_outflow_time_ = 0;  ///< of the present and the advanced values [s]
 };
 

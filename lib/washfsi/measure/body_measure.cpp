@@ -59,10 +59,14 @@ void BodyMeasure<Dim>::observe(const Observation<Dim>& seen) {
   loads_ = model.mask.loads(fluid.constraint_force(), density, fluid.pressure(), middle);
   const Loads<Dim> beneath =
       model.mask.hidden_wall_shear(model.boundary, seen.velocity, model.liquid.viscosity(), time);
-  for (std::size_t b = 0; b < loads_.size(); ++b) loads_[b] += beneath[b];
+  const Loads<Dim> of_markers = model.walls ? model.walls->loads() : Loads<Dim>(loads_.size());
+  for (std::size_t b = 0; b < loads_.size(); ++b) {
+    loads_[b] += beneath[b];
+    loads_[b] += of_markers[b];
+  }
   if (control_volumes_)
     balance_loads_ = control_volumes_->loads({fluid.velocity_before(), fluid.velocity(), fluid.pressure(), density,
-                                              system_.step.force, model.mask.fluid_fraction(), model.liquid.viscosity(),
+                                              system_.step.force, model.mask.fluid_share(), model.liquid.viscosity(),
                                               time, seen.dt});
   for (std::size_t b = 0; b < loads_.size(); ++b)
     for (Load<Dim>* load : {&loads_[b], &balance_loads_[b]}) *load += seen.contact.bodies[b];

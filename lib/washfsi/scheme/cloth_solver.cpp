@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "washfsi/coupling/marker_vectors.hpp"
 #include "washfsi/fluid/krylov.hpp"
-#include "washfsi/scheme/marker_vectors.hpp"
 #include "washfsi/support/collective.hpp"
 #include "washfsi/support/errors.hpp"
 

@@ -36,9 +36,20 @@ void spread_cloth(System<Dim>& system, const Points<Dim>& positions, const Point
 }
 
 template <int Dim>
+void hold_walls(Model<Dim>& model, double time) {
+  if (!model.walls) return;
+  const PosedBodies<Dim> posed(model.bodies, time);
+  model.boundary.cover_sides(time, [&](const Point<Dim>& place, const Point<Dim>& own) {
+    return model.mask.velocity_of_side(place, own, posed, time);
+  });
+  model.walls->update(time);
+}
+
+template <int Dim>
 void hold_bodies(System<Dim>& system, double time) {
   Model<Dim>& model = system.model;
   model.mask.update(time);
+  hold_walls(model, time);
   if (!model.mask.extrapolates()) return;
   const GhostedVelocity<Dim> local(model.boundary, model.grid.wide_face_dm(), model.fluid.velocity(),
                                    system.state.clock.time);
@@ -49,7 +60,8 @@ template <int Dim>
 void predict_and_project(System<Dim>& system, double dt) {
   auto& [model, state, step] = system;
   model.liquid.update_viscosity(model.fluid.velocity(), state.clock.time);
-  model.fluid.predict(state.clock.next(dt), {model.liquid.fields(), step.force, model.mask.constraint()});
+  model.fluid.predict(state.clock.next(dt),
+                      {model.liquid.fields(), step.force, model.mask.constraint(), model.walls.get()});
   model.fluid.project();
 }
 
@@ -70,6 +82,8 @@ template Points<2> all_forces<2>(System<2>&, const Points<2>&);
 template Points<3> all_forces<3>(System<3>&, const Points<3>&);
 template void spread_cloth<2>(System<2>&, const Points<2>&, const Points<2>&);
 template void spread_cloth<3>(System<3>&, const Points<3>&, const Points<3>&);
+template void hold_walls<2>(Model<2>&, double);
+template void hold_walls<3>(Model<3>&, double);
 template void hold_bodies<2>(System<2>&, double);
 template void hold_bodies<3>(System<3>&, double);
 template void predict_and_project<2>(System<2>&, double);

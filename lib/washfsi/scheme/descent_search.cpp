@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/scheme/descent_search.hpp"
 
-#include "washfsi/scheme/marker_vectors.hpp"
+#include "washfsi/coupling/marker_vectors.hpp"
 
 namespace washfsi {
 

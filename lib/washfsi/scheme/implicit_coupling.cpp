@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "washfsi/coupling/marker_vectors.hpp"
 #include "washfsi/scheme/acceleration.hpp"
 #include "washfsi/scheme/coupling_operations.hpp"
-#include "washfsi/scheme/marker_vectors.hpp"
 #include "washfsi/support/collective.hpp"
 
 namespace washfsi {

@@ -31,8 +31,17 @@ GridShape<Dim> with_ghosts_for(GridShape<Dim> shape, const ModelOptions<Dim>& op
   const DeltaOptions& delta = options.delta;
   shape.ghost_width = static_cast<PetscInt>(std::ceil(std::max(delta.spread_width, delta.interpolate_width))) + 1;
   // a probe lies at most two spacings from the face that it serves
-  if (options.treatment.method == BodyMethod::ghost) shape.ghost_width = std::max<PetscInt>(shape.ghost_width, 3);
+  if (options.treatment.method == BodyMethod::ghost || options.treatment.method == BodyMethod::direct_forcing)
+    shape.ghost_width = std::max<PetscInt>(shape.ghost_width, 3);
   return shape;
+}
+
+template <int Dim>
+std::unique_ptr<SurfaceForcing<Dim>> make_walls(const Grid<Dim>& grid, const Boundary<Dim>& boundary,
+                                                const std::vector<Body<Dim>>& bodies,
+                                                const ModelOptions<Dim>& options) {
+  if (options.treatment.method != BodyMethod::direct_forcing || bodies.empty()) return nullptr;
+  return std::make_unique<SurfaceForcing<Dim>>(grid, boundary, bodies, options.treatment, options.fluid.density);
 }
 
 // Every force that comes from what is round the cloths: reads its options, and makes nothing if it is not asked for.
@@ -72,6 +81,7 @@ Model<Dim>::Model(MPI_Comm comm, const ModelOptions<Dim>& options, std::vector<B
       boundary(grid, sides_with_drum<Dim>(options.grid.sides, options.grid.shape, rigid_bodies)),
       bodies(std::move(rigid_bodies)),
       mask(grid, bodies, options.treatment),
+      walls(make_walls(grid, boundary, bodies, options)),
       liquid(grid, boundary, options.fluid.density, options.fluid.viscosity, options.fluid.viscosity_models),
       fluid(grid, boundary, options.fluid),
       cloths(comm, options.cloths),

@@ -3,8 +3,8 @@
 
 #include "washfsi/body/mask.hpp"
 #include "washfsi/contact/contact_force.hpp"
-#include "washfsi/coupling/transfer.hpp"
 #include "washfsi/fluid/fractional_step.hpp"
+#include "washfsi/forcing/surface_forcing.hpp"
 #include "washfsi/grid/options.hpp"
 
 namespace washfsi {
@@ -51,11 +51,14 @@ struct Model {
   void locate_cloth(const Points<Dim>& places);
   /// H on faces; null without solids.
   Vec fluid_fraction() const { return mask.empty() ? nullptr : mask.fluid_fraction(); }
+  /// The share of faces that lies in fluid; null without solids.
+  Vec fluid_share() const { return mask.empty() ? nullptr : mask.fluid_share(); }
 
   Grid<Dim> grid;
   Boundary<Dim> boundary;
   std::vector<Body<Dim>> bodies;
   Mask<Dim> mask;
+  std::unique_ptr<SurfaceForcing<Dim>> walls;  ///< of -body_method direct_forcing, else null
   Liquid<Dim> liquid;
   FractionalStep<Dim> fluid;
   Cloths<Dim> cloths;

@@ -6,9 +6,9 @@
 #include <limits>
 #include <numeric>
 
+#include "washfsi/coupling/marker_vectors.hpp"
 #include "washfsi/scheme/acceleration.hpp"
 #include "washfsi/scheme/coupling_operations.hpp"
-#include "washfsi/scheme/marker_vectors.hpp"
 #include "washfsi/support/collective.hpp"
 #include "washfsi/support/errors.hpp"
 

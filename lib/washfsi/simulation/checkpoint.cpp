@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "washfsi/output/field_slab.hpp"
+#include "washfsi/scheme/coupling_operations.hpp"
 #include "washfsi/support/errors.hpp"
 #include "washfsi/support/options.hpp"
 
@@ -12,7 +13,7 @@ namespace washfsi {
 
 namespace {
 
-constexpr double format = 4;  ///< of the file; another number for any other content
+constexpr double format = 5;  ///< of the file; another number for any other content
 
 // The numbers that a state has besides its fields, in the order in which they are kept; as attributes for readers.
 constexpr std::array number_names{"step",
@@ -95,6 +96,29 @@ std::vector<double> identity(const System<Dim>& system) {
   return numbers;
 }
 
+constexpr const char* wall_forces = "/walls/force";
+
+template <int Dim>
+Slab slab_of_patches(const SurfaceForcing<Dim>& walls) {
+  const auto number = [](std::size_t n) { return static_cast<PetscInt>(n); };
+  return marker_slab(number(walls.patch_count()), number(walls.begin()), number(walls.end()), Dim);
+}
+
+template <int Dim>
+void write_wall_forces(Hdf5File& file, const System<Dim>& system) {
+  const SurfaceForcing<Dim>* walls = system.model.walls.get();
+  file.set_attribute("/", "wall_patches", walls ? static_cast<double>(walls->patch_count()) : 0.0);
+  if (walls) file.write_sealed(wall_forces, slab_of_patches(*walls), flattened<Dim>(walls->kept()));
+}
+
+// Other bodies, or another way of holding them, begin without forces.
+template <int Dim>
+void read_wall_forces(Hdf5File& file, SurfaceForcing<Dim>& walls) {
+  if (file.attribute("/", "wall_patches") != static_cast<double>(walls.patch_count())) return;
+  const std::vector<double> flat = file.read_sealed(wall_forces, slab_of_patches(walls));
+  for (std::size_t p = 0; p < walls.kept().size(); ++p) walls.kept()[p] = Point<Dim>(&flat[p * Dim]);
+}
+
 // What some coupling schemes need of the step before.
 template <class SomeState>
 auto motion_before(SomeState& state) {
@@ -146,6 +170,7 @@ void write_checkpoint(const std::string& folder, const System<Dim>& system, Meas
     file.write_sealed("/cloth/time_integrals", slab_of_integrals(system.model.cloths),
                       measures.cloth().time_integrals());
   }
+  write_wall_forces(file, system);
   const std::vector<double> letters(state.options.begin(), state.options.end());
   file.write_sealed("/options", shared_slab(comm, letters.size(), true), letters);
   const std::vector<double> same = identity(system);
@@ -210,6 +235,8 @@ RunState read_checkpoint(const std::string& path, System<Dim>& system, Measures<
     system.state.clock = {read[1], static_cast<long>(read[0])};
     system.model.boundary.set_outflow_time(system.state.clock.time);
     system.model.mask.update(system.state.clock.time);
+    hold_walls(system.model, system.state.clock.time);
+    if (system.model.walls) read_wall_forces(file, *system.model.walls);
     system.model.fluid.set_last_step(read[5]);
     system.model.fluid.set_counts({.momentum = read[6], .pressure = read[7]});
     system.step.cloth_iterations = read[8];

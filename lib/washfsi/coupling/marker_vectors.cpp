@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "washfsi/scheme/marker_vectors.hpp"
+#include "washfsi/coupling/marker_vectors.hpp"
 
 #include <algorithm>
 

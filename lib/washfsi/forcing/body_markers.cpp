@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/forcing/body_markers.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace washfsi {
+
+namespace {
+
+// Times at which the places of a motion are looked at.
+template <int Dim>
+std::vector<double> moments(const RigidMotion<Dim>& motion, double size) {
+  constexpr int count = 200;
+  if (motion.only_turns()) return {0};
+  double end = motion.period();
+  if (motion.table) end = motion.table->end();
+  if (end == 0) end = 2 * size / motion.translation.norm();  // by when it has left the box
+  std::vector<double> times;
+  for (int n = 0; n <= count; ++n) times.push_back(end * n / count);
+  return times;
+}
+
+}  // namespace
+
+template <int Dim>
+BodyMarkers<Dim>::BodyMarkers(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies,
+                              const MarkerLayout<Dim>& layout)
+    : grid_(grid), bodies_(bodies), depth_(layout.moments.retraction(std::numeric_limits<double>::max())) {
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    by_body_.push_back(surface_markers<Dim>(*bodies[b].shape, region(bodies[b]), layout));
+    const MarkerPatches<Dim>& patches = by_body_.back();
+    for (std::size_t p = 0; p < patches.size(); ++p) starts_.push_back(arms_.size() + patches.starts[p]);
+    arms_.insert(arms_.end(), patches.markers.begin(), patches.markers.end());
+    body_of_.insert(body_of_.end(), patches.size(), b);
+  }
+  starts_.push_back(arms_.size());
+}
+
+// What of the body's frame is ever in the box. A body at rest keeps its angle.
+template <int Dim>
+Bounds<Dim> BodyMarkers<Dim>::region(const Body<Dim>& body) const {
+  const RigidMotion<Dim>& motion = body.motion;
+  const Point<Dim> low = grid_.lower(), high = grid_.upper();
+  if (motion.at_rest()) {
+    const auto pose = motion.pose(0);
+    if (pose.sine == 0 && pose.cosine == 1) return {low - pose.center, high - pose.center};
+  }
+  double arm = 0;
+  Bounds<Dim> region = Bounds<Dim>::round(Point<Dim>::Zero(), Point<Dim>::Zero());
+  for (const double time : moments(motion, (high - low).norm())) {
+    const Point<Dim> center = motion.center_at(time);
+    region.include({low - center, high - center});
+    arm = std::max(arm, (low - center).cwiseAbs().cwiseMax((high - center).cwiseAbs()).template head<2>().norm());
+  }
+  region.lower.template head<2>().setConstant(-arm);
+  region.upper.template head<2>().setConstant(arm);
+  return region;
+}
+
+template <int Dim>
+bool BodyMarkers<Dim>::is_covered(const PosedBodies<Dim>& posed, std::size_t body, const Point<Dim>& place) const {
+  for (std::size_t other = 0; other < posed.size(); ++other)
+    if (other != body && posed.distance(other, place) < -depth_) return true;
+  return false;
+}
+
+// A marker that moves along a wall at rest, nearer than the faces beside it, could not have its velocity.
+template <int Dim>
+bool BodyMarkers<Dim>::rubs_a_wall(const Body<Dim>& body, const Point<Dim>& place) const {
+  if (body.motion.at_rest()) return false;
+  for (int d = 0; d < Dim; ++d) {
+    const double near = 0.5 * grid_.spacing()[d];
+    if (!grid_.periodic(d) && (place[d] < grid_.lower()[d] + near || place[d] > grid_.upper()[d] - near)) return true;
+  }
+  return false;
+}
+
+template <int Dim>
+typename BodyMarkers<Dim>::State BodyMarkers<Dim>::at(const PosedBodies<Dim>& posed, std::size_t patch,
+                                                      std::size_t marker, double time) const {
+  const std::size_t b = body_of_[patch];
+  const Point<Dim> place = posed.in_space(b, arms_[marker]);
+  const bool acts = grid_.contains(place) && !is_covered(posed, b, place) && !rubs_a_wall(bodies_[b], place);
+  if (!acts) return {0.5 * (grid_.lower() + grid_.upper()), Point<Dim>::Zero(), false};
+  return {place, bodies_[b].motion.velocity(place, time), true};
+}
+
+template class BodyMarkers<2>;
+template class BodyMarkers<3>;
+
+}  // namespace washfsi

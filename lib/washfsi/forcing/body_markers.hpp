@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/body/body.hpp"
+#include "washfsi/forcing/surface_markers.hpp"
+#include "washfsi/grid/grid.hpp"
+
+namespace washfsi {
+
+/// The markers on the surfaces of all bodies, body by body and patch by patch; known to every rank.
+template <int Dim>
+class BodyMarkers {
+ public:
+  BodyMarkers(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies, const MarkerLayout<Dim>& layout);
+
+  std::size_t size() const { return arms_.size(); }
+  /// The number of patches, the body and the first marker of one; of the one beyond the last, the end.
+  std::size_t patches() const { return body_of_.size(); }
+  std::size_t body_of(std::size_t patch) const { return body_of_[patch]; }
+  std::size_t start(std::size_t patch) const { return starts_[patch]; }
+  /// The markers of one body in its frame.
+  const MarkerPatches<Dim>& of_body(std::size_t body) const { return by_body_[body]; }
+
+  /// One marker at one moment.
+  struct State {
+    Point<Dim> place, velocity;  ///< [m, m/s]
+    bool acts;                   ///< false beyond the box, behind another body's surface, and where it would rub a wall
+  };
+  State at(const PosedBodies<Dim>& posed, std::size_t patch, std::size_t marker, double time) const;
+
+ private:
+  Bounds<Dim> region(const Body<Dim>& body) const;
+  bool is_covered(const PosedBodies<Dim>& posed, std::size_t body, const Point<Dim>& place) const;
+  bool rubs_a_wall(const Body<Dim>& body, const Point<Dim>& place) const;
+
+  const Grid<Dim>& grid_;
+  const std::vector<Body<Dim>>& bodies_;
+  double depth_;  ///< of markers behind a flat surface [m]
+  std::vector<MarkerPatches<Dim>> by_body_;
+  Points<Dim> arms_;                  ///< of all markers, in their bodies' frames
+  std::vector<std::size_t> body_of_;  ///< of each patch
+  std::vector<std::size_t> starts_;   ///< of each patch among the markers, and the end
+};
+
+extern template class BodyMarkers<2>;
+extern template class BodyMarkers<3>;
+
+}  // namespace washfsi

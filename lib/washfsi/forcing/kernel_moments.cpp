@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/forcing/kernel_moments.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace washfsi {
+
+namespace {
+
+constexpr int points_a_cell = 50;
+constexpr int depths_a_cell = 20, deepest = 3;  // beyond which the two sides of a part do not feel each other
+
+}  // namespace
+
+KernelMoments::KernelMoments(DeltaKernel kernel, double width) : spacing_(1.0 / points_a_cell) {
+  const int reach = static_cast<int>(width * points_a_cell);
+  std::vector<double> density;
+  for (int i = -reach; i <= reach; ++i) {
+    const double s = i * spacing_;
+    density.push_back(spacing_ * regularised_delta(kernel, s, width));
+    variance_ += density.back() * s * s;
+  }
+  weights_.assign(2 * density.size() - 1, 0.0);
+  for (std::size_t i = 0; i < density.size(); ++i)
+    for (std::size_t j = 0; j < density.size(); ++j) weights_[i + j] += density[i] * density[j];
+  for (int n = 0; n <= depths_a_cell * deepest; ++n) {
+    const double b = static_cast<double>(n) / depths_a_cell;
+    double lower = 0, upper = b;
+    if (acting_half_thickness(0) < b)
+      for (int halving = 0; halving < 40; ++halving) {
+        const double d = 0.5 * (lower + upper);
+        (acting_half_thickness(d) < b ? lower : upper) = d;
+      }
+    by_depth_.push_back(b - lower);
+  }
+}
+
+// <|shift + s - t|>
+double KernelMoments::mean_difference(double shift) const {
+  const double middle = 0.5 * static_cast<double>(weights_.size() - 1);
+  double sum = 0;
+  for (std::size_t i = 0; i < weights_.size(); ++i)
+    sum += weights_[i] * std::abs(shift + (static_cast<double>(i) - middle) * spacing_);
+  return sum;
+}
+
+double KernelMoments::retraction(double half_thickness) const {
+  const double place = std::min(half_thickness * depths_a_cell, static_cast<double>(by_depth_.size() - 1) - 1e-9);
+  const auto n = static_cast<std::size_t>(place);
+  return by_depth_[n] + (place - static_cast<double>(n)) * (by_depth_[n + 1] - by_depth_[n]);
+}
+
+}  // namespace washfsi

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/forcing/surface_forcing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "washfsi/coupling/marker_vectors.hpp"
+#include "washfsi/fluid/krylov.hpp"
+#include "washfsi/support/collective.hpp"
+
+namespace washfsi {
+
+namespace {
+
+// Narrow, and smooth for what moves over the grid.
+constexpr DeltaOptions delta{DeltaKernel::yang, 2, 2};
+
+template <int Dim>
+MarkerLayout<Dim> layout_for(const Grid<Dim>& grid, double spacing) {
+  return {grid.spacing(), spacing, KernelMoments(delta.kernel, delta.spread_width)};
+}
+
+}  // namespace
+
+template <int Dim>
+SurfaceForcing<Dim>::SurfaceForcing(const Grid<Dim>& grid, const Boundary<Dim>& boundary,
+                                    const std::vector<Body<Dim>>& bodies, const BodyTreatment& treatment,
+                                    double density)
+    : grid_(grid),
+      boundary_(boundary),
+      bodies_(bodies),
+      slip_tolerance_(treatment.slip_tolerance),
+      density_(density),
+      transfer_(grid, boundary, delta),
+      markers_(grid, bodies, layout_for(grid, treatment.marker_spacing)) {
+  for (std::size_t b = 0; b < bodies.size(); ++b) inverses_.emplace_back(markers_.of_body(b), grid.spacing(), delta);
+  const auto ranks = static_cast<std::size_t>(ranks_of(grid.comm()));
+  for (std::size_t rank = 0; rank <= ranks; ++rank)
+    starts_.push_back(static_cast<int>(Dim * (markers_.patches() * rank / ranks)));
+  for (std::size_t rank = 0; rank < ranks; ++rank) counts_.push_back(starts_[rank + 1] - starts_[rank]);
+  const auto rank = static_cast<std::size_t>(rank_of(grid.comm()));
+  begin_ = static_cast<std::size_t>(starts_[rank] / Dim);
+  end_ = static_cast<std::size_t>(starts_[rank + 1] / Dim);
+  forces_.assign(owned(), Point<Dim>::Zero());
+  kept_ = forces_;
+  create_solver();
+  update(0);
+}
+
+template <int Dim>
+void SurfaceForcing<Dim>::create_solver() {
+  const auto size = static_cast<PetscInt>(Dim * owned());
+  WASH_PETSC(MatCreateShell(grid_.comm(), size, size, PETSC_DETERMINE, PETSC_DETERMINE, this, matrix_.put()));
+  WASH_PETSC(MatShellSetOperation(matrix_, MATOP_MULT, reinterpret_cast<void (*)()>(&SurfaceForcing::multiply)));
+  WASH_PETSC(MatCreateVecs(matrix_, solution_.put(), right_.put()));
+  WASH_PETSC(KSPCreate(grid_.comm(), solver_.put()));
+  WASH_PETSC(KSPSetOptionsPrefix(solver_, "walls_"));
+  WASH_PETSC(KSPSetOperators(solver_, matrix_, matrix_));
+  WASH_PETSC(KSPSetType(solver_, KSPCG));
+  WASH_PETSC(KSPSetNormType(solver_, KSP_NORM_UNPRECONDITIONED));
+  PC pc = nullptr;
+  WASH_PETSC(KSPGetPC(solver_, &pc));
+  WASH_PETSC(PCSetType(pc, PCSHELL));
+  WASH_PETSC(PCShellSetContext(pc, this));
+  WASH_PETSC(PCShellSetApply(pc, &SurfaceForcing::precondition));
+  WASH_PETSC(KSPSetTolerances(solver_, 1e-50, PETSC_DEFAULT, PETSC_DEFAULT, 1000));
+  (void)set_up_from_options(solver_);
+}
+
+template <int Dim>
+PetscErrorCode SurfaceForcing<Dim>::multiply(Mat matrix, Vec x, Vec y) {
+  return petsc::guarded([&] {
+    void* self = nullptr;
+    WASH_PETSC(MatShellGetContext(matrix, &self));
+    to_vector<Dim>(static_cast<SurfaceForcing*>(self)->response(to_points<Dim>(x)), y);
+  });
+}
+
+template <int Dim>
+PetscErrorCode SurfaceForcing<Dim>::precondition(PC pc, Vec x, Vec y) {
+  return petsc::guarded([&] {
+    void* self = nullptr;
+    WASH_PETSC(PCShellGetContext(pc, &self));
+    to_vector<Dim>(static_cast<SurfaceForcing*>(self)->approximate_forces(to_points<Dim>(x)), y);
+  });
+}
+
+template <int Dim>
+void SurfaceForcing<Dim>::update(double time) {
+  const PosedBodies<Dim> posed(bodies_, time);
+  time_ = time;
+  states_.clear();
+  shares_.assign(owned(), 0.0);
+  Points<Dim> places;
+  for (std::size_t p = begin_; p < end_; ++p) {
+    double acting = 0;
+    for (std::size_t m = markers_.start(p); m < markers_.start(p + 1); ++m) {
+      states_.push_back(markers_.at(posed, p, m, time));
+      places.push_back(states_.back().place);
+      acting += states_.back().acts ? 1 : 0;
+    }
+    if (acting > 0) shares_[p - begin_] = 1 / acting;
+  }
+  transfer_.locate(places);
+}
+
+// From patches to their markers that act.
+template <int Dim>
+Points<Dim> SurfaceForcing<Dim>::shared_out(const Points<Dim>& of_patches) const {
+  Points<Dim> result(states_.size(), Point<Dim>::Zero());
+  const std::size_t first = markers_.start(begin_);
+  for (std::size_t p = begin_; p < end_; ++p)
+    for (std::size_t m = markers_.start(p) - first; m < markers_.start(p + 1) - first; ++m)
+      if (states_[m].acts) result[m] = shares_[p - begin_] * of_patches[p - begin_];
+  return result;
+}
+
+// Over the markers of each patch that act: the adjoint of `shared_out`.
+template <int Dim>
+Points<Dim> SurfaceForcing<Dim>::means(const Points<Dim>& of_markers) const {
+  Points<Dim> result(owned(), Point<Dim>::Zero());
+  const std::size_t first = markers_.start(begin_);
+  for (std::size_t p = begin_; p < end_; ++p)
+    for (std::size_t m = markers_.start(p) - first; m < markers_.start(p + 1) - first; ++m)
+      if (states_[m].acts) result[p - begin_] += shares_[p - begin_] * of_markers[m];
+  return result;
+}
+
+template <int Dim>
+Points<Dim> SurfaceForcing<Dim>::turned(const Points<Dim>& values, bool into_space) const {
+  std::vector<Pose<Dim>> turns;
+  for (const auto& body : bodies_) turns.push_back(Pose<Dim>::at(Point<Dim>::Zero(), body.motion.angle(time_)));
+  Points<Dim> result(values.size());
+  for (std::size_t p = 0; p < values.size(); ++p) {
+    const Pose<Dim>& turn = turns[markers_.body_of(begin_ + p)];
+    result[p] = into_space ? turn.in_space(values[p]) : turn.in_body_frame(values[p]);
+  }
+  return result;
+}
+
+template <int Dim>
+void SurfaceForcing<Dim>::begin_trial() {
+  forces_ = turned(kept_, true);
+}
+
+template <int Dim>
+void SurfaceForcing<Dim>::accept() {
+  kept_ = turned(forces_, false);
+}
+
+template <int Dim>
+void SurfaceForcing<Dim>::add_held(Vec force) {
+  (void)transfer_.spread(shared_out(forces_), force);
+}
+
+// u += dt S F / rho
+template <int Dim>
+void SurfaceForcing<Dim>::accelerate(const Points<Dim>& forces, Vec velocity) const {
+  const petsc::GlobalVector pushed(grid_.face_dm());
+  WASH_PETSC(VecZeroEntries(pushed));
+  (void)transfer_.spread(shared_out(forces), pushed);
+  WASH_PETSC(VecPointwiseDivide(pushed, pushed, fluid_density_));
+  WASH_PETSC(VecAXPY(velocity, step_.dt, pushed));
+}
+
+// U - J u
+template <int Dim>
+Points<Dim> SurfaceForcing<Dim>::slips(Vec velocity) const {
+  const GhostedVelocity<Dim> local(boundary_, grid_.wide_face_dm(), velocity, time_);
+  Points<Dim> result = transfer_.interpolate(local);
+  for (std::size_t m = 0; m < result.size(); ++m) result[m] = states_[m].velocity - result[m];
+  return means(result);
+}
+
+template <int Dim>
+double SurfaceForcing<Dim>::rms(const Points<Dim>& values) const {
+  std::vector<double> sums{0, 0};
+  for (std::size_t p = 0; p < values.size(); ++p) {
+    sums[0] += values[p].squaredNorm();
+    sums[1] += shares_[p] > 0 ? 1 : 0;
+  }
+  sums = ordered_sum(grid_.comm(), sums);
+  return std::sqrt(sums[0] / std::max(sums[1], 1.0));
+}
+
+template <int Dim>
+double SurfaceForcing<Dim>::slip(Vec velocity) const {
+  return rms(slips(velocity));
+}
+
+template <int Dim>
+double SurfaceForcing<Dim>::largest_speed(Vec velocity) const {
+  double speed = 0, of_markers = 0;
+  WASH_PETSC(VecNorm(velocity, NORM_INFINITY, &speed));
+  for (const auto& state : states_) of_markers = std::max(of_markers, state.velocity.norm());
+  return std::max(speed, largest(grid_.comm(), of_markers));
+}
+
+// J P S F dt/rho
+template <int Dim>
+Points<Dim> SurfaceForcing<Dim>::response(const Points<Dim>& forces) const {
+  const petsc::GlobalVector increment(grid_.face_dm());
+  WASH_PETSC(VecZeroEntries(increment));
+  accelerate(forces, increment);
+  (*project_)(increment);
+  const petsc::LocalVector local(grid_.wide_face_dm(), increment);
+  boundary_.fill_homogeneous(local);
+  return means(transfer_.interpolate(local));
+}
+
+template <int Dim>
+Points<Dim> SurfaceForcing<Dim>::approximate_forces(const Points<Dim>& velocities) const {
+  Points<Dim> all(markers_.patches());
+  MPI_Allgatherv(velocities.data(), static_cast<int>(Dim * velocities.size()), MPI_DOUBLE, all.data(), counts_.data(),
+                 starts_.data(), MPI_DOUBLE, grid_.comm());
+  const double scale = density_ * grid_.cell_volume() / step_.dt;
+  Points<Dim> forces;
+  std::size_t first = 0;
+  for (std::size_t b = 0; b < inverses_.size(); ++b) {
+    const std::size_t count = markers_.of_body(b).size();
+    const auto start = all.begin() + static_cast<std::ptrdiff_t>(first);
+    if (first < end_ && first + count > begin_) {
+      const Points<Dim> of_body = inverses_[b](Points<Dim>(start, start + static_cast<std::ptrdiff_t>(count)));
+      for (std::size_t m = std::max(first, begin_); m < std::min(first + count, end_); ++m)
+        forces.push_back(scale * of_body[m - first]);
+    }
+    first += count;
+  }
+  for (std::size_t p = 0; p < forces.size(); ++p)
+    if (shares_[p] == 0) forces[p].setZero();
+  return forces;
+}
+
+template <int Dim>
+void SurfaceForcing<Dim>::push(const TimeStep& step, Vec density, Vec velocity) {
+  step_ = step;
+  fluid_density_ = density;
+  const Points<Dim> more = approximate_forces(slips(velocity));
+  accelerate(more, velocity);
+  forces_ += more;
+}
+
+template <int Dim>
+bool SurfaceForcing<Dim>::hold(const TimeStep& step, Vec density, const Project& project, Vec velocity) {
+  step_ = step;
+  fluid_density_ = density;
+  const Points<Dim> left = slips(velocity);
+  const double tolerance = slip_tolerance_ * largest_speed(velocity);
+  if (rms(left) <= tolerance) return false;
+  project_ = &project;
+  to_vector<Dim>(left, right_);
+  const double to_norm = std::sqrt(static_cast<double>(markers_.patches()));
+  iterations_ += static_cast<double>(solve_to(solver_, 0.5 * tolerance * to_norm, right_, solution_, "walls"));
+  project_ = nullptr;
+  const Points<Dim> more = to_points<Dim>(solution_);
+  accelerate(more, velocity);
+  forces_ += more;
+  return true;
+}
+
+template <int Dim>
+Loads<Dim> SurfaceForcing<Dim>::loads() const {
+  Loads<Dim> loads(bodies_.size());
+  const Points<Dim> of_markers = shared_out(forces_);
+  const std::size_t first = markers_.start(begin_);
+  for (std::size_t p = begin_; p < end_; ++p) {
+    const std::size_t b = markers_.body_of(p);
+    const Point<Dim> center = bodies_[b].motion.center_at(time_);
+    for (std::size_t m = markers_.start(p) - first; m < markers_.start(p + 1) - first; ++m)
+      if (states_[m].acts) loads[b].add(states_[m].place - center, -of_markers[m]);
+  }
+  return ordered_sum<Dim>(grid_.comm(), loads);
+}
+
+template class SurfaceForcing<2>;
+template class SurfaceForcing<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Direct forcing by markers on the bodies' surfaces: forces F that act through the delta hold the water at the markers
+// at the bodies' velocity U, and are solved for together with the pressure,
+//   J u = U,   div u = 0,   u = P [u* + dt S F / rho],
+// P the projection. S and J are adjoint, so that J P S is symmetric: conjugate gradients, PETSc prefix walls_,
+// preconditioned by the inverse overlap of the deltas. Uhlmann, J. Comput. Phys. 209 (2005) 448; Taira and Colonius,
+// J. Comput. Phys. 225 (2007) 2118. A step begins with the forces of the step before, which turn with their body.
+#pragma once
+
+#include "washfsi/body/load.hpp"
+#include "washfsi/coupling/transfer.hpp"
+#include "washfsi/fluid/wall_forces.hpp"
+#include "washfsi/forcing/body_markers.hpp"
+#include "washfsi/forcing/overlap_inverse.hpp"
+
+namespace washfsi {
+
+template <int Dim>
+class SurfaceForcing : public WallForces {
+ public:
+  /// Collective. `density` [kg/m3] is the water's.
+  SurfaceForcing(const Grid<Dim>& grid, const Boundary<Dim>& boundary, const std::vector<Body<Dim>>& bodies,
+                 const BodyTreatment& treatment, double density);
+
+  /// Places the markers as the bodies are at `time`. Collective.
+  void update(double time);
+
+  void begin_trial() override;
+  void add_held(Vec force) override;
+  void push(const TimeStep& step, Vec density, Vec velocity) override;
+  bool hold(const TimeStep& step, Vec density, const Project& project, Vec velocity) override;
+  void accept() override;
+
+  /// What the water does to the markers of each body, about its centre. Collective.
+  Loads<Dim> loads() const;
+  /// rms slip at the markers of a velocity at the time of the last `update` [m/s]. Collective.
+  double slip(Vec velocity) const;
+
+  /// What a restart needs: the forces of this rank's patches, in the bodies' frames, and which patches these are.
+  Points<Dim>& kept() { return kept_; }
+  const Points<Dim>& kept() const { return kept_; }
+  std::size_t begin() const { return begin_; }
+  std::size_t end() const { return end_; }
+  std::size_t marker_count() const { return markers_.size(); }
+  std::size_t patch_count() const { return markers_.patches(); }
+  double iterations() const { return iterations_; }  ///< of the forces' solver, so far
+
+ private:
+  static PetscErrorCode multiply(Mat matrix, Vec x, Vec y);
+  static PetscErrorCode precondition(PC pc, Vec x, Vec y);
+  void create_solver();
+  std::size_t owned() const { return end_ - begin_; }
+  Points<Dim> turned(const Points<Dim>& values, bool into_space) const;
+  Points<Dim> shared_out(const Points<Dim>& of_patches) const;
+  Points<Dim> means(const Points<Dim>& of_markers) const;
+  Points<Dim> slips(Vec velocity) const;
+  Points<Dim> response(const Points<Dim>& forces) const;
+  Points<Dim> approximate_forces(const Points<Dim>& velocities) const;
+  void accelerate(const Points<Dim>& forces, Vec velocity) const;
+  double rms(const Points<Dim>& values) const;
+  double largest_speed(Vec velocity) const;
+
+  const Grid<Dim>& grid_;
+  const Boundary<Dim>& boundary_;
+  const std::vector<Body<Dim>>& bodies_;
+  double slip_tolerance_, density_;
+  Transfer<Dim> transfer_;
+  BodyMarkers<Dim> markers_;
+  std::vector<OverlapInverse<Dim>> inverses_;             ///< of each body
+  std::vector<int> counts_, starts_;                      ///< of each rank's patches, times Dim
+  std::size_t begin_ = 0, end_ = 0;                       ///< this rank's patches
+  std::vector<typename BodyMarkers<Dim>::State> states_;  ///< of their markers
+  std::vector<double> shares_;                            ///< of each acting marker in its patch; 0 of patches without
+  Points<Dim> forces_;                                    ///< F of each patch [N; per unit depth in the plane]
+  Points<Dim> kept_;                                      ///< F of the step before, in the bodies' frames
+  double time_ = 0;                                       ///< of `update`
+  petsc::Matrix matrix_;
+  petsc::Solver solver_;
+  petsc::Vector right_, solution_;
+  TimeStep step_;                     ///< under way
+  Vec fluid_density_ = nullptr;       ///< of it
+  const Project* project_ = nullptr;  ///< while the solver runs
+  double iterations_ = 0;
+};
+
+extern template class SurfaceForcing<2>;
+extern template class SurfaceForcing<3>;
+
+}  // namespace washfsi

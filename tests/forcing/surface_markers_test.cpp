@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/forcing/surface_markers.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "washfsi/body/primitives.hpp"
+
+namespace washfsi::test {
+namespace {
+
+const KernelMoments moments(DeltaKernel::yang, 2);
+
+MarkerLayout<3> layout(double cell) {
+  return {Point<3>::Constant(cell), 1.2, moments};
+}
+
+TEST(KernelMoments, AreThoseOfTheDelta) {
+  EXPECT_NEAR(moments.variance(), 0.3818, 1e-3);
+  EXPECT_NEAR(moments.retraction(10), 0.5 * moments.sheet_reach(), 1e-9);
+}
+
+TEST(KernelMoments, PutOneSheetIntoThinParts) {
+  const double thinnest = moments.sheet_reach();
+  for (const double b : {0.1, 0.3, 0.6}) EXPECT_NEAR(moments.retraction(b), b, 1e-9);
+  double before = thinnest;
+  for (double b = thinnest + 0.05; b < 3; b += 0.1) {
+    EXPECT_LE(moments.retraction(b), before + 1e-9);
+    before = moments.retraction(b);
+  }
+}
+
+// A ball acts with its true radius if the mean distance of its markers' deltas from its middle is right.
+TEST(SurfaceMarkers, LieBehindABall) {
+  const Sphere<3> ball(1);
+  constexpr double cell = 0.1;
+  const MarkerPatches<3> patches =
+      surface_markers<3>(ball, Bounds<3>::round(Point<3>::Zero(), Point<3>::Constant(1.5)), layout(cell));
+  const double expected = 1 - cell * (0.5 * moments.sheet_reach() + moments.variance() * cell);
+  for (const auto& marker : patches.markers) EXPECT_NEAR(marker.norm(), expected, 0.02 * cell);
+}
+
+TEST(SurfaceMarkers, AreInPatchesThatCoverTheSurface) {
+  const Sphere<3> ball(1);
+  constexpr double cell = 0.1;
+  const MarkerPatches<3> patches =
+      surface_markers<3>(ball, Bounds<3>::round(Point<3>::Zero(), Point<3>::Constant(1.5)), layout(cell));
+  ASSERT_EQ(patches.starts.back(), patches.markers.size());
+  for (std::size_t p = 0; p < patches.size(); ++p) EXPECT_LT(patches.starts[p], patches.starts[p + 1]);
+  for (int n = 0; n < 500; ++n) {  // places of a spiral on the ball
+    const double z = -1 + (n + 0.5) / 250, turn = 2.4 * n, r = std::sqrt(1 - z * z);
+    const Point<3> place(r * std::cos(turn), r * std::sin(turn), z);
+    double nearest = 1;
+    for (const auto& marker : patches.markers) nearest = std::min(nearest, (marker - place).norm());
+    EXPECT_LT(nearest, 1.2 * cell) << place.transpose();
+  }
+}
+
+TEST(SurfaceMarkers, DoNotDependOnTheRegion) {
+  const Sphere<3> ball(0.5);
+  const Point<3> margin = Point<3>::Constant(1);
+  const auto here = surface_markers<3>(ball, Bounds<3>::round(Point<3>::Zero(), margin), layout(0.1));
+  const auto there = surface_markers<3>(ball, Bounds<3>::round(Point<3>(0.013, 0.021, -0.037), margin), layout(0.1));
+  EXPECT_EQ(here.markers, there.markers);
+}
+
+TEST(SurfaceMarkers, OfAThinPlateAreOneSheetWithinItsEdges) {
+  constexpr double cell = 0.1;
+  for (const double thickness : {0.002, 0.03, 0.1}) {
+    const Cuboid<3> plate(Point<3>(thickness, 1, 1));
+    const MarkerPatches<3> patches =
+        surface_markers<3>(plate, Bounds<3>::round(Point<3>::Zero(), Point<3>::Constant(1)), layout(cell));
+    double widest = 0;
+    for (const auto& marker : patches.markers) {
+      EXPECT_LT(std::abs(marker[0]), 0.1 * cell) << thickness;
+      widest = std::max(widest, marker.tail<2>().cwiseAbs().maxCoeff());
+    }
+    EXPECT_LT(widest, 0.5 - 0.4 * cell) << thickness;
+    EXPECT_GT(widest, 0.5 - 1.0 * cell) << thickness;
+  }
+}
+
+TEST(Delta, OfYangHasConstantMoments) {
+  for (double start = 0; start < 1; start += 0.05) {
+    double sum = 0, first = 0, second = 0;
+    for (int i = -3; i <= 3; ++i) {
+      const double x = i + start, weight = yang_delta(x);
+      sum += weight;
+      first += weight * x;
+      second += weight * x * x;
+    }
+    EXPECT_NEAR(sum, 1, 1e-12);
+    EXPECT_NEAR(first, 0, 1e-12);
+    EXPECT_NEAR(second, 0.3818000706405, 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace washfsi::test

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Bodies held by markers: what must not matter to their loads does not, and the energy of a stirred box closes."""
+
+import unittest
+
+import numpy as np
+
+from support import ProgramTest, read_columns
+
+DIRECT = ["-body_method", "direct_forcing", "-fluid_density", 1, "-output_interval", 100]
+FLOW = [*DIRECT, "-grid_cells", "60,40", "-grid_upper", "3,2", "-bc_x_lower", "inflow", "-bc_x_lower_velocity", "1,0",
+        "-bc_x_upper", "outflow", "-bc_y_lower", "slip", "-bc_y_upper", "slip", "-fluid_initial", "uniform",
+        "-fluid_initial_velocity", "1,0", "-fluid_viscosity", 0.025, "-time_step", 0.02, "-time_max_cfl", 2, "-bodies", "ball"]
+CELL = 0.05
+STIRRED = [*DIRECT, "-grid_cells", "40,40", "-fluid_viscosity", 2e-3, "-bodies", "vane", "-vane_shape", "vaned",
+           "-vane_hub_radius", 0.08, "-vane_tip_radius", 0.3, "-vane_vane_thickness", 0.06, "-vane_center", "0.5,0.5",
+           "-vane_angular_speed", 4, "-vane_frequency", 0.5, "-time_step", 5e-3, "-time_end", 1]
+
+
+class DirectForcing(ProgramTest):
+    def history(self, name, *options, ranks=1):
+        self.run_well(ranks, *options, "-output_dir", self.folder / name)
+        return read_columns(self.folder / name / "history.csv")
+
+    def mean_drag(self, shape, shift):
+        center = f"{1 + shift[0] * CELL},{1 + shift[1] * CELL}"
+        history = self.history(f"shift_{shift[0]}_{shift[1]}", *FLOW, *shape, "-ball_center", center, "-time_end", 1.6)
+        return history["ball_force_x"][-20:].mean()
+
+    def check_half_cell(self, shape, limit):
+        drags = [self.mean_drag(shape, shift) for shift in ((0, 0), (0.25, 0.25), (0.5, 0.5), (0.5, 0))]
+        self.assertLess(np.ptp(drags), limit * np.mean(drags), drags)
+
+    def test_half_a_cell_hardly_matters_to_a_circle(self):
+        self.check_half_cell(["-ball_shape", "sphere", "-ball_radius", 0.25], 0.02)
+
+    def test_half_a_cell_hardly_matters_to_a_plate(self):
+        self.check_half_cell(["-ball_shape", "box", "-ball_size", "0.03,0.5"], 0.02)
+
+    def test_ranks_agree(self):
+        one = self.history("one", *STIRRED, "-max_steps", 40)
+        three = self.history("three", *STIRRED, "-max_steps", 40, ranks=3)
+        largest = np.abs(one["vane_torque"]).max()
+        np.testing.assert_allclose(three["vane_torque"], one["vane_torque"], atol=1e-5 * largest)
+
+    def test_restart_gives_the_same_bytes(self):
+        self.history("whole", *STIRRED, "-max_steps", 30)
+        self.history("parts", *STIRRED, "-max_steps", 15)
+        self.history("parts", *STIRRED, "-max_steps", 15, "-restart", self.folder / "parts" / "checkpoint.h5")
+        whole, parts = (self.folder / name / "history.csv" for name in ("whole", "parts"))
+        self.assertEqual(whole.read_bytes(), parts.read_bytes())
+
+    def test_energy_of_a_stirred_box_closes_and_the_torque_is_smooth(self):
+        history = self.history("stirred", *STIRRED)
+        dt, torque = history["dt"], history["vane_torque"]
+        work = (history["vane_power"] * dt).sum()
+        kept_or_lost = history["kinetic_energy"][-1] + ((history["dissipation"] + history["mask_dissipation"]) * dt).sum()
+        self.assertLess(abs(work - kept_or_lost), 0.05 * work, (work, kept_or_lost))
+        smooth = np.convolve(torque, np.full(9, 1 / 9), mode="valid")
+        noise = (torque[4:-4] - smooth)[20:]
+        self.assertLess(noise.std(), 0.03 * np.abs(smooth).max())
+
+
+if __name__ == "__main__":
+    unittest.main()
