@@ -20,6 +20,15 @@ MarkerLayout<3> layout(double cell) {
 TEST(KernelMoments, AreThoseOfTheDelta) {
   EXPECT_NEAR(moments.variance(), 0.3818, 1e-3);
   EXPECT_NEAR(moments.retraction(10), 0.5 * moments.sheet_reach(), 1e-9);
+  double sum = 0, square = 0;
+  constexpr double step = 0.01;
+  for (double shift = -4; shift <= 4; shift += step) {
+    sum += step * moments.overlap(shift);
+    square += step * moments.overlap(shift) * shift * shift;
+  }
+  EXPECT_NEAR(sum, 1, 1e-4);
+  EXPECT_NEAR(square, 2 * moments.variance(), 1e-3);
+  EXPECT_EQ(moments.overlap(4.1), 0);
 }
 
 TEST(KernelMoments, PutOneSheetIntoThinParts) {
@@ -77,8 +86,20 @@ TEST(SurfaceMarkers, OfAThinPlateAreOneSheetWithinItsEdges) {
       EXPECT_LT(std::abs(marker[0]), 0.1 * cell) << thickness;
       widest = std::max(widest, marker.tail<2>().cwiseAbs().maxCoeff());
     }
-    EXPECT_LT(widest, 0.5 - 0.4 * cell) << thickness;
-    EXPECT_GT(widest, 0.5 - 1.0 * cell) << thickness;
+    EXPECT_NEAR(widest, 0.5 - 0.5 * moments.sheet_reach() * cell, 0.05 * cell) << thickness;
+  }
+}
+
+// What flows through a sheet goes through its gaps.
+TEST(SurfaceMarkers, OfASheetLeaveNoGaps) {
+  constexpr double cell = 0.1;
+  const Cuboid<2> plate(Point<2>(0.03, 1));
+  MarkerPatches<2> patches = surface_markers<2>(plate, Bounds<2>::round(Point<2>::Zero(), Point<2>::Constant(1)),
+                                                {Point<2>::Constant(cell), 1.2, moments});
+  std::sort(patches.markers.begin(), patches.markers.end(), [](const auto& a, const auto& b) { return a[1] < b[1]; });
+  for (std::size_t m = 1; m < patches.markers.size(); ++m) {
+    EXPECT_LT(patches.markers[m][1] - patches.markers[m - 1][1], 1.2 * cell);
+    EXPECT_GT(patches.markers[m][1] - patches.markers[m - 1][1], 0.5 * cell);
   }
 }
 

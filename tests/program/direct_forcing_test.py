@@ -16,6 +16,10 @@ STIRRED = [*DIRECT, "-grid_cells", "40,40", "-fluid_viscosity", 2e-3, "-bodies",
            "-vane_hub_radius", 0.08, "-vane_tip_radius", 0.3, "-vane_vane_thickness", 0.06, "-vane_center", "0.5,0.5",
            "-vane_angular_speed", 4, "-vane_frequency", 0.5, "-time_step", 5e-3, "-time_end", 1]
 
+STANDING = [*DIRECT, "-grid_cells", "20,20,16", "-grid_upper", "1,1,0.8", "-bc_z_upper", "slip", "-fluid_viscosity", 1e-2,
+            "-bodies", "vane", "-vane_shape", "box", "-vane_size", "0.5,0.15,0.8", "-vane_center", "0.5,0.5,0",
+            "-vane_angular_speed", 4, "-vane_frequency", 0.5, "-time_step", 1e-2, "-time_end", 0.6]
+
 
 class DirectForcing(ProgramTest):
     def history(self, name, *options, ranks=1):
@@ -59,6 +63,16 @@ class DirectForcing(ProgramTest):
         smooth = np.convolve(torque, np.full(9, 1 / 9), mode="valid")
         noise = (torque[4:-4] - smooth)[20:]
         self.assertLess(noise.std(), 0.03 * np.abs(smooth).max())
+
+    def test_momentum_and_energy_of_a_body_on_a_floor_close(self):
+        history = self.history("floor", *STANDING)
+        dt = history["dt"]
+        impulses = [(history[name] * dt).sum() for name in history if name.endswith("_torque_z")]
+        left = history["angular_momentum"][-1] + sum(impulses)
+        self.assertLess(abs(left), 5e-3 * max(map(abs, impulses)), impulses)
+        work = (history["vane_power"] * dt).sum()
+        kept_or_lost = history["kinetic_energy"][-1] + ((history["dissipation"] + history["mask_dissipation"]) * dt).sum()
+        self.assertLess(abs(work - kept_or_lost), 0.02 * work, (work, kept_or_lost))
 
 
 if __name__ == "__main__":

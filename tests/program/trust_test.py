@@ -148,7 +148,7 @@ class Trust(ProgramTest):
         self.assertEqual(start["viscosity"]["limit"], 2)
         self.assertIn("advice", start["viscosity"])
         end = {entry["name"] for entry in trust["end"]}
-        self.assertLessEqual({"energy open", "energy lost by the mask", "CFL number", "volume", "towel stretch",
+        self.assertLessEqual({"energy open", "energy lost at moving walls", "CFL number", "volume", "towel stretch",
                               "towel depth in bodies", "crossings", "agitator_work of cycles"}, end)
 
 

@@ -33,7 +33,7 @@ const ChoiceNames<MaskEdge>& names_of(MaskEdge) {
 }
 
 BodyTreatment BodyTreatment::from_options(Options& options) {
-  constexpr Range spacings{0.5, 2, false, "from 0.5 to 2"}, tight{0.0, 0.1, true, "a number > 0 and at most 0.1"};
+  constexpr Range spacings{0.5, 2, false, "from 0.5 to 2"};
   BodyTreatment treatment;
   options.block("", "Bodies and water", [&](OptionBlock& block) {
     block.choice(

@@ -110,8 +110,8 @@ void Mask<Dim>::place(const PosedBodies<Dim>& posed, std::size_t body, double ti
 }
 
 template <int Dim>
-Point<Dim> Mask<Dim>::velocity_of_side(const Point<Dim>& place, const Point<Dim>& own, const PosedBodies<Dim>& posed,
-                                       double time) const {
+Covered<Dim> Mask<Dim>::covered(const Point<Dim>& place, const Point<Dim>& own, const PosedBodies<Dim>& posed,
+                                double time) const {
   Point<Dim> velocity = own;
   double least = 1;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
@@ -120,7 +120,7 @@ Point<Dim> Mask<Dim>::velocity_of_side(const Point<Dim>& place, const Point<Dim>
     least = H;
     velocity = H * own + (1 - H) * bodies_[b].motion.velocity(place, time);
   }
-  return velocity;
+  return {velocity, 1 - least};
 }
 
 template <int Dim>
@@ -260,7 +260,7 @@ Loads<Dim> Mask<Dim>::hidden_wall_shear(const Boundary<Dim>& boundary, Vec local
       for (const End end : {End::lower, End::upper}) {
         const auto& side = boundary.side(axis, end);
         if (side.kind == BoundaryKind::wall && !side.motion)
-          add_hidden_shear(axis, end, ConstFaceView<Dim>(grid_.face_dm(), local_velocity), mu, time, loads);
+          add_hidden_shear(boundary, axis, end, ConstFaceView<Dim>(grid_.face_dm(), local_velocity), mu, time, loads);
       }
   });
   return ordered_sum<Dim>(grid_.comm(), loads);
@@ -268,8 +268,8 @@ Loads<Dim> Mask<Dim>::hidden_wall_shear(const Boundary<Dim>& boundary, Vec local
 
 template <int Dim>
 template <class Form>
-void Mask<Dim>::add_hidden_shear(int axis, End end, const ConstFaceView<Dim>& u, const Form& viscosity, double time,
-                                 Loads<Dim>& loads) const {
+void Mask<Dim>::add_hidden_shear(const Boundary<Dim>& boundary, int axis, End end, const ConstFaceView<Dim>& u,
+                                 const Form& viscosity, double time, Loads<Dim>& loads) const {
   const ConstFaceView<Dim> holder(grid_.face_dm(), body_), fraction(grid_.face_dm(), fluid_share());
   const double spacing = grid_.spacing()[axis], area = grid_.cell_volume() / spacing;
   const int outwards = end == End::upper ? 1 : -1;
@@ -282,9 +282,10 @@ void Mask<Dim>::add_hidden_shear(int axis, End end, const ConstFaceView<Dim>& u,
       const auto b = static_cast<std::size_t>(holder(face, c));
       Point<Dim> place = grid_.face_center(face, c), force = Point<Dim>::Zero();
       place[axis] += 0.5 * outwards * spacing;
+      const double share = share_ ? boundary.covered_share(axis, end, face, c, time) : 1 - fraction(face, c);
       const double mu = viscosity.scale * viscosity.on_side(face, c, axis, outwards);
       const double rate = (u(face, c) - u(shifted<Dim>(face, axis, outwards), c)) / spacing;
-      force[c] = (1 - fraction(face, c)) * area * mu * rate;  // on water beside the body it is the water's
+      force[c] = share * area * mu * rate;  // on water beside the body it is the water's
       loads[b].add(place - bodies_[b].motion.center_at(time), force);
     });
   }

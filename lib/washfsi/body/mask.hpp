@@ -27,9 +27,9 @@ class Mask {
   /// The share of each face that lies in fluid: H, but where markers hold the walls and H is 0 only behind them.
   Vec fluid_share() const { return share_ ? share_ : fraction_; }
   Vec solid_velocity() const { return solid_velocity_; }  ///< on faces [m/s]
-  /// The velocity of a place of a side of the box on which bodies may stand: theirs by their share, else its own [m/s].
-  Point<Dim> velocity_of_side(const Point<Dim>& place, const Point<Dim>& own, const PosedBodies<Dim>& posed,
-                              double time) const;
+  /// What bodies make of a place of a side of the box, whose own velocity is given: it has theirs by their share.
+  Covered<Dim> covered(const Point<Dim>& place, const Point<Dim>& own, const PosedBodies<Dim>& posed,
+                       double time) const;
   bool empty() const { return bodies_.empty(); }
   bool extrapolates() const { return treatment_.method == BodyMethod::ghost && !empty(); }
   /// What the fluid's equations need of it; valid until the next `update`.
@@ -60,8 +60,8 @@ class Mask {
   void add_constraint_force(Vec constraint_force, Vec density, double time, Loads<Dim>& loads) const;
   void add_wall_pressure(Vec pressure, double time, Loads<Dim>& loads) const;
   template <class Form>
-  void add_hidden_shear(int axis, End end, const ConstFaceView<Dim>& u, const Form& viscosity, double time,
-                        Loads<Dim>& loads) const;
+  void add_hidden_shear(const Boundary<Dim>& boundary, int axis, End end, const ConstFaceView<Dim>& u,
+                        const Form& viscosity, double time, Loads<Dim>& loads) const;
 
   const Grid<Dim>& grid_;
   const std::vector<Body<Dim>>& bodies_;

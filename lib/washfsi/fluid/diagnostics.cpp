@@ -89,7 +89,8 @@ FlowDiagnostics<Dim> FlowDiagnostics<Dim>::of(const Grid<Dim>& grid, const FlowS
   const ConstFaceView<Dim> fraction(grid.face_dm(), state.fluid_fraction ? state.fluid_fraction : density);
   const Spacing<Dim> h(grid.spacing());
   const Ends<Dim> ends(grid);
-  const bool has_solids = state.fluid_fraction;
+  const bool has_solids = state.fluid_fraction, are_full = state.inner_velocity;
+  const ConstFaceView<Dim> inner(grid.face_dm(), are_full ? state.inner_velocity : density);
   const Point<Dim> middle = 0.5 * (grid.lower() + grid.upper());
   double energy = 0, turning = 0;
   for_each<Dim>(grid.owned(), [&](const Index<Dim>& cell) {
@@ -98,10 +99,14 @@ FlowDiagnostics<Dim> FlowDiagnostics<Dim>::of(const Grid<Dim>& grid, const FlowS
       const Index<Dim> next = shifted<Dim>(cell, d, 1);
       const double lower = u(cell, d), upper = u(next, d);
       courant += dt * std::max(std::abs(lower), std::abs(upper)) * h.inverse[d];
-      const double mass = (has_solids ? fraction(cell, d) : 1) * rho(cell, d) * (ends.at_lower(cell, d) ? 0.5 : 1);
-      energy += 0.5 * mass * lower * lower;
+      const double H = has_solids ? fraction(cell, d) : 1, of_inner = are_full ? 1 - H : 0;
+      const double mass = rho(cell, d) * (ends.at_lower(cell, d) ? 0.5 : 1);
+      const double solid = are_full ? inner(cell, d) : 0, all = are_full ? 1 : H;
+      energy += 0.5 * mass * (all * lower * lower - of_inner * solid * solid);
       if (ends.at_upper(next, d)) energy += 0.25 * rho(cell, d) * upper * upper;
-      if constexpr (d < 2) turning += (d == 0 ? -1 : 1) * mass * lower * (grid.face_center(cell, d) - middle)[1 - d];
+      if constexpr (d < 2)
+        turning +=
+            (d == 0 ? -1 : 1) * mass * (all * lower - of_inner * solid) * (grid.face_center(cell, d) - middle)[1 - d];
     });
     if (!std::isfinite(courant)) courant = std::numeric_limits<double>::infinity();
     if (courant > result.courant.value) {

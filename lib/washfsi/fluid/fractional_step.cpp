@@ -141,7 +141,12 @@ template <int Dim>
 void FractionalStep<Dim>::hold_walls() {
   if (!fields_.walls) return;
   const WallForces::Project project = [this](Vec increment) { free_of_divergence(increment); };
-  if (!fields_.walls->hold(step_, fields_.liquid.density, project, intermediate_)) return;
+  if (fields_.walls->hold(step_, fields_.liquid.density, project, intermediate_)) project_again();
+}
+
+// After a further force. Its guess is not the last one: a restart does not know it.
+template <int Dim>
+void FractionalStep<Dim>::project_again() {
   if (!phi_of_force_) phi_of_force_ = grid_.cell_vector();
   WASH_PETSC(VecZeroEntries(phi_of_force_));
   solve_pressure(phi_of_force_);
@@ -155,16 +160,21 @@ void FractionalStep<Dim>::free_of_divergence(Vec increment) {
   {
     const petsc::LocalVector local(grid_.face_dm(), increment);
     boundary_.fill_homogeneous(local);
-    const ConstFaceView<Dim> u(grid_.face_dm(), local);
-    const CellView<Dim> r(grid_.cell_dm(), minus_divergence_);
-    const Spacing<Dim> h(grid_.spacing());
-    for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) { r(cell) = -divergence<Dim>(u, cell, h); });
+    find_divergence(local);
   }
   const petsc::GlobalVector phi(grid_.cell_dm());
   WASH_PETSC(VecZeroEntries(phi));
   counts_.pressure +=
       static_cast<double>(poisson_.solve(minus_divergence_, accuracy * speed / grid_.spacing().minCoeff(), phi));
   poisson_.correct(phi, increment);
+}
+
+template <int Dim>
+void FractionalStep<Dim>::find_divergence(Vec local_velocity) {
+  const ConstFaceView<Dim> u(grid_.face_dm(), local_velocity);
+  const CellView<Dim> r(grid_.cell_dm(), minus_divergence_);
+  const Spacing<Dim> h(grid_.spacing());
+  for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) { r(cell) = -divergence<Dim>(u, cell, h); });
 }
 
 // What the viscous force of the correction makes of the pressure.
@@ -186,10 +196,7 @@ template <int Dim>
 void FractionalStep<Dim>::solve_pressure(Vec phi) {
   {
     const GhostedVelocity<Dim> local(boundary_, grid_.face_dm(), intermediate_, step_.end());
-    const ConstFaceView<Dim> u(grid_.face_dm(), local);
-    const CellView<Dim> r(grid_.cell_dm(), minus_divergence_);
-    const Spacing<Dim> h(grid_.spacing());
-    for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) { r(cell) = -divergence<Dim>(u, cell, h); });
+    find_divergence(local);
   }
   const double tolerance = pressure_tolerance_ * largest_speed() / grid_.spacing().minCoeff();
   counts_.pressure += static_cast<double>(poisson_.solve(minus_divergence_, tolerance, phi));
@@ -219,9 +226,7 @@ void FractionalStep<Dim>::add_force(Vec force) {
     });
   }
   if (!projects_) return;
-  if (!phi_of_force_) phi_of_force_ = grid_.cell_vector();
-  WASH_PETSC(VecZeroEntries(phi_of_force_));  // not the last one: a restart does not know it
-  solve_pressure(phi_of_force_);
+  project_again();
   hold_walls();
 }
 

@@ -99,6 +99,8 @@ class FractionalStep {
   void advect(Vec local_velocity, Vec density);
   double largest_speed() const;
   void solve_pressure(Vec phi);
+  void project_again();
+  void find_divergence(Vec local_velocity);
   void add_viscous_pressure();
   void hold_walls();
   void free_of_divergence(Vec increment);

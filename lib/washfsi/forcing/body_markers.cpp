@@ -10,7 +10,7 @@ namespace {
 
 // Times at which the places of a motion are looked at.
 template <int Dim>
-std::vector<double> moments(const RigidMotion<Dim>& motion, double size) {
+std::vector<double> sample_times(const RigidMotion<Dim>& motion, double size) {
   constexpr int count = 200;
   if (motion.only_turns()) return {0};
   double end = motion.period();
@@ -26,7 +26,9 @@ std::vector<double> moments(const RigidMotion<Dim>& motion, double size) {
 template <int Dim>
 BodyMarkers<Dim>::BodyMarkers(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies,
                               const MarkerLayout<Dim>& layout)
-    : grid_(grid), bodies_(bodies), depth_(layout.moments.retraction(std::numeric_limits<double>::max())) {
+    : grid_(grid),
+      bodies_(bodies),
+      depth_(layout.cell.minCoeff() * layout.moments.retraction(std::numeric_limits<double>::max())) {
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     by_body_.push_back(surface_markers<Dim>(*bodies[b].shape, region(bodies[b]), layout));
     const MarkerPatches<Dim>& patches = by_body_.back();
@@ -48,7 +50,7 @@ Bounds<Dim> BodyMarkers<Dim>::region(const Body<Dim>& body) const {
   }
   double arm = 0;
   Bounds<Dim> region = Bounds<Dim>::round(Point<Dim>::Zero(), Point<Dim>::Zero());
-  for (const double time : moments(motion, (high - low).norm())) {
+  for (const double time : sample_times(motion, (high - low).norm())) {
     const Point<Dim> center = motion.center_at(time);
     region.include({low - center, high - center});
     arm = std::max(arm, (low - center).cwiseAbs().cwiseMax((high - center).cwiseAbs()).template head<2>().norm());

@@ -13,11 +13,11 @@ class BodyMarkers {
  public:
   BodyMarkers(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies, const MarkerLayout<Dim>& layout);
 
-  std::size_t size() const { return arms_.size(); }
   /// The number of patches, the body and the first marker of one; of the one beyond the last, the end.
   std::size_t patches() const { return body_of_.size(); }
   std::size_t body_of(std::size_t patch) const { return body_of_[patch]; }
   std::size_t start(std::size_t patch) const { return starts_[patch]; }
+  const Point<Dim>& arm(std::size_t marker) const { return arms_[marker]; }  ///< in its body's frame [m]
   /// The markers of one body in its frame.
   const MarkerPatches<Dim>& of_body(std::size_t body) const { return by_body_[body]; }
 

@@ -13,7 +13,7 @@ constexpr int depths_a_cell = 20, deepest = 3;  // beyond which the two sides of
 
 }  // namespace
 
-KernelMoments::KernelMoments(DeltaKernel kernel, double width) : spacing_(1.0 / points_a_cell) {
+KernelMoments::KernelMoments(DeltaKernel kernel, double width) : width_(width), spacing_(1.0 / points_a_cell) {
   const int reach = static_cast<int>(width * points_a_cell);
   std::vector<double> density;
   for (int i = -reach; i <= reach; ++i) {
@@ -34,6 +34,13 @@ KernelMoments::KernelMoments(DeltaKernel kernel, double width) : spacing_(1.0 / 
       }
     by_depth_.push_back(b - lower);
   }
+}
+
+double KernelMoments::overlap(double shift) const {
+  const double place = std::abs(shift) / spacing_ + 0.5 * static_cast<double>(weights_.size() - 1);
+  const auto n = static_cast<std::size_t>(place);
+  if (n + 1 >= weights_.size()) return 0;
+  return (weights_[n] + (place - static_cast<double>(n)) * (weights_[n + 1] - weights_[n])) / spacing_;
 }
 
 // <|shift + s - t|>

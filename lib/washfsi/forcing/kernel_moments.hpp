@@ -16,6 +16,9 @@ class KernelMoments {
  public:
   KernelMoments(DeltaKernel kernel, double width);
 
+  double width() const { return width_; }  ///< half of the delta [cells]
+  /// The density of s - t: how much two deltas this far apart overlap [1/cells].
+  double overlap(double shift) const;
   /// <s^2> [cells^2].
   double variance() const { return variance_; }
   /// <|s - t|>: how far before its faces and beyond its edges a sheet of markers acts [cells].
@@ -28,7 +31,7 @@ class KernelMoments {
   double mean_difference(double shift) const;
   double acting_half_thickness(double d) const { return 0.5 * (mean_difference(0) + mean_difference(2 * d)); }
 
-  double variance_ = 0, spacing_ = 0;
+  double width_, variance_ = 0, spacing_ = 0;
   std::vector<double> weights_;   ///< of the differences s - t, a spacing apart, from -2 width on
   std::vector<double> by_depth_;  ///< retraction at equal steps of half thickness
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include <Eigen/SparseCholesky>
 
@@ -13,33 +14,50 @@ namespace washfsi {
 
 namespace {
 
-constexpr int places_a_cell = 50;  // of a table
-
 constexpr double least_eigenvalue = 0.3;  // of the overlap, over its largest row sum
 
-}  // namespace
-
-AxisOverlap::AxisOverlap(const DeltaOptions& delta) {
-  constexpr int points = 20;
-  const double reach = delta.spread_width + delta.interpolate_width;
-  for (int n = 0; n <= static_cast<int>(reach) * places_a_cell; ++n) {
-    const double shift = static_cast<double>(n) / places_a_cell;
-    double sum = 0;
-    for (int i = -points * 4; i <= points * 4; ++i) {
-      const double s = static_cast<double>(i) / points;
-      sum += regularised_delta(delta.kernel, s, delta.spread_width) *
-             regularised_delta(delta.kernel, s + shift, delta.interpolate_width) / points;
-    }
-    values_.push_back(sum);
+/// The mean overlap of the deltas of two patches' markers.
+template <int Dim>
+class PatchOverlap {
+ public:
+  PatchOverlap(const MarkerPatches<Dim>& patches, const MarkerLayout<Dim>& layout)
+      : patches_(patches), layout_(layout), reach_(2 * layout.moments.width() * layout.cell) {
+    for (std::size_t p = 0; p < patches.size(); ++p) patch_of_.resize(patches.starts[p + 1], p);
+    for (const auto& marker : patches.markers) places_.push_back(Bounds<Dim>::round(marker, Point<Dim>::Zero()));
+    search_.emplace(places_, reach_, hull(places_));
   }
-}
 
-double AxisOverlap::operator()(double shift) const {
-  const double place = std::abs(shift) * places_a_cell;
-  const auto n = static_cast<std::size_t>(place);
-  if (n + 1 >= values_.size()) return 0;
-  return values_[n] + (place - static_cast<double>(n)) * (values_[n + 1] - values_[n]);
-}
+  /// With all patches that it touches.
+  std::map<std::size_t, double> row(std::size_t patch) const {
+    std::map<std::size_t, double> row;
+    for (std::size_t m = patches_.starts[patch]; m < patches_.starts[patch + 1]; ++m)
+      for (const std::size_t other : search_->near(Bounds<Dim>::round(patches_.markers[m], reach_))) {
+        const double value = share(patch) * share(patch_of_[other]) * of_markers(m, other);
+        if (value != 0) row[patch_of_[other]] += value;
+      }
+    return row;
+  }
+
+ private:
+  double share(std::size_t patch) const {
+    return 1.0 / static_cast<double>(patches_.starts[patch + 1] - patches_.starts[patch]);
+  }
+  double of_markers(std::size_t a, std::size_t b) const {
+    const Point<Dim> shift = (patches_.markers[a] - patches_.markers[b]).cwiseQuotient(layout_.cell);
+    double value = 1;
+    for (int d = 0; d < Dim; ++d) value *= layout_.moments.overlap(shift[d]);
+    return value;
+  }
+
+  const MarkerPatches<Dim>& patches_;
+  const MarkerLayout<Dim>& layout_;
+  Point<Dim> reach_;
+  std::vector<std::size_t> patch_of_;  ///< of each marker
+  std::vector<Bounds<Dim>> places_;
+  std::optional<NearSearch<Dim>> search_;
+};
+
+}  // namespace
 
 template <int Dim>
 struct OverlapInverse<Dim>::Factor {
@@ -48,34 +66,14 @@ struct OverlapInverse<Dim>::Factor {
 };
 
 template <int Dim>
-OverlapInverse<Dim>::OverlapInverse(const MarkerPatches<Dim>& patches, const Point<Dim>& cell,
-                                    const DeltaOptions& delta)
+OverlapInverse<Dim>::OverlapInverse(const MarkerPatches<Dim>& patches, const MarkerLayout<Dim>& layout)
     : factor_(std::make_unique<Factor>()) {
-  const AxisOverlap overlap(delta);
-  const Point<Dim> reach = (delta.spread_width + delta.interpolate_width) * cell;
-  std::vector<Bounds<Dim>> places;
-  std::vector<std::size_t> patch_of;
-  for (std::size_t p = 0; p < patches.size(); ++p)
-    for (std::size_t m = patches.starts[p]; m < patches.starts[p + 1]; ++m) {
-      places.push_back(Bounds<Dim>::round(patches.markers[m], Point<Dim>::Zero()));
-      patch_of.push_back(p);
-    }
-  const auto share = [&](std::size_t p) {
-    return 1.0 / static_cast<double>(patches.starts[p + 1] - patches.starts[p]);
-  };
-  const NearSearch<Dim> search(places, reach, hull(places));
+  const PatchOverlap<Dim> overlap(patches, layout);
   std::vector<Eigen::Triplet<double>> entries;
   double largest_sum = 0;
   for (std::size_t p = 0; p < patches.size(); ++p) {
-    std::map<std::size_t, double> row;
-    for (std::size_t m = patches.starts[p]; m < patches.starts[p + 1]; ++m)
-      for (const std::size_t other : search.near(Bounds<Dim>::round(patches.markers[m], reach))) {
-        double value = share(p) * share(patch_of[other]);
-        for (int d = 0; d < Dim; ++d) value *= overlap((patches.markers[m][d] - patches.markers[other][d]) / cell[d]);
-        if (value != 0) row[patch_of[other]] += value;
-      }
     double sum = 0;
-    for (const auto& [other, value] : row) {
+    for (const auto& [other, value] : overlap.row(p)) {
       sum += value;
       entries.emplace_back(static_cast<int>(p), static_cast<int>(other), value);
     }

@@ -4,20 +4,9 @@
 #include <memory>
 #include <vector>
 
-#include "washfsi/coupling/delta.hpp"
 #include "washfsi/forcing/surface_markers.hpp"
 
 namespace washfsi {
-
-/// The overlap of two deltas along an axis as a function of their distance in cells.
-class AxisOverlap {
- public:
-  explicit AxisOverlap(const DeltaOptions& delta);
-  double operator()(double shift) const;
-
- private:
-  std::vector<double> values_;  ///< at equal steps from 0 on
-};
 
 /// An approximate inverse of J S over a body's patches: what one unit of force on a patch moves at another without
 /// pressure, the mean overlap of their markers' deltas. Deltas hardly feel where they lie on the grid, so that it is
@@ -26,7 +15,7 @@ class AxisOverlap {
 template <int Dim>
 class OverlapInverse {
  public:
-  OverlapInverse(const MarkerPatches<Dim>& patches, const Point<Dim>& cell, const DeltaOptions& delta);
+  OverlapInverse(const MarkerPatches<Dim>& patches, const MarkerLayout<Dim>& layout);
   ~OverlapInverse();
   OverlapInverse(OverlapInverse&&) noexcept;
 

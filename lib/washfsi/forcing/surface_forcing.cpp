@@ -33,7 +33,8 @@ SurfaceForcing<Dim>::SurfaceForcing(const Grid<Dim>& grid, const Boundary<Dim>& 
       density_(density),
       transfer_(grid, boundary, delta),
       markers_(grid, bodies, layout_for(grid, treatment.marker_spacing)) {
-  for (std::size_t b = 0; b < bodies.size(); ++b) inverses_.emplace_back(markers_.of_body(b), grid.spacing(), delta);
+  const MarkerLayout<Dim> layout = layout_for(grid, treatment.marker_spacing);
+  for (std::size_t b = 0; b < bodies.size(); ++b) inverses_.emplace_back(markers_.of_body(b), layout);
   const auto ranks = static_cast<std::size_t>(ranks_of(grid.comm()));
   for (std::size_t rank = 0; rank <= ranks; ++rank)
     starts_.push_back(static_cast<int>(Dim * (markers_.patches() * rank / ranks)));
@@ -104,14 +105,21 @@ void SurfaceForcing<Dim>::update(double time) {
   transfer_.locate(places);
 }
 
+// Calls visit(patch, marker) for all markers that act, both counted from this rank's first.
+template <int Dim>
+template <class Visit>
+void SurfaceForcing<Dim>::for_each_acting(Visit&& visit) const {
+  const std::size_t first = markers_.start(begin_);
+  for (std::size_t p = begin_; p < end_; ++p)
+    for (std::size_t m = markers_.start(p) - first; m < markers_.start(p + 1) - first; ++m)
+      if (states_[m].acts) visit(p - begin_, m);
+}
+
 // From patches to their markers that act.
 template <int Dim>
 Points<Dim> SurfaceForcing<Dim>::shared_out(const Points<Dim>& of_patches) const {
   Points<Dim> result(states_.size(), Point<Dim>::Zero());
-  const std::size_t first = markers_.start(begin_);
-  for (std::size_t p = begin_; p < end_; ++p)
-    for (std::size_t m = markers_.start(p) - first; m < markers_.start(p + 1) - first; ++m)
-      if (states_[m].acts) result[m] = shares_[p - begin_] * of_patches[p - begin_];
+  for_each_acting([&](std::size_t p, std::size_t m) { result[m] = shares_[p] * of_patches[p]; });
   return result;
 }
 
@@ -119,10 +127,7 @@ Points<Dim> SurfaceForcing<Dim>::shared_out(const Points<Dim>& of_patches) const
 template <int Dim>
 Points<Dim> SurfaceForcing<Dim>::means(const Points<Dim>& of_markers) const {
   Points<Dim> result(owned(), Point<Dim>::Zero());
-  const std::size_t first = markers_.start(begin_);
-  for (std::size_t p = begin_; p < end_; ++p)
-    for (std::size_t m = markers_.start(p) - first; m < markers_.start(p + 1) - first; ++m)
-      if (states_[m].acts) result[p - begin_] += shares_[p - begin_] * of_markers[m];
+  for_each_acting([&](std::size_t p, std::size_t m) { result[p] += shares_[p] * of_markers[m]; });
   return result;
 }
 
@@ -163,11 +168,17 @@ void SurfaceForcing<Dim>::accelerate(const Points<Dim>& forces, Vec velocity) co
   WASH_PETSC(VecAXPY(velocity, step_.dt, pushed));
 }
 
+// J u
+template <int Dim>
+Points<Dim> SurfaceForcing<Dim>::interpolated(Vec velocity, double time) const {
+  const GhostedVelocity<Dim> local(boundary_, grid_.wide_face_dm(), velocity, time);
+  return transfer_.interpolate(local);
+}
+
 // U - J u
 template <int Dim>
 Points<Dim> SurfaceForcing<Dim>::slips(Vec velocity) const {
-  const GhostedVelocity<Dim> local(boundary_, grid_.wide_face_dm(), velocity, time_);
-  Points<Dim> result = transfer_.interpolate(local);
+  Points<Dim> result = interpolated(velocity, time_);
   for (std::size_t m = 0; m < result.size(); ++m) result[m] = states_[m].velocity - result[m];
   return means(result);
 }
@@ -184,8 +195,16 @@ double SurfaceForcing<Dim>::rms(const Points<Dim>& values) const {
 }
 
 template <int Dim>
-double SurfaceForcing<Dim>::slip(Vec velocity) const {
-  return rms(slips(velocity));
+double SurfaceForcing<Dim>::lost_power(Vec velocity_before, Vec velocity, double dt) const {
+  const Points<Dim> given = shared_out(forces_);
+  const Points<Dim> before = interpolated(velocity_before, time_ - dt), now = interpolated(velocity, time_);
+  double lost = 0;
+  for_each_acting([&](std::size_t p, std::size_t m) {
+    const RigidMotion<Dim>& motion = bodies_[markers_.body_of(begin_ + p)].motion;
+    const Point<Dim> own = motion.velocity(states_[m].place, time_ - 0.5 * dt);
+    lost += given[m].dot(own - 0.5 * (before[m] + now[m]));
+  });
+  return ordered_sum(grid_.comm(), lost);
 }
 
 template <int Dim>
@@ -246,28 +265,60 @@ bool SurfaceForcing<Dim>::hold(const TimeStep& step, Vec density, const Project&
   fluid_density_ = density;
   const Points<Dim> left = slips(velocity);
   const double tolerance = slip_tolerance_ * largest_speed(velocity);
-  if (rms(left) <= tolerance) return false;
+  slip_ = rms(left);
+  if (slip_ <= tolerance) return false;
   project_ = &project;
   to_vector<Dim>(left, right_);
   const double to_norm = std::sqrt(static_cast<double>(markers_.patches()));
-  iterations_ += static_cast<double>(solve_to(solver_, 0.5 * tolerance * to_norm, right_, solution_, "walls"));
+  (void)solve_to(solver_, 0.5 * tolerance * to_norm, right_, solution_, "walls");
   project_ = nullptr;
+  slip_ = std::min(slip_, 0.5 * tolerance);
   const Points<Dim> more = to_points<Dim>(solution_);
   accelerate(more, velocity);
   forces_ += more;
   return true;
 }
 
+// What sides keep of each marker's force, of which a share is asked for.
+template <int Dim>
+Points<Dim> SurfaceForcing<Dim>::kept_by_sides(const typename Boundary<Dim>::OnSides& shares) const {
+  Points<Dim> kept = shared_out(forces_);
+  const petsc::LocalVector local(grid_.wide_face_dm());
+  boundary_.fill_from_rest(local, shares);
+  const Points<Dim> parts = transfer_.interpolate(local);
+  for (std::size_t m = 0; m < kept.size(); ++m) kept[m] = kept[m].cwiseProduct(parts[m]);
+  return kept;
+}
+
+// What a body's force leaves in a side that moves with it has never left the body.
 template <int Dim>
 Loads<Dim> SurfaceForcing<Dim>::loads() const {
   Loads<Dim> loads(bodies_.size());
-  const Points<Dim> of_markers = shared_out(forces_);
-  const std::size_t first = markers_.start(begin_);
-  for (std::size_t p = begin_; p < end_; ++p) {
-    const std::size_t b = markers_.body_of(p);
-    const Point<Dim> center = bodies_[b].motion.center_at(time_);
-    for (std::size_t m = markers_.start(p) - first; m < markers_.start(p + 1) - first; ++m)
-      if (states_[m].acts) loads[b].add(states_[m].place - center, -of_markers[m]);
+  const Points<Dim> given = shared_out(forces_);
+  const Points<Dim> kept = kept_by_sides([&](int axis, End end, const Index<Dim>& face, int c) {
+    return boundary_.covered_share(axis, end, face, c, time_);
+  });
+  for_each_acting([&](std::size_t p, std::size_t m) {
+    const std::size_t b = markers_.body_of(begin_ + p);
+    loads[b].add(states_[m].place - bodies_[b].motion.center_at(time_), kept[m] - given[m]);
+  });
+  return ordered_sum<Dim>(grid_.comm(), loads);
+}
+
+template <int Dim>
+Loads<Dim> SurfaceForcing<Dim>::loads_on_sides(const std::vector<SideName>& sides) const {
+  Loads<Dim> loads(sides.size());
+  const Point<Dim> middle = 0.5 * (grid_.lower() + grid_.upper());
+  for (std::size_t s = 0; s < sides.size(); ++s) {
+    const SideName side = sides[s];
+    const Points<Dim> kept = kept_by_sides([&](int axis, End end, const Index<Dim>& face, int c) {
+      return axis == side.axis && end == side.end ? 1 - boundary_.covered_share(axis, end, face, c, time_) : 0;
+    });
+    for_each_acting([&](std::size_t, std::size_t m) {
+      Point<Dim> place = states_[m].place;
+      place[side.axis] = (side.end == End::lower ? grid_.lower() : grid_.upper())[side.axis];
+      loads[s].add(place - middle, kept[m]);
+    });
   }
   return ordered_sum<Dim>(grid_.comm(), loads);
 }

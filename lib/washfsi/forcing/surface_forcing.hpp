@@ -8,7 +8,7 @@
 // J. Comput. Phys. 225 (2007) 2118. A step begins with the forces of the step before, which turn with their body.
 #pragma once
 
-#include "washfsi/body/load.hpp"
+#include "washfsi/body/wall_loads.hpp"
 #include "washfsi/coupling/transfer.hpp"
 #include "washfsi/fluid/wall_forces.hpp"
 #include "washfsi/forcing/body_markers.hpp"
@@ -32,28 +32,38 @@ class SurfaceForcing : public WallForces {
   bool hold(const TimeStep& step, Vec density, const Project& project, Vec velocity) override;
   void accept() override;
 
-  /// What the water does to the markers of each body, about its centre. Collective.
+  /// What the water does to the markers of each body, about its centre: -F, but for what sides of the box that the
+  /// bodies stand on took of it. Collective.
   Loads<Dim> loads() const;
-  /// rms slip at the markers of a velocity at the time of the last `update` [m/s]. Collective.
-  double slip(Vec velocity) const;
+  /// What these sides of the box took of the markers' forces where no body stands on them; torques about the middle of
+  /// the box. Collective.
+  Loads<Dim> loads_on_sides(const std::vector<SideName>& sides) const;
+  /// Power that the bodies gave over the last step of dt and the water did not get, because it had other velocities at
+  /// the markers than they: F (U(t + dt/2) - J (u^n + u^(n+1))/2) [W; W/m in the plane]. Collective.
+  double lost_power(Vec velocity_before, Vec velocity, double dt) const;
+  /// rms slip at the patches that the last step left [m/s], by its own test.
+  double slip() const { return slip_; }
 
   /// What a restart needs: the forces of this rank's patches, in the bodies' frames, and which patches these are.
   Points<Dim>& kept() { return kept_; }
   const Points<Dim>& kept() const { return kept_; }
   std::size_t begin() const { return begin_; }
   std::size_t end() const { return end_; }
-  std::size_t marker_count() const { return markers_.size(); }
+  std::size_t markers_of(std::size_t body) const { return markers_.of_body(body).markers.size(); }
   std::size_t patch_count() const { return markers_.patches(); }
-  double iterations() const { return iterations_; }  ///< of the forces' solver, so far
 
  private:
   static PetscErrorCode multiply(Mat matrix, Vec x, Vec y);
   static PetscErrorCode precondition(PC pc, Vec x, Vec y);
+  template <class Visit>
+  void for_each_acting(Visit&& visit) const;
+  Points<Dim> kept_by_sides(const typename Boundary<Dim>::OnSides& shares) const;
   void create_solver();
   std::size_t owned() const { return end_ - begin_; }
   Points<Dim> turned(const Points<Dim>& values, bool into_space) const;
   Points<Dim> shared_out(const Points<Dim>& of_patches) const;
   Points<Dim> means(const Points<Dim>& of_markers) const;
+  Points<Dim> interpolated(Vec velocity, double time) const;
   Points<Dim> slips(Vec velocity) const;
   Points<Dim> response(const Points<Dim>& forces) const;
   Points<Dim> approximate_forces(const Points<Dim>& velocities) const;
@@ -81,7 +91,7 @@ class SurfaceForcing : public WallForces {
   TimeStep step_;                     ///< under way
   Vec fluid_density_ = nullptr;       ///< of it
   const Project* project_ = nullptr;  ///< while the solver runs
-  double iterations_ = 0;
+  double slip_ = 0;
 };
 
 extern template class SurfaceForcing<2>;

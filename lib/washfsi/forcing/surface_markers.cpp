@@ -3,23 +3,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
-#include <set>
 
 #include <Eigen/Eigenvalues>
 
 #include "washfsi/body/subdivide.hpp"
+#include "washfsi/forcing/even_spread.hpp"
 
 namespace washfsi {
 
 namespace {
 
 template <int Dim>
-constexpr double seeds_a_cell = Dim == 2 ? 4 : 2;
+constexpr double seeds_a_cell = Dim == 2 ? 8 : 2;
 constexpr double markers_a_patch = 0.45;  // least distance of markers over that of patches
-constexpr double edge_factor = 0.65;      // of the reach of a sheet, beyond its edges: from plates across a flow
+constexpr double edge_factor = 0.5;       // of the reach of a sheet, beyond its edges: as a face acts before itself
 constexpr double smooth_bend = 0.1;       // in cells, above which a place belongs to an edge
 constexpr double reach = 0.75;            // of the seeds from the surface [cells]
 
@@ -48,13 +47,6 @@ class SeedCells {
   Box<Dim> box_{};
 };
 
-/// A place where a marker could be.
-template <int Dim>
-struct Candidate {
-  Point<Dim> place;
-  double sharpness;  ///< how much it belongs to an edge
-};
-
 /// Finds places on a surface and behind it.
 template <int Dim>
 class Sinker {
@@ -63,15 +55,15 @@ class Sinker {
       : shape_(shape), layout_(layout), cell_(layout.cell.minCoeff()) {}
 
   std::optional<Candidate<Dim>> sink(const Point<Dim>& seed) const {
-    const double from_seed = shape_.distance(seed);
-    if (from_seed < 0) return {};
+    const double from_surface = shape_.distance(seed);
+    if (from_surface < 0 || from_surface > reach * layout_.cell.maxCoeff()) return {};
     const Point<Dim> out = gradient(seed, fine * cell_);
     const std::optional<Point<Dim>> foot = foot_of(seed);
     if (!foot || out.norm() < 0.5) return {};
     const Point<Dim> normal = out.normalized();
     const double along = normal.cwiseProduct(layout_.cell).norm();  // a cell's size in the normal's direction
     const auto [inmost, depth] = inmost_behind(*foot, normal, along);
-    if (depth < along * layout_.moments.sheet_reach()) return in_sheet(inmost);
+    if (depth < along * layout_.moments.sheet_reach()) return in_sheet(inmost, normal);
     const double bend = bending(*foot), flat = along * layout_.moments.retraction(depth / along);
     // at an edge the way is that between its faces
     const Point<Dim> inwards = -gradient(*foot, coarse * cell_).normalized();
@@ -107,14 +99,15 @@ class Sinker {
 
   // The place that is farthest from the surface on the way that leads from it fastest, and how far that is.
   std::pair<Point<Dim>, double> inmost_behind(const Point<Dim>& foot, const Point<Dim>& normal, double along) const {
-    constexpr double farthest = 2;  // cells: what is deeper does not matter
+    constexpr double farthest = 2;   // cells: what is deeper does not matter
+    constexpr double slowest = 0.3;  // growth of the depth on its way: slower it runs along the middle of a sheet
     const double step = 0.1 * along;
     Point<Dim> inmost = foot, way = -normal;
     double depth = 0;
     for (int n = 0; n * step < farthest * along; ++n) {
       const Point<Dim> next = inmost + step * way;
       const double deeper = -shape_.distance(next);
-      if (deeper <= depth + 1e-3 * step) return {refined(inmost, way, step), std::max(depth, deeper)};
+      if (deeper <= depth + slowest * step) return {refined(inmost, way, step), std::max(depth, deeper)};
       inmost = next;
       depth = deeper;
       const Point<Dim> slope = gradient(inmost, coarse * cell_);
@@ -129,24 +122,39 @@ class Sinker {
     return place + std::clamp(0.5 * (step + there - here), 0.0, step) * way;
   }
 
-  // A sheet of markers acts beyond its edges as it acts before its faces: a place nearer to an edge than that is moved
-  // to the outline that the sheet may fill, or to the middle of a sheet that is narrower.
-  Candidate<Dim> in_sheet(Point<Dim> place) const {
-    bool moved = false;
+  // A sheet of markers acts beyond its edges as it acts before its faces: a place nearer to an edge than that, or found
+  // from the edge's own face, is moved to the outline that the sheet may fill, or to the middle of a narrower sheet.
+  Candidate<Dim> in_sheet(Point<Dim> place, const Point<Dim>& out) const {
+    place = centred(place, sheet_normal(place));  // beside its middle a sheet's normal is not sure
     const Point<Dim> normal = sheet_normal(place);
+    place = centred(place, normal);
+    const Point<Dim> along_sheet = out - out.dot(normal) * normal;
+    bool moved = along_sheet.norm() > 0.7 && keep_within(place, along_sheet.normalized(), true);
     for (int sweep = 0; sweep < 2; ++sweep)
-      for (const Point<Dim>& tangent : tangents(normal)) {
-        const double along = tangent.cwiseProduct(layout_.cell).norm();
-        const double sheet = edge_factor * along * layout_.moments.sheet_reach();
-        const double ahead = extent(place, tangent, 2 * sheet, along),
-                     behind = extent(place, -tangent, 2 * sheet, along);
-        if (ahead >= sheet && behind >= sheet) continue;
-        const double shift = ahead < sheet ? -std::min(sheet - ahead, std::max(0.0, behind - ahead) / 2)
-                                           : std::min(sheet - behind, std::max(0.0, ahead - behind) / 2);
-        place += shift * tangent;
-        moved = true;
-      }
-    return {place, moved ? 1.0 : 0.0};
+      for (const Point<Dim>& tangent : tangents(normal))
+        for (const Point<Dim>& way : {tangent, Point<Dim>(-tangent)}) moved = keep_within(place, way, false) || moved;
+    return {moved ? centred(place, normal) : place, moved ? 1.0 : 0.0};
+  }
+
+  // Moves a place back from an edge ahead, or from anywhere to it; whether it did.
+  bool keep_within(Point<Dim>& place, const Point<Dim>& way, bool to_edge) const {
+    const double along = way.cwiseProduct(layout_.cell).norm();
+    const double sheet = edge_factor * along * layout_.moments.sheet_reach();
+    const double ahead = extent(place, way, 2 * sheet, along);
+    if (to_edge ? ahead == 2 * sheet : ahead >= sheet) return false;
+    if (ahead >= sheet) {
+      place += (ahead - sheet) * way;
+      return true;
+    }
+    const double behind = extent(place, -way, 2 * sheet, along);
+    place -= std::min(sheet - ahead, std::max(0.0, behind - ahead) / 2) * way;
+    return true;
+  }
+
+  // Midway between the two faces of a sheet.
+  Point<Dim> centred(const Point<Dim>& place, const Point<Dim>& normal) const {
+    const double along = normal.cwiseProduct(layout_.cell).norm();
+    return place + 0.5 * (extent(place, normal, along, along) - extent(place, -normal, along, along)) * normal;
   }
 
   // The direction in which one leaves a sheet soonest on both sides.
@@ -213,102 +221,6 @@ class Sinker {
   double cell_;
 };
 
-/// Takes away the most crowded of some places, one after the other, until all are a spacing from each other: what is
-/// left lies more evenly than places taken in any order (Yuksel, Comput. Graph. Forum 34 (2015) 25).
-template <int Dim>
-class Elimination {
- public:
-  Elimination(std::vector<Candidate<Dim>> candidates, const Point<Dim>& spacing)
-      : candidates_(std::move(candidates)), scale_(spacing.cwiseInverse()) {
-    std::vector<Bounds<Dim>> places;
-    for (const auto& candidate : candidates_) places.push_back(Bounds<Dim>::round(candidate.place, Point<Dim>::Zero()));
-    const NearSearch<Dim> search(places, spacing, hull(places));
-    for (std::size_t m = 0; m < candidates_.size(); ++m) {
-      pairs_.emplace_back();
-      for (const std::size_t other : search.near(Bounds<Dim>::round(candidates_[m].place, influence * spacing)))
-        if (const double distance = apart(m, other); other != m && distance < influence)
-          pairs_.back().push_back({other, distance});
-    }
-  }
-
-  std::vector<Candidate<Dim>> run() {
-    crowding_.assign(candidates_.size(), 0.0);
-    too_near_.assign(candidates_.size(), 0);
-    std::set<std::pair<double, std::size_t>> queue;
-    for (std::size_t m = 0; m < candidates_.size(); ++m) {
-      for (const Pair& pair : pairs_[m]) add(m, pair, 1);
-      if (too_near_[m] > 0) queue.emplace(crowding_[m], m);
-    }
-    std::vector<char> gone(candidates_.size(), 0);
-    while (!queue.empty()) {
-      const std::size_t worst = std::prev(queue.end())->second;
-      queue.erase(std::prev(queue.end()));
-      gone[worst] = 1;
-      for (const Pair& pair : pairs_[worst]) {
-        if (gone[pair.other]) continue;
-        queue.erase({crowding_[pair.other], pair.other});
-        add(pair.other, {worst, pair.distance}, -1);
-        if (too_near_[pair.other] > 0) queue.emplace(crowding_[pair.other], pair.other);
-      }
-    }
-    std::vector<Candidate<Dim>> left;
-    for (std::size_t m = 0; m < candidates_.size(); ++m)
-      if (!gone[m]) left.push_back(candidates_[m]);
-    return left;
-  }
-
- private:
-  static constexpr double influence = 2;  // farther than this many spacings places do not crowd each other
-  struct Pair {
-    std::size_t other;
-    double distance;
-  };
-
-  double apart(std::size_t a, std::size_t b) const {
-    return (candidates_[a].place - candidates_[b].place).cwiseProduct(scale_).norm();
-  }
-
-  // Edges crowd less, so that they are kept.
-  void add(std::size_t m, const Pair& pair, int sign) {
-    const double nearness = 1 - pair.distance / influence;
-    const double kept = 1 + candidates_[m].sharpness;
-    crowding_[m] += sign * nearness * nearness * nearness * nearness / kept;
-    if (pair.distance < 1) too_near_[m] += sign;
-  }
-
-  std::vector<Candidate<Dim>> candidates_;
-  Point<Dim> scale_;
-  std::vector<std::vector<Pair>> pairs_;
-  std::vector<double> crowding_;
-  std::vector<int> too_near_;
-};
-
-// Each marker joins the nearest middle.
-template <int Dim>
-MarkerPatches<Dim> gathered(const std::vector<Candidate<Dim>>& markers, const std::vector<Candidate<Dim>>& middles,
-                            const Point<Dim>& spacing) {
-  std::vector<Bounds<Dim>> places;
-  for (const auto& middle : middles) places.push_back(Bounds<Dim>::round(middle.place, Point<Dim>::Zero()));
-  const NearSearch<Dim> search(places, spacing, hull(places));
-  std::vector<Points<Dim>> of_middle(middles.size());
-  for (const auto& marker : markers) {
-    std::size_t nearest = middles.size();
-    double least = std::numeric_limits<double>::max();
-    for (const std::size_t m : search.near(Bounds<Dim>::round(marker.place, 2 * spacing)))
-      if (const double apart = (middles[m].place - marker.place).cwiseQuotient(spacing).norm(); apart < least) {
-        least = apart;
-        nearest = m;
-      }
-    if (nearest < middles.size()) of_middle[nearest].push_back(marker.place);
-  }
-  MarkerPatches<Dim> patches{{}, {0}};
-  for (const Points<Dim>& of_one : of_middle) {
-    patches.markers.insert(patches.markers.end(), of_one.begin(), of_one.end());
-    patches.starts.push_back(patches.markers.size());
-  }
-  return patches;
-}
-
 }  // namespace
 
 template <int Dim>
@@ -321,17 +233,15 @@ MarkerPatches<Dim> surface_markers(const Shape<Dim>& shape, const Bounds<Dim>& r
       seeds, seeds.box(), reach * layout.cell.maxCoeff(),
       [&](const Point<Dim>& place) { return shape.distance(place); }, [](const Box<Dim>&, int) {},
       [&](const Index<Dim>& cell) {
-        const Point<Dim> seed = seeds.center(cell);
-        if (std::abs(shape.distance(seed)) > reach * layout.cell.maxCoeff()) return;
-        if (const auto candidate = sinker.sink(seed)) candidates.push_back(*candidate);
+        if (const auto candidate = sinker.sink(seeds.center(cell))) candidates.push_back(*candidate);
       });
   // in an order that does not depend on the region, for what is equally crowded
   std::sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
     return std::lexicographical_compare(a.place.begin(), a.place.end(), b.place.begin(), b.place.end());
   });
   const Point<Dim> spacing = layout.spacing * layout.cell;
-  const std::vector<Candidate<Dim>> markers = Elimination<Dim>(std::move(candidates), markers_a_patch * spacing).run();
-  return gathered<Dim>(markers, Elimination<Dim>(markers, spacing).run(), spacing);
+  const auto markers = relaxed<Dim>(spread_evenly<Dim>(candidates, markers_a_patch * spacing), candidates, spacing);
+  return gathered<Dim>(markers, spread_evenly<Dim>(markers, spacing), spacing);
 }
 
 template MarkerPatches<2> surface_markers<2>(const Shape<2>&, const Bounds<2>&, const MarkerLayout<2>&);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "washfsi/body/shape.hpp"
+#include "washfsi/forcing/even_spread.hpp"
 #include "washfsi/forcing/kernel_moments.hpp"
 #include "washfsi/geometry/near_search.hpp"
 
@@ -13,15 +14,6 @@ struct MarkerLayout {
   Point<Dim> cell;        ///< the grid's spacing [m]
   double spacing = 1.2;   ///< least distance of two patches' middles [cells]
   KernelMoments moments;  ///< of the delta by which they act
-};
-
-/// Markers in patches, within which they share one force.
-template <int Dim>
-struct MarkerPatches {
-  Points<Dim> markers;              ///< patch by patch [m]
-  std::vector<std::size_t> starts;  ///< first marker of each patch, and the end
-
-  std::size_t size() const { return starts.size() - 1; }
 };
 
 /// Markers on the surface of a shape, in its frame, within a region: evenly spread, half a patch's spacing apart, and

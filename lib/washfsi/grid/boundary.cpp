@@ -118,21 +118,27 @@ void Boundary<Dim>::accept_outflow() {
 }
 
 template <int Dim>
-void Boundary<Dim>::cover_sides(double time, const typename SideCover<Dim>::Velocity& velocity) {
+void Boundary<Dim>::cover_sides(double time, const typename SideCover<Dim>::Cover& cover) {
   if (covers_.empty())
     for (int axis = 0; axis < Dim; ++axis)
       for (const End end : both_ends)
         if (touches(axis, end) && side(axis, end).kind == BoundaryKind::wall && !side(axis, end).motion)
           covers_.emplace_back(grid_, axis, end, side(axis, end).velocity);
-  for (auto& cover : covers_) cover.set(time, velocity);
+  for (auto& side : covers_) side.set(time, cover);
 }
 
-// What bodies make of a side; null where none may stand.
+// What bodies make of a side; null where none stands.
 template <int Dim>
 const SideCover<Dim>* Boundary<Dim>::cover(int axis, End end) const {
   for (const auto& cover : covers_)
-    if (cover.axis() == axis && cover.end() == end) return &cover;
+    if (cover.axis() == axis && cover.end() == end && cover.covers()) return &cover;
   return nullptr;
+}
+
+template <int Dim>
+double Boundary<Dim>::covered_share(int axis, End end, const Index<Dim>& face, int component, double time) const {
+  const auto* covered = cover(axis, end);
+  return covered ? covered->share(face, component, time) : 0;
 }
 
 template <int Dim>
@@ -178,9 +184,11 @@ double Boundary<Dim>::value(int axis, End end, const Index<Dim>& face, int compo
   const Side<Dim>& here = side(axis, end);
   if (here.kind == BoundaryKind::outflow) return outflow(axis, end)(face, component, time > outflow_time_);
   if (here.motion) return here.motion(foot(face, component, axis, end), time)[component];
-  if (const auto* moved = cover(axis, end); moved && component != axis) return (*moved)(face, component, time);
+  if (const auto* covered = cover(axis, end); covered && component != axis)
+    return covered->velocity(face, component, time);
   if (here.profile == InflowProfile::uniform) return here.velocity[component];
-  return here.velocity[component] * profile_at(axis, foot(face, component, axis, end));
+  return here.velocity[component] *
+         parabola<Dim>(sides_, axis, grid_.lower(), grid_.upper(), foot(face, component, axis, end));
 }
 
 // Calls use(values), values(face) being `value`: where it is the same on the whole side, looked up once.
@@ -189,28 +197,12 @@ template <class Use>
 void Boundary<Dim>::with_values(int axis, End end, int component, double time, Use&& use) const {
   const Side<Dim>& here = side(axis, end);
   const bool varies = here.kind == BoundaryKind::outflow || here.motion || here.profile != InflowProfile::uniform;
-  if (varies || cover(axis, end))
+  if (varies)
     use([&](const Index<Dim>& face) { return value(axis, end, face, component, time); });
+  else if (const auto* covered = cover(axis, end); covered && component != axis)
+    use([&](const Index<Dim>& face) { return covered->velocity(face, component, time); });
   else
     use([same = here.velocity[component]](const Index<Dim>&) { return same; });
-}
-
-// The parabola of a parabolic inflow: along each direction with no-slip walls, 0 there and 1 midway or at the far end.
-template <int Dim>
-double Boundary<Dim>::profile_at(int axis, const Point<Dim>& place) const {
-  double factor = 1;
-  for (int d = 0; d < Dim; ++d) {
-    const bool from_lower = d != axis && side(d, End::lower).kind == BoundaryKind::wall;
-    const bool from_upper = d != axis && side(d, End::upper).kind == BoundaryKind::wall;
-    const double s = (place[d] - grid_.lower()[d]) / (grid_.upper()[d] - grid_.lower()[d]);
-    if (from_lower && from_upper)
-      factor *= 4 * s * (1 - s);
-    else if (from_lower)
-      factor *= s * (2 - s);
-    else if (from_upper)
-      factor *= (1 - s) * (1 + s);
-  }
-  return factor;
 }
 
 // The point of the wall opposite to a face.
@@ -250,21 +242,23 @@ void Boundary<Dim>::visit_ghosts(int axis, End end, int component, const Box<Dim
   });
 }
 
+// values(axis, end, component, use) calls use with what `with_values` would.
 template <int Dim>
-void Boundary<Dim>::fill(Vec local_velocity, double time) const {
-  const FaceView<Dim> u(dm_of(local_velocity), local_velocity);
-  const Box<Dim> part = ghosted_box<Dim>(local_velocity);
+template <class Values>
+void Boundary<Dim>::fill_from(Vec local, Values&& values) const {
+  const FaceView<Dim> u(dm_of(local), local);
+  const Box<Dim> part = ghosted_box<Dim>(local);
   for (int axis = 0; axis < Dim; ++axis)  // later axes complete the corners of earlier ones
     for (const End end : both_ends) {
       if (!touches(axis, end)) continue;
-      with_values(axis, end, axis, time, [&](const auto& values) {
-        visit_boundary_faces(axis, end, part, [&](const Index<Dim>& face) { u(face, axis) = values(face); });
+      values(axis, end, axis, [&](const auto& value) {
+        visit_boundary_faces(axis, end, part, [&](const Index<Dim>& face) { u(face, axis) = value(face); });
       });
       for (int c = 0; c < Dim; ++c) {
         const double sign = mirror_sign(axis, end, c);  // u(ghost) = (1 - sign) u_wall + sign u(mirror)
-        with_values(axis, end, c, time, [&](const auto& values) {
+        values(axis, end, c, [&](const auto& value) {
           visit_ghosts(axis, end, c, part, [&](const Index<Dim>& ghost, const Index<Dim>& mirror) {
-            u(ghost, c) = (1 - sign) * values(ghost) + sign * u(mirror, c);
+            u(ghost, c) = (1 - sign) * value(ghost) + sign * u(mirror, c);
           });
         });
       }
@@ -272,19 +266,21 @@ void Boundary<Dim>::fill(Vec local_velocity, double time) const {
 }
 
 template <int Dim>
+void Boundary<Dim>::fill(Vec local_velocity, double time) const {
+  fill_from(local_velocity, [&](int axis, End end, int c, const auto& use) { with_values(axis, end, c, time, use); });
+}
+
+template <int Dim>
+void Boundary<Dim>::fill_from_rest(Vec local, const OnSides& velocities) const {
+  WASH_PETSC(VecZeroEntries(local));
+  fill_from(local, [&](int axis, End end, int c, const auto& use) {
+    use([&](const Index<Dim>& face) { return velocities(axis, end, face, c); });
+  });
+}
+
+template <int Dim>
 void Boundary<Dim>::fill_homogeneous(Vec local_velocity) const {
-  const FaceView<Dim> u(dm_of(local_velocity), local_velocity);
-  const Box<Dim> part = ghosted_box<Dim>(local_velocity);
-  for (int axis = 0; axis < Dim; ++axis)
-    for (const End end : both_ends) {
-      if (!touches(axis, end)) continue;
-      visit_boundary_faces(axis, end, part, [&](const Index<Dim>& face) { u(face, axis) = 0; });
-      for (int c = 0; c < Dim; ++c) {
-        const double sign = mirror_sign(axis, end, c);
-        visit_ghosts(axis, end, c, part,
-                     [&](const Index<Dim>& ghost, const Index<Dim>& mirror) { u(ghost, c) = sign * u(mirror, c); });
-      }
-    }
+  fill_from(local_velocity, [](int, End, int, const auto& use) { use([](const Index<Dim>&) { return 0.0; }); });
 }
 
 template <int Dim>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "washfsi/grid/grid.hpp"
@@ -18,7 +19,7 @@ namespace washfsi {
 template <int Dim>
 class Boundary {
  public:
-  using Sides = std::array<std::array<Side<Dim>, 2>, Dim>;  ///< [axis][End]
+  using Sides = washfsi::Sides<Dim>;
 
   /// Collective. Errors: InputError if there is no outflow and the prescribed velocities have a net flux.
   Boundary(const Grid<Dim>& grid, Sides sides);
@@ -52,9 +53,16 @@ class Boundary {
   /// The time of the present values, as a restart sets it.
   void set_outflow_time(double time) { outflow_time_ = time; }
 
-  /// Lets no-slip sides move along themselves from `time` on where bodies stand on them: `velocity` tells it for every
-  /// place of a side.
-  void cover_sides(double time, const typename SideCover<Dim>::Velocity& velocity);
+  /// Lets no-slip sides move along themselves from `time` on where bodies stand on them.
+  void cover_sides(double time, const typename SideCover<Dim>::Cover& cover);
+
+  /// The share of bodies in the place of a side beside a face; 0 where none stands.
+  double covered_share(int axis, End end, const Index<Dim>& face, int component, double time) const;
+  /// A number for each place of a side, by the face beside it.
+  using OnSides = std::function<double(int axis, End end, const Index<Dim>& face, int component)>;
+  /// Fills a local face vector as `fill` would if the water were at rest and the sides moved with these velocities. J
+  /// of it tells what sides keep of a marker's force: with ones all of it, with shares those shares.
+  void fill_from_rest(Vec local, const OnSides& velocities) const;
 
   const Side<Dim>& side(int axis, End end) const;
   /// +1 or -1: the sign with which a ghost of this component mirrors the interior; 0 if it does not, on periodic and
@@ -73,7 +81,8 @@ class Boundary {
   double value(int axis, End end, const Index<Dim>& face, int component, double time) const;
   template <class Use>
   void with_values(int axis, End end, int component, double time, Use&& use) const;
-  double profile_at(int axis, const Point<Dim>& place) const;
+  template <class Values>
+  void fill_from(Vec local, Values&& values) const;
   struct Flux {
     double net, gross;
   };

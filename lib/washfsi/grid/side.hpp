@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <functional>
 
 #include "washfsi/support/point.hpp"
@@ -24,5 +25,28 @@ struct Side {
   /// If set, the velocity [m/s] at a place [m] and time [s], instead of `velocity` and `profile`.
   std::function<Point<Dim>(const Point<Dim>&, double)> motion;
 };
+
+template <int Dim>
+using Sides = std::array<std::array<Side<Dim>, 2>, Dim>;  ///< [axis][End]
+
+/// The share of the peak that a parabolic inflow across `axis` has at a place of a box: along each direction with
+/// no-slip walls 0 there and 1 midway or at the far end.
+template <int Dim>
+double parabola(const Sides<Dim>& sides, int axis, const Point<Dim>& lower, const Point<Dim>& upper,
+                const Point<Dim>& place) {
+  double share = 1;
+  for (int d = 0; d < Dim; ++d) {
+    const bool from_lower = d != axis && sides[d][0].kind == BoundaryKind::wall;
+    const bool from_upper = d != axis && sides[d][1].kind == BoundaryKind::wall;
+    const double s = (place[d] - lower[d]) / (upper[d] - lower[d]);
+    if (from_lower && from_upper)
+      share *= 4 * s * (1 - s);
+    else if (from_lower)
+      share *= s * (2 - s);
+    else if (from_upper)
+      share *= (1 - s) * (1 + s);
+  }
+  return share;
+}
 
 }  // namespace washfsi

@@ -1,52 +1,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/grid/side_cover.hpp"
 
-#include <cmath>
 #include <utility>
 
 namespace washfsi {
 
-// One layer of the local faces along the side.
 template <int Dim>
-Box<Dim> SideCover<Dim>::plane() const {
-  Box<Dim> plane = grid_.local();
-  plane.lower[axis_] = 0;
-  plane.upper[axis_] = 1;
-  return plane;
+SideCover<Dim>::SideCover(const Grid<Dim>& grid, int axis, End end, const Point<Dim>& own)
+    : grid_(grid), axis_(axis), end_(end), own_(own), plane_(grid.local()) {
+  plane_.lower[axis] = 0;
+  plane_.upper[axis] = 1;
 }
 
 template <int Dim>
-std::size_t SideCover<Dim>::number(const Index<Dim>& face) const {
-  const Box<Dim> box = plane();
-  PetscInt number = 0;
-  for (int d = Dim; d-- > 0;)
-    if (d != axis_) number = number * (box.upper[d] - box.lower[d]) + face[d] - box.lower[d];
-  return static_cast<std::size_t>(number);
-}
-
-template <int Dim>
-void SideCover<Dim>::set(double time, const Velocity& velocity) {
+void SideCover<Dim>::set(double time, const Cover& cover) {
   const bool first = now_.velocities.empty();
   std::swap(before_, now_);
-  now_.time = time;
-  now_.velocities.clear();
-  for_each<Dim>(plane(), [&](const Index<Dim>& face) {
-    Point<Dim> values = Point<Dim>::Zero();
-    for (int c = 0; c < Dim; ++c) {
-      if (c == axis_) continue;
-      Point<Dim> place = grid_.face_center(face, c);
-      place[axis_] = end_ == End::lower ? grid_.lower()[axis_] : grid_.upper()[axis_];
-      values[c] = velocity(place, own_)[c];
-    }
-    now_.velocities.push_back(values);
-  });
+  now_ = {time, {}, {}, false};
+  for_each<Dim>(plane_, [&](const Index<Dim>& face) { add(now_, face, cover); });
   if (first) before_ = now_;
 }
 
 template <int Dim>
-double SideCover<Dim>::operator()(const Index<Dim>& face, int component, double time) const {
-  const Moment& nearest = std::abs(time - now_.time) <= std::abs(time - before_.time) ? now_ : before_;
-  return nearest.velocities[number(face)][component];
+void SideCover<Dim>::add(Moment& moment, const Index<Dim>& face, const Cover& cover) const {
+  Point<Dim> velocity = Point<Dim>::Zero(), shares = Point<Dim>::Zero();
+  for (int c = 0; c < Dim; ++c) {
+    Point<Dim> place = grid_.face_center(face, c);
+    place[axis_] = end_ == End::lower ? grid_.lower()[axis_] : grid_.upper()[axis_];
+    const Covered<Dim> covered = cover(place, own_);
+    velocity[c] = c == axis_ ? 0 : covered.velocity[c];
+    shares[c] = covered.share;
+  }
+  moment.velocities.push_back(velocity);
+  moment.shares.push_back(shares);
+  moment.covers = moment.covers || !shares.isZero(0);
 }
 
 template class SideCover<2>;

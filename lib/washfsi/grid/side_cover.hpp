@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -8,35 +9,59 @@
 
 namespace washfsi {
 
-/// The velocity along a no-slip side of the box where bodies stand on it, at two moments: the ends of the step under
-/// way. Kept for the faces beside this rank's cells and ghosts.
+/// What bodies make of a place of a side on which they may stand.
+template <int Dim>
+struct Covered {
+  Point<Dim> velocity;  ///< of the side there [m/s]
+  double share;         ///< of the bodies in it: 1 beneath one, 0 beside them
+};
+
+/// A no-slip side of the box where bodies stand on it, at two moments: the ends of the step under way. Kept for the
+/// faces beside this rank's cells and ghosts.
 template <int Dim>
 class SideCover {
  public:
-  /// The velocity [m/s] at a place of the side, whose own is given.
-  using Velocity = std::function<Point<Dim>(const Point<Dim>& place, const Point<Dim>& own)>;
+  /// At a place of the side, whose own velocity is given.
+  using Cover = std::function<Covered<Dim>(const Point<Dim>& place, const Point<Dim>& own)>;
 
-  SideCover(const Grid<Dim>& grid, int axis, End end, const Point<Dim>& own)
-      : grid_(grid), axis_(axis), end_(end), own_(own) {}
+  SideCover(const Grid<Dim>& grid, int axis, End end, const Point<Dim>& own);
 
   int axis() const { return axis_; }
   End end() const { return end_; }
+  /// Whether a body stands on this rank's part at either moment.
+  bool covers() const { return before_.covers || now_.covers; }
   /// What was last set becomes the moment before; the first time both are the same.
-  void set(double time, const Velocity& velocity);
-  double operator()(const Index<Dim>& face, int component, double time) const;
+  void set(double time, const Cover& cover);
+  /// The velocity along the side, and the bodies' share, beside a face of a component.
+  double velocity(const Index<Dim>& face, int component, double time) const {
+    return nearest(time).velocities[number(face)][component];
+  }
+  double share(const Index<Dim>& face, int component, double time) const {
+    return nearest(time).shares[number(face)][component];
+  }
 
  private:
   struct Moment {
     double time = 0;
-    Points<Dim> velocities;  ///< of each place of the plane, by component at that component's faces
+    Points<Dim> velocities, shares;  ///< of each place of the plane, by component at that component's faces
+    bool covers = false;
   };
-  Box<Dim> plane() const;
-  std::size_t number(const Index<Dim>& face) const;
+  const Moment& nearest(double time) const {
+    return std::abs(time - now_.time) <= std::abs(time - before_.time) ? now_ : before_;
+  }
+  std::size_t number(const Index<Dim>& face) const {
+    PetscInt number = 0;
+    for (int d = Dim; d-- > 0;)
+      if (d != axis_) number = number * (plane_.upper[d] - plane_.lower[d]) + face[d] - plane_.lower[d];
+    return static_cast<std::size_t>(number);
+  }
+  void add(Moment& moment, const Index<Dim>& face, const Cover& cover) const;
 
   const Grid<Dim>& grid_;
   int axis_;
   End end_;
   Point<Dim> own_;
+  Box<Dim> plane_;  ///< one layer of the local faces along the side
   Moment before_, now_;
 };
 

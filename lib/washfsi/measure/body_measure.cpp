@@ -31,9 +31,10 @@ template <int Dim>
 void BodyMeasure<Dim>::declare(QuantityList& quantities) {
   if (!system_.model.mask.empty())
     quantities.add({"mask_dissipation", Units<Dim>::power,
-                    "energy that the water lost where a moving mask took it along, an effect of the staircase",
+                    "what moving walls gave beyond their power on the water: at the staircase of a mask, or as markers "
+                    "move in a step",
                     [this] { return mask_dissipation_; }},
-                   {{"mask_dissipated", Units<Dim>::energy, OverCycle::integral, "energy lost to the staircase", -1}});
+                   {{"mask_dissipated", Units<Dim>::energy, OverCycle::integral, "energy lost at moving walls", -1}});
   for (std::size_t b = 0; b < loads_.size(); ++b) {
     const std::string name = system_.model.bodies[b].name, pointer = "/bodies/" + name;
     declare_load<Dim>(quantities, name, pointer, "of water and cloth on the body, about its centre", loads_, b);
@@ -71,6 +72,7 @@ void BodyMeasure<Dim>::observe(const Observation<Dim>& seen) {
   for (std::size_t b = 0; b < loads_.size(); ++b)
     for (Load<Dim>* load : {&loads_[b], &balance_loads_[b]}) *load += seen.contact.bodies[b];
   mask_dissipation_ = model.mask.dissipation(fluid.velocity_before(), density, seen.dt);
+  if (model.walls) mask_dissipation_ += model.walls->lost_power(fluid.velocity_before(), fluid.velocity(), seen.dt);
   for (std::size_t b = 0; b < loads_.size(); ++b) powers_[b] = power(model.bodies[b].motion, loads_[b], middle);
 }
 

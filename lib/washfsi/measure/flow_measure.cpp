@@ -39,7 +39,9 @@ template <int Dim>
 void FlowMeasure<Dim>::observe(const Observation<Dim>& seen) {
   const Model<Dim>& model = system_.model;
   dt_ = seen.dt;
-  flow_ = FlowDiagnostics<Dim>::of(model.grid, {seen.velocity, model.liquid.fields(), model.fluid_share()}, dt_);
+  const Vec inner_velocity = model.walls ? model.mask.solid_velocity() : nullptr;
+  flow_ = FlowDiagnostics<Dim>::of(model.grid,
+                                   {seen.velocity, model.liquid.fields(), model.fluid_share(), inner_velocity}, dt_);
   const CarriedMass cloth = CarriedMass::of(system_);
   flow_.kinetic_energy += cloth.kinetic_energy;
   flow_.angular_momentum += cloth.angular_momentum;

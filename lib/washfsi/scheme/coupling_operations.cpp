@@ -40,7 +40,7 @@ void hold_walls(Model<Dim>& model, double time) {
   if (!model.walls) return;
   const PosedBodies<Dim> posed(model.bodies, time);
   model.boundary.cover_sides(time, [&](const Point<Dim>& place, const Point<Dim>& own) {
-    return model.mask.velocity_of_side(place, own, posed, time);
+    return model.mask.covered(place, own, posed, time);
   });
   model.walls->update(time);
 }

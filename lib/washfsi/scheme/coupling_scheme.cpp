@@ -26,7 +26,6 @@ const ChoiceNames<Mobility>& names_of(Mobility) {
 
 namespace {
 
-constexpr Range tight{0.0, 0.1, true, "a number > 0 and at most 0.1"};
 constexpr Range one_or_two{1.0, 2.0, false, "1 or 2"};
 
 template <int Dim>

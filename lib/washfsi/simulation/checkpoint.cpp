@@ -56,9 +56,9 @@ Slab slab_of_integrals(const Cloths<Dim>& cloths) {
 }
 
 template <int Dim>
-Points<Dim> read_points(Hdf5File& file, const std::string& name, const Cloths<Dim>& cloths) {
-  const std::vector<double> flat = file.read_sealed(name, slab_of_markers(cloths, Dim));
-  Points<Dim> points(cloths.owned());
+Points<Dim> read_points(Hdf5File& file, const std::string& name, const Slab& slab) {
+  const std::vector<double> flat = file.read_sealed(name, slab);
+  Points<Dim> points(flat.size() / Dim);
   for (std::size_t m = 0; m < points.size(); ++m) points[m] = Point<Dim>(&flat[m * Dim]);
   return points;
 }
@@ -115,8 +115,7 @@ void write_wall_forces(Hdf5File& file, const System<Dim>& system) {
 template <int Dim>
 void read_wall_forces(Hdf5File& file, SurfaceForcing<Dim>& walls) {
   if (file.attribute("/", "wall_patches") != static_cast<double>(walls.patch_count())) return;
-  const std::vector<double> flat = file.read_sealed(wall_forces, slab_of_patches(walls));
-  for (std::size_t p = 0; p < walls.kept().size(); ++p) walls.kept()[p] = Point<Dim>(&flat[p * Dim]);
+  walls.kept() = read_points<Dim>(file, wall_forces, slab_of_patches(walls));
 }
 
 // What some coupling schemes need of the step before.
@@ -221,10 +220,11 @@ RunState read_checkpoint(const std::string& path, System<Dim>& system, Measures<
       read_vector(file, "/fluid/" + name, field_slab(system.model.grid, 1), vector);
     read_outflow(file, system);
     if (system.model.cloths.marker_count() > 0) {
-      system.state.positions = read_points(file, "/cloth/position", system.model.cloths);
-      system.state.velocities = read_points(file, "/cloth/velocity", system.model.cloths);
+      const Slab slab = slab_of_markers(system.model.cloths, Dim);
+      system.state.positions = read_points<Dim>(file, "/cloth/position", slab);
+      system.state.velocities = read_points<Dim>(file, "/cloth/velocity", slab);
       for (const auto& [name, values] : motion_before(system.state))
-        *values = read_points(file, "/cloth/" + name, system.model.cloths);
+        *values = read_points<Dim>(file, "/cloth/" + name, slab);
       measures.cloth().time_integrals() =
           file.read_sealed("/cloth/time_integrals", slab_of_integrals(system.model.cloths));
     }

@@ -29,6 +29,7 @@ struct Range {
 inline constexpr Range any_number{};
 inline constexpr Range positive{0.0, std::numeric_limits<double>::infinity(), true, "a number > 0"};
 inline constexpr Range non_negative{0.0, std::numeric_limits<double>::infinity(), false, "a number >= 0"};
+inline constexpr Range tight{0.0, 0.1, true, "a number > 0 and at most 0.1"};  ///< tolerances
 inline constexpr Range at_least_one{1.0, 1e9, false, "a whole number >= 1"};
 inline constexpr Range non_negative_integer{0.0, 2e9, false, "a whole number >= 0"};
 

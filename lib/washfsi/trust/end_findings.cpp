@@ -50,9 +50,9 @@ void add_energy(const Model<Dim>& model, const Cycles& run, Findings& findings) 
   findings.push_back(at_most("energy open", 100 * open, {5, 20}, format_text("%.2g %% ", 100 * open) + of_whole,
                              "loads and flow are not in balance by so much; shorter -time_step, more -grid_cells"));
   if (mask > 0)
-    findings.push_back(at_most("energy lost by the mask", 100 * mask, {10, 50},
+    findings.push_back(at_most("energy lost at moving walls", 100 * mask, {10, 50},
                                format_text("%.2g %% ", 100 * mask) + of_whole,
-                               "the staircase of moving walls takes it; more -grid_cells"));
+                               "shorter -time_step, more -grid_cells, -body_method direct_forcing"));
 }
 
 void add_drift(const Cycles& cycles, Findings& findings) {

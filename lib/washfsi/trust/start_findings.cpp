@@ -71,9 +71,12 @@ std::string survey_text(const BodySurvey<Dim>& body) {
          format_text(" m, top speed %.3g m/s", body.top_speed);
 }
 
+// `markers` hold the body's walls, if it is held by them.
 template <int Dim>
-Finding presence(const Body<Dim>& body, const BodySurvey<Dim>& survey, double all_cells) {
+Finding presence(const Body<Dim>& body, const BodySurvey<Dim>& survey, double all_cells, std::size_t markers) {
   const std::string name = "body " + body.name;
+  if (survey.cells == 0 && markers > 0)
+    return {name, format_text("a sheet of %zu markers", markers), Verdict::ok, 0, Finding::none, ""};
   if (survey.cells == 0)
     return {name,
             format_text("no cell's middle is in it; the nearest is %.3g m off", survey.nearest),
@@ -94,16 +97,26 @@ Finding presence(const Body<Dim>& body, const BodySurvey<Dim>& survey, double al
   return {name, survey_text<Dim>(survey), Verdict::ok, survey.cells, Finding::none, ""};
 }
 
+// Markers hold a sheet as well as a wall, but it acts as if it were 1.4 cells thick.
+template <int Dim>
+Finding thickness(const std::string& name, const BodySurvey<Dim>& survey, bool has_markers) {
+  const bool is_thick = survey.thickness >= BodySurvey<Dim>::most_cells;
+  const std::string text = format_text(is_thick ? "more than %.2g" : "%.2g in its thinnest tenth", survey.thickness);
+  if (has_markers)
+    return at_least(name + " cells across", survey.thickness, {1.4}, text,
+                    "its thin parts act as if they were so thick; more -grid_cells");
+  return at_least(name + " cells across", survey.thickness, {4, 1}, text,
+                  "its load depends on where its walls lie in their cells; more -grid_cells");
+}
+
 template <int Dim>
 void add_body(const Model<Dim>& model, std::size_t b, const std::vector<BodySurvey<Dim>>& surveys, Findings& findings) {
   const BodySurvey<Dim>& survey = surveys[b];
   const std::string& name = model.bodies[b].name;
-  findings.push_back(presence<Dim>(model.bodies[b], survey, model.grid.cell_count()));
+  const std::size_t markers = model.walls ? model.walls->markers_of(b) : 0;
+  findings.push_back(presence<Dim>(model.bodies[b], survey, model.grid.cell_count(), markers));
   if (findings.back().verdict != Verdict::ok) return;
-  const bool is_thick = survey.thickness >= BodySurvey<Dim>::most_cells;
-  findings.push_back(at_least(name + " cells across", survey.thickness, {4, 1},
-                              format_text(is_thick ? "more than %.2g" : "%.2g in its thinnest tenth", survey.thickness),
-                              "its load depends on where its walls lie in their cells; more -grid_cells"));
+  findings.push_back(thickness(name, survey, markers > 0));
   for (std::size_t c = 0; c < b; ++c) {
     if (survey.shared[c] == 0) continue;
     const std::string& other = model.bodies[c].name;
