@@ -9,6 +9,7 @@
 #include "washfsi/body/control_volume.hpp"
 #include "washfsi/body/mask.hpp"
 #include "washfsi/body/primitives.hpp"
+#include "washfsi/forcing/surface_forcing.hpp"
 #include "washfsi/support/collective.hpp"
 
 namespace washfsi::test {
@@ -22,6 +23,7 @@ class CircularCouette {
 
   struct Errors {
     double rms = 0, max = 0;                      ///< of |u_theta - exact| / exact at cell centres in fluid
+    double rms_away = 0;                          ///< of those farther than two cells from the walls
     double inner_torque = 0, outer_torque = 0;    ///< computed over exact
     double inner_balance = 0, outer_balance = 0;  ///< the same by the balance of momentum
   };
@@ -35,6 +37,8 @@ class CircularCouette {
         water_(grid_, boundary_, liquid()),
         mask_(grid_, bodies_, treatment),
         control_volumes_(grid_, boundary_, bodies_) {
+    if (treatment.method == BodyMethod::direct_forcing)
+      walls_ = std::make_unique<SurfaceForcing<2>>(grid_, boundary_, bodies_, treatment, liquid().density);
     const FaceView<2> u(grid_.face_dm(), water_.fluid.velocity());
     for (int c = 0; c < 2; ++c)
       for_each<2>(grid_.owned(), [&](const Index<2>& face) {
@@ -48,8 +52,9 @@ class CircularCouette {
     const int steps = static_cast<int>(std::ceil(time / dt));
     for (int n = 0; n < steps; ++n) {
       mask_.update(water_.clock.time + dt);
+      if (walls_) walls_->update(water_.clock.time + dt);
       extrapolate(dt);
-      water_.advance(dt, mask_.constraint());
+      water_.advance(dt, mask_.constraint(), walls_.get());
     }
     return errors(dt);
   }
@@ -108,7 +113,7 @@ class CircularCouette {
   Errors errors(double dt) {
     const GhostedVelocity<2> local = water_.ghosted(grid_.face_dm());
     const ConstFaceView<2> u(grid_.face_dm(), local);
-    double sum = 0, count = 0, worst = 0;
+    double sum = 0, count = 0, sum_away = 0, count_away = 0, worst = 0;
     for_each<2>(grid_.owned(), [&](const Index<2>& cell) {
       const Point<2> arm = grid_.cell_center(cell) - center_;
       const double r = arm.norm();
@@ -118,23 +123,29 @@ class CircularCouette {
       const double error = std::abs((arm[0] * uy - arm[1] * ux) / r - exact(r)) / exact(r);
       sum += error * error;
       count += 1;
+      if (std::min(r - ri, ro - r) > 2 * grid_.spacing()[0]) {
+        sum_away += error * error;
+        count_away += 1;
+      }
       worst = std::max(worst, error);
     });
     const double torque = 4 * std::numbers::pi * viscosity * (wi - wo) * ri * ri * ro * ro / (ro * ro - ri * ri);
     const double middle = water_.clock.time - 0.5 * dt;
-    const auto loads =
-        mask_.loads(water_.fluid.constraint_force(), water_.liquid.density(), water_.fluid.pressure(), middle);
+    auto loads = mask_.loads(water_.fluid.constraint_force(), water_.liquid.density(), water_.fluid.pressure(), middle);
+    const auto of_markers = walls_ ? walls_->loads() : Loads<2>(loads.size());
+    for (std::size_t b = 0; b < loads.size(); ++b) loads[b] += of_markers[b];
     const auto balance = control_volumes_.loads({water_.fluid.velocity_before(),
                                                  water_.fluid.velocity(),
                                                  water_.fluid.pressure(),
                                                  water_.liquid.density(),
                                                  water_.force,
-                                                 mask_.fluid_fraction(),
+                                                 mask_.fluid_share(),
                                                  {viscosity},
                                                  water_.clock.time,
                                                  dt});
     return {std::sqrt(ordered_sum(grid_.comm(), sum) / ordered_sum(grid_.comm(), count)),
             largest(grid_.comm(), worst),
+            std::sqrt(ordered_sum(grid_.comm(), sum_away) / ordered_sum(grid_.comm(), count_away)),
             -loads[1].torque[0] / torque,
             loads[0].torque[0] / torque,
             -balance[1].torque[0] / torque,
@@ -148,6 +159,7 @@ class CircularCouette {
   Water<2> water_;
   Mask<2> mask_;
   ControlVolumes<2> control_volumes_;
+  std::unique_ptr<SurfaceForcing<2>> walls_;
 };
 
 }  // namespace washfsi::test

@@ -16,9 +16,9 @@ struct Water {
         fluid(grid, boundary, options),
         force(grid.face_vector()) {}
 
-  void advance(double dt, const Constraint<Dim>& constraint = {}) {
+  void advance(double dt, const Constraint<Dim>& constraint = {}, WallForces* walls = nullptr) {
     liquid.update_viscosity(fluid.velocity(), clock.time);
-    fluid.advance(clock.next(dt), {liquid.fields(), force, constraint});
+    fluid.advance(clock.next(dt), {liquid.fields(), force, constraint, walls});
     clock.advance(dt);
   }
   /// The velocity now, its ghosts filled.

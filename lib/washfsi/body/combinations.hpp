@@ -5,7 +5,6 @@
 // exact inside; elsewhere they are bounds: of the right sign, zero on the surface, and not larger in size than the true
 // distance. The difference is the intersection with complements, so it is exact inside.
 
-#include "washfsi/body/pose.hpp"
 #include "washfsi/body/shape.hpp"
 
 namespace washfsi {
@@ -16,6 +15,9 @@ class Union : public Shape<Dim> {
  public:
   explicit Union(ShapeList<Dim> parts) : parts_(std::move(parts)) {}
   double distance(const Point<Dim>& place) const override;
+  void add_parts(const Pose<Dim>& pose, std::vector<typename Shape<Dim>::Part>& parts) const override {
+    for (const auto& part : parts_) part->add_parts(pose, parts);
+  }
 
  private:
   ShapeList<Dim> parts_;  ///< at least one
@@ -61,6 +63,9 @@ class Placed : public Shape<Dim> {
  public:
   Placed(ShapePtr<Dim> inner, const Pose<Dim>& pose) : inner_(std::move(inner)), pose_(pose) {}
   double distance(const Point<Dim>& place) const override { return inner_->distance(pose_.in_body_frame(place)); }
+  void add_parts(const Pose<Dim>& pose, std::vector<typename Shape<Dim>::Part>& parts) const override {
+    inner_->add_parts(pose.in_space(pose_), parts);
+  }
 
  private:
   ShapePtr<Dim> inner_;
@@ -73,6 +78,9 @@ class Repeated : public Shape<Dim> {
  public:
   Repeated(ShapePtr<Dim> inner, int copies);
   double distance(const Point<Dim>& place) const override;
+  void add_parts(const Pose<Dim>& pose, std::vector<typename Shape<Dim>::Part>& parts) const override {
+    for (const auto& copy : poses_) inner_->add_parts(pose.in_space(copy), parts);
+  }
 
  private:
   ShapePtr<Dim> inner_;

@@ -24,6 +24,11 @@ struct Pose {
     arm.template head<2>() = Point<2>(cosine * arm[0] - sine * arm[1], sine * arm[0] + cosine * arm[1]);
     return center + arm;
   }
+  /// Where a frame is that is at `inner` in this one.
+  Pose in_space(const Pose& inner) const {
+    return {in_space(inner.center), cosine * inner.cosine - sine * inner.sine,
+            sine * inner.cosine + cosine * inner.sine};
+  }
 };
 
 }  // namespace washfsi

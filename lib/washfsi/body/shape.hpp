@@ -2,8 +2,9 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
-#include "washfsi/support/point.hpp"
+#include "washfsi/body/pose.hpp"
 
 namespace washfsi {
 
@@ -17,6 +18,14 @@ class Shape {
   Shape& operator=(const Shape&) = delete;
   virtual ~Shape() = default;
   virtual double distance(const Point<Dim>& place) const = 0;
+
+  /// A shape in its place.
+  struct Part {
+    const Shape* shape;
+    Pose<Dim> pose;
+  };
+  /// Adds the shapes whose union this one is, which is in this place: itself, if it is none.
+  virtual void add_parts(const Pose<Dim>& pose, std::vector<Part>& parts) const { parts.push_back({this, pose}); }
 };
 
 template <int Dim>

@@ -140,6 +140,11 @@ void FractionalStep<Dim>::project() {
 template <int Dim>
 void FractionalStep<Dim>::hold_walls() {
   if (!fields_.walls) return;
+  constexpr int sweeps = 2;  // leave so little slip that the solver, which makes loads jump, is called in few steps
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    fields_.walls->push(step_, fields_.liquid.density, intermediate_);
+    project_again();
+  }
   const WallForces::Project project = [this](Vec increment) { free_of_divergence(increment); };
   if (fields_.walls->hold(step_, fields_.liquid.density, project, intermediate_)) project_again();
 }

@@ -87,7 +87,7 @@ class Elimination {
   // Edges crowd less, so that they are kept.
   void add(std::size_t m, const Pair& pair, int sign) {
     const double nearness = 1 - pair.distance / influence;
-    const double kept = 1 + candidates_[m].sharpness;
+    const double kept = 1 + 20 * candidates_[m].sharpness;
     crowding_[m] += sign * nearness * nearness * nearness * nearness / kept;
     if (pair.distance < 1) too_near_[m] += sign;
   }
@@ -118,30 +118,26 @@ std::vector<std::size_t> nearest(const std::vector<Candidate<Dim>>& candidates,
   return result;
 }
 
-}  // namespace
-
-template <int Dim>
-std::vector<Candidate<Dim>> spread_evenly(const std::vector<Candidate<Dim>>& candidates, const Point<Dim>& spacing) {
-  return Elimination<Dim>(candidates, spacing).run();
-}
-
 template <int Dim>
 std::vector<Candidate<Dim>> relaxed(std::vector<Candidate<Dim>> chosen, const std::vector<Candidate<Dim>>& candidates,
                                     const Point<Dim>& spacing) {
   constexpr int sweeps = 20;
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     const std::vector<std::size_t> owners = nearest(candidates, chosen, spacing);
+    const auto may_take = [&](std::size_t n) {
+      return owners[n] < chosen.size() && candidates[n].sharpness == chosen[owners[n]].sharpness;
+    };
     Points<Dim> middles(chosen.size(), Point<Dim>::Zero());
     std::vector<double> counts(chosen.size(), 0.0), least(chosen.size(), std::numeric_limits<double>::max());
     for (std::size_t n = 0; n < candidates.size(); ++n)
-      if (owners[n] < chosen.size()) {
+      if (may_take(n)) {
         middles[owners[n]] += candidates[n].place;
         ++counts[owners[n]];
       }
     std::vector<Candidate<Dim>> next = chosen;
     for (std::size_t n = 0; n < candidates.size(); ++n) {
+      if (!may_take(n)) continue;
       const std::size_t m = owners[n];
-      if (m == chosen.size() || chosen[m].sharpness > 0) continue;
       const double apart = (candidates[n].place - middles[m] / counts[m]).cwiseQuotient(spacing).norm();
       if (apart >= least[m]) continue;
       least[m] = apart;
@@ -152,30 +148,36 @@ std::vector<Candidate<Dim>> relaxed(std::vector<Candidate<Dim>> chosen, const st
   return chosen;
 }
 
+}  // namespace
+
 template <int Dim>
-MarkerPatches<Dim> gathered(const std::vector<Candidate<Dim>>& markers, const std::vector<Candidate<Dim>>& middles,
-                            const Point<Dim>& spacing) {
+std::vector<Candidate<Dim>> spread_evenly(const std::vector<Candidate<Dim>>& candidates, const Point<Dim>& spacing) {
+  return relaxed<Dim>(Elimination<Dim>(candidates, spacing).run(), candidates, spacing);
+}
+
+template <int Dim>
+MarkerPatches<Dim> gathered(std::vector<Candidate<Dim>> markers, const Point<Dim>& spacing) {
+  if (markers.empty()) return {};
+  for (auto& marker : markers) marker.sharpness = 0;
+  const auto middles = spread_evenly<Dim>(markers, spacing);
   const std::vector<std::size_t> owners = nearest(markers, middles, spacing);
-  std::vector<Points<Dim>> of_middle(middles.size());
+  std::vector<std::vector<std::size_t>> of_middle(middles.size());
   for (std::size_t m = 0; m < markers.size(); ++m)
-    if (owners[m] < middles.size()) of_middle[owners[m]].push_back(markers[m].place);
-  MarkerPatches<Dim> patches{{}, {0}};
-  for (const Points<Dim>& of_one : of_middle) {
-    patches.markers.insert(patches.markers.end(), of_one.begin(), of_one.end());
-    patches.starts.push_back(patches.markers.size());
+    if (owners[m] < middles.size()) of_middle[owners[m]].push_back(m);
+  MarkerPatches<Dim> patches;
+  for (const auto& of_one : of_middle) {
+    for (const std::size_t m : of_one) {
+      patches.markers.push_back(markers[m].place);
+      patches.feet.push_back(markers[m].foot);
+    }
+    if (!of_one.empty()) patches.starts.push_back(patches.markers.size());
   }
   return patches;
 }
 
 template std::vector<Candidate<2>> spread_evenly<2>(const std::vector<Candidate<2>>&, const Point<2>&);
-template std::vector<Candidate<2>> relaxed<2>(std::vector<Candidate<2>>, const std::vector<Candidate<2>>&,
-                                              const Point<2>&);
-template MarkerPatches<2> gathered<2>(const std::vector<Candidate<2>>&, const std::vector<Candidate<2>>&,
-                                      const Point<2>&);
+template MarkerPatches<2> gathered<2>(std::vector<Candidate<2>>, const Point<2>&);
 template std::vector<Candidate<3>> spread_evenly<3>(const std::vector<Candidate<3>>&, const Point<3>&);
-template std::vector<Candidate<3>> relaxed<3>(std::vector<Candidate<3>>, const std::vector<Candidate<3>>&,
-                                              const Point<3>&);
-template MarkerPatches<3> gathered<3>(const std::vector<Candidate<3>>&, const std::vector<Candidate<3>>&,
-                                      const Point<3>&);
+template MarkerPatches<3> gathered<3>(std::vector<Candidate<3>>, const Point<3>&);
 
 }  // namespace washfsi

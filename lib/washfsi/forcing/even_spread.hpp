@@ -11,33 +11,28 @@ namespace washfsi {
 template <int Dim>
 struct Candidate {
   Point<Dim> place;  ///< [m]
-  double sharpness;  ///< how much it belongs to an edge
+  Point<Dim> foot;   ///< on the surface that it would hold [m]
+  int sharpness;     ///< 0 on a face, 1 on an edge, 2 in a corner
 };
 
 /// Markers in patches, within which they share one force.
 template <int Dim>
 struct MarkerPatches {
-  Points<Dim> markers;              ///< patch by patch [m]
-  std::vector<std::size_t> starts;  ///< first marker of each patch, and the end
+  Points<Dim> markers, feet;           ///< patch by patch, and what of the surface they hold [m]
+  std::vector<std::size_t> starts{0};  ///< first marker of each patch, and the end
 
   std::size_t size() const { return starts.size() - 1; }
 };
 
 /// Takes away the most crowded of some places, one after the other, until all are a spacing from each other: what is
 /// left lies more evenly than places taken in any order (Yuksel, Comput. Graph. Forum 34 (2015) 25). Then takes back
-/// what has room again, so that no gap is wider than two spacings. Edges are kept first.
+/// what has room again, so that no gap is wider than two spacings, and moves each to the middle of the candidates of
+/// its sharpness that are nearest to it, some times over (Lloyd's method). Corners are kept first, then edges.
 template <int Dim>
 std::vector<Candidate<Dim>> spread_evenly(const std::vector<Candidate<Dim>>& candidates, const Point<Dim>& spacing);
 
-/// Moves the chosen, but for those on edges, to the middle of the candidates nearest to each, some times over (Lloyd's
-/// method), which evens their distances.
+/// Patches about evenly spread middles, a spacing from each other at least: each marker joins the nearest.
 template <int Dim>
-std::vector<Candidate<Dim>> relaxed(std::vector<Candidate<Dim>> chosen, const std::vector<Candidate<Dim>>& candidates,
-                                    const Point<Dim>& spacing);
-
-/// Patches about the middles: each marker joins the nearest.
-template <int Dim>
-MarkerPatches<Dim> gathered(const std::vector<Candidate<Dim>>& markers, const std::vector<Candidate<Dim>>& middles,
-                            const Point<Dim>& spacing);
+MarkerPatches<Dim> gathered(std::vector<Candidate<Dim>> markers, const Point<Dim>& spacing);
 
 }  // namespace washfsi

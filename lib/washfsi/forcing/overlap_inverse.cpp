@@ -14,7 +14,7 @@ namespace washfsi {
 
 namespace {
 
-constexpr double least_eigenvalue = 0.3;  // of the overlap, over its largest row sum
+constexpr double added = 0.3;  // to the diagonal, over the sum of its row
 
 /// The mean overlap of the deltas of two patches' markers.
 template <int Dim>
@@ -70,17 +70,14 @@ OverlapInverse<Dim>::OverlapInverse(const MarkerPatches<Dim>& patches, const Mar
     : factor_(std::make_unique<Factor>()) {
   const PatchOverlap<Dim> overlap(patches, layout);
   std::vector<Eigen::Triplet<double>> entries;
-  double largest_sum = 0;
   for (std::size_t p = 0; p < patches.size(); ++p) {
     double sum = 0;
     for (const auto& [other, value] : overlap.row(p)) {
       sum += value;
       entries.emplace_back(static_cast<int>(p), static_cast<int>(other), value);
     }
-    largest_sum = std::max(largest_sum, sum);
+    entries.emplace_back(static_cast<int>(p), static_cast<int>(p), added * sum);
   }
-  for (std::size_t p = 0; p < patches.size(); ++p)
-    entries.emplace_back(static_cast<int>(p), static_cast<int>(p), least_eigenvalue * largest_sum);
   const auto size = static_cast<Eigen::Index>(patches.size());
   Eigen::SparseMatrix<double> matrix(size, size);
   matrix.setFromTriplets(entries.begin(), entries.end());

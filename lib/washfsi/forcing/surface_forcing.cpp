@@ -94,13 +94,14 @@ void SurfaceForcing<Dim>::update(double time) {
   shares_.assign(owned(), 0.0);
   Points<Dim> places;
   for (std::size_t p = begin_; p < end_; ++p) {
-    double acting = 0;
+    bool acts = false;
     for (std::size_t m = markers_.start(p); m < markers_.start(p + 1); ++m) {
       states_.push_back(markers_.at(posed, p, m, time));
       places.push_back(states_.back().place);
-      acting += states_.back().acts ? 1 : 0;
+      acts = acts || states_.back().acts;
     }
-    if (acting > 0) shares_[p - begin_] = 1 / acting;
+    // that of a whole patch, so that a part of one does not respond more than its overlap foresees
+    if (acts) shares_[p - begin_] = 1.0 / static_cast<double>(markers_.start(p + 1) - markers_.start(p));
   }
   transfer_.locate(places);
 }

@@ -81,7 +81,7 @@ class SurfaceForcing : public WallForces {
   std::vector<int> counts_, starts_;                      ///< of each rank's patches, times Dim
   std::size_t begin_ = 0, end_ = 0;                       ///< this rank's patches
   std::vector<typename BodyMarkers<Dim>::State> states_;  ///< of their markers
-  std::vector<double> shares_;                            ///< of each acting marker in its patch; 0 of patches without
+  std::vector<double> shares_;                            ///< of each marker in its patch; 0 of patches that do not act
   Points<Dim> forces_;                                    ///< F of each patch [N; per unit depth in the plane]
   Points<Dim> kept_;                                      ///< F of the step before, in the bodies' frames
   double time_ = 0;                                       ///< of `update`

@@ -3,18 +3,10 @@
 
 #include "washfsi/body/shape.hpp"
 #include "washfsi/forcing/even_spread.hpp"
-#include "washfsi/forcing/kernel_moments.hpp"
+#include "washfsi/forcing/marker_layout.hpp"
 #include "washfsi/geometry/near_search.hpp"
 
 namespace washfsi {
-
-/// How markers are laid on a surface.
-template <int Dim>
-struct MarkerLayout {
-  Point<Dim> cell;        ///< the grid's spacing [m]
-  double spacing = 1.2;   ///< least distance of two patches' middles [cells]
-  KernelMoments moments;  ///< of the delta by which they act
-};
 
 /// Markers on the surface of a shape, in its frame, within a region: evenly spread, half a patch's spacing apart, and
 /// gathered in patches about evenly spread middles. Fewer forces than markers keep the forces well determined, while

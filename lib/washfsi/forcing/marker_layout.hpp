@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/forcing/kernel_moments.hpp"
+#include "washfsi/support/point.hpp"
+
+namespace washfsi {
+
+/// How markers are laid on a surface.
+template <int Dim>
+struct MarkerLayout {
+  Point<Dim> cell;        ///< the grid's spacing [m]
+  double spacing = 1.1;   ///< least distance of two patches' middles [cells]
+  KernelMoments moments;  ///< of the delta by which they act
+};
+
+}  // namespace washfsi

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/forcing/sinker.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Eigenvalues>
+
+#include "washfsi/grid/index.hpp"
+
+namespace washfsi {
+
+namespace {
+
+constexpr double edge_factor = 0.5;   // of the reach of a sheet, beyond its edges: as a face acts before itself
+constexpr double smooth_bend = 0.25;  // in cells, above which a place belongs to an edge
+
+}  // namespace
+
+template <int Dim>
+std::optional<Candidate<Dim>> Sinker<Dim>::sink(const Point<Dim>& seed) const {
+  const double from_surface = shape_.distance(seed);
+  if (from_surface < 0 || from_surface > reach * layout_.cell.maxCoeff()) return {};
+  const Point<Dim> out = gradient(seed, fine * cell_);
+  const std::optional<Point<Dim>> foot = foot_of(seed);
+  if (!foot || out.norm() < 0.5) return {};
+  const Point<Dim> normal = out.normalized();
+  const double along = normal.cwiseProduct(layout_.cell).norm();  // a cell's size in the normal's direction
+  const auto [inmost, depth] = inmost_behind(*foot, normal, along);
+  if (depth < along * layout_.moments.sheet_reach()) return in_sheet(inmost, normal);
+  const double bend = bending(*foot), flat = along * layout_.moments.retraction(depth / along);
+  // at an edge the way is that between its faces
+  const Point<Dim> inwards = -gradient(*foot, coarse * cell_).normalized();
+  return Candidate<Dim>{*foot + std::clamp(flat + bend, 0.0, depth) * inwards, *foot,
+                        static_cast<int>(std::clamp(bend / (smooth_bend * cell_), 0.0, 2.0))};
+}
+
+template <int Dim>
+Point<Dim> Sinker<Dim>::gradient(const Point<Dim>& place, double step) const {
+  Point<Dim> slope;
+  for (int d = 0; d < Dim; ++d) {
+    const Point<Dim> aside = step * Point<Dim>::Unit(d);
+    slope[d] = (shape_.distance(place + aside) - shape_.distance(place - aside)) / (2 * step);
+  }
+  return slope;
+}
+
+// By Newton's method; nothing where the distance is no distance.
+template <int Dim>
+std::optional<Point<Dim>> Sinker<Dim>::foot_of(const Point<Dim>& seed) const {
+  Point<Dim> place = seed;
+  for (int step = 0; step < 6; ++step) {
+    const double distance = shape_.distance(place);
+    if (std::abs(distance) < 1e-3 * cell_) return place;
+    const Point<Dim> slope = gradient(place, fine * cell_);
+    if (slope.norm() < 0.3) return {};
+    place -= distance / slope.squaredNorm() * slope;
+  }
+  if (std::abs(shape_.distance(place)) < 0.02 * cell_) return place;
+  return {};
+}
+
+// The place that is farthest from the surface on the way that leads from it fastest, and how far that is.
+template <int Dim>
+std::pair<Point<Dim>, double> Sinker<Dim>::inmost_behind(const Point<Dim>& foot, const Point<Dim>& normal,
+                                                         double along) const {
+  constexpr double farthest = 2;   // cells: what is deeper does not matter
+  constexpr double slowest = 0.3;  // growth of the depth on its way: slower it runs along the middle of a sheet
+  const double step = 0.1 * along;
+  Point<Dim> inmost = foot, way = -normal;
+  double depth = 0;
+  bool slow = false;
+  for (int n = 0; n * step < farthest * along; ++n) {
+    const Point<Dim> next = inmost + step * way;
+    const double deeper = -shape_.distance(next);
+    const bool slower = deeper <= depth + slowest * step;
+    if (slow && slower) break;
+    slow = slower;
+    inmost = slow ? refined(inmost, way, step) : next;  // at a ridge, from which the way may go on along it
+    depth = std::max(depth, -shape_.distance(inmost));
+    const Point<Dim> slope = gradient(inmost, coarse * cell_);
+    if (slope.norm() > 0.1) way = -slope.normalized();
+  }
+  return {inmost, depth};
+}
+
+// Where between a place and the next step the depth is largest: the other side is as near there.
+template <int Dim>
+Point<Dim> Sinker<Dim>::refined(const Point<Dim>& place, const Point<Dim>& way, double step) const {
+  const double here = -shape_.distance(place), there = -shape_.distance(place + step * way);
+  return place + std::clamp(0.5 * (step + there - here), 0.0, step) * way;
+}
+
+// A sheet of markers acts beyond its edges as it acts before its faces: a place nearer to an edge than that, or found
+// from the edge's own face, is moved to the outline that the sheet may fill, or to the middle of a narrower sheet.
+template <int Dim>
+Candidate<Dim> Sinker<Dim>::in_sheet(Point<Dim> place, const Point<Dim>& out) const {
+  place = centred(place, sheet_normal(place));  // beside its middle a sheet's normal is not sure
+  const Point<Dim> normal = sheet_normal(place);
+  place = centred(place, normal);
+  const Point<Dim> along_sheet = out - out.dot(normal) * normal;
+  Points<Dim> edges;  // the ways to them
+  if (along_sheet.norm() > 0.7 && keep_within(place, along_sheet.normalized(), true))
+    edges.push_back(along_sheet.normalized());
+  for (int corner = 0; corner < 3; ++corner) {
+    const Point<Dim> way = to_nearest_edge(place, normal);
+    if (!keep_within(place, way, false)) break;
+    edges.push_back(way);
+  }
+  if (!edges.empty()) place = centred(place, normal);
+  return {place, place, sharpness(edges)};
+}
+
+// Of the ways along a sheet that in which it ends soonest.
+template <int Dim>
+Point<Dim> Sinker<Dim>::to_nearest_edge(const Point<Dim>& place, const Point<Dim>& normal) const {
+  const auto ahead = [&](const Point<Dim>& way) {
+    const double along = way.cwiseProduct(layout_.cell).norm();
+    return extent(place, way, 2 * edge_factor * along * layout_.moments.sheet_reach(), along);
+  };
+  Points<Dim> ways;
+  for (const Point<Dim>& tangent : tangents(normal)) ways.insert(ways.end(), {tangent, Point<Dim>(-tangent)});
+  const auto sooner = [&](const Point<Dim>& a, const Point<Dim>& b) { return ahead(a) < ahead(b); };
+  Point<Dim> way = *std::min_element(ways.begin(), ways.end(), sooner);
+  if constexpr (Dim == 3)
+    for (double turn = 0.5 * std::numbers::pi / directions; turn > 0.04; turn *= 0.5) {
+      const Point<Dim> aside = std::tan(turn) * normal.cross(way);
+      for (const Point<Dim>& near : {Point<Dim>((way + aside).normalized()), Point<Dim>((way - aside).normalized())})
+        if (sooner(near, way)) way = near;
+    }
+  return way;
+}
+
+// Two edges that meet are a corner.
+template <int Dim>
+int Sinker<Dim>::sharpness(const Points<Dim>& edges) {
+  for (const Point<Dim>& edge : edges)
+    if (std::abs(edge.dot(edges.front())) < 0.8) return 2;
+  return edges.empty() ? 0 : 1;
+}
+
+// Moves a place back from an edge ahead, or from anywhere to it; whether it did.
+template <int Dim>
+bool Sinker<Dim>::keep_within(Point<Dim>& place, const Point<Dim>& way, bool to_edge) const {
+  const double along = way.cwiseProduct(layout_.cell).norm();
+  const double sheet = edge_factor * along * layout_.moments.sheet_reach();
+  const double ahead = extent(place, way, 2 * sheet, along);
+  if (to_edge ? ahead == 2 * sheet : ahead >= sheet) return false;
+  if (ahead >= sheet) {
+    place += (ahead - sheet) * way;
+    return true;
+  }
+  const double behind = extent(place, -way, 2 * sheet, along);
+  place -= std::min(sheet - ahead, std::max(0.0, behind - ahead) / 2) * way;
+  return true;
+}
+
+// Midway between the two faces of a sheet.
+template <int Dim>
+Point<Dim> Sinker<Dim>::centred(const Point<Dim>& place, const Point<Dim>& normal) const {
+  const double along = normal.cwiseProduct(layout_.cell).norm();
+  return place + 0.5 * (extent(place, normal, along, along) - extent(place, -normal, along, along)) * normal;
+}
+
+// The direction in which one leaves a sheet soonest on both sides.
+template <int Dim>
+Point<Dim> Sinker<Dim>::sheet_normal(const Point<Dim>& place) const {
+  Eigen::Matrix<double, Dim, Dim> moments = Eigen::Matrix<double, Dim, Dim>::Zero();
+  Box<Dim> around;
+  around.lower.fill(-1);
+  around.upper.fill(2);
+  for_each<Dim>(around, [&](const Index<Dim>& step) {
+    Point<Dim> way;
+    for (int d = 0; d < Dim; ++d) way[d] = static_cast<double>(step[d]);
+    if (way.isZero(0)) return;
+    way.normalize();
+    moments += std::max(0.0, shape_.distance(place + cell_ * way)) * way * way.transpose();
+  });
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, Dim, Dim>> axes(moments);
+  return axes.eigenvectors().col(Dim - 1);
+}
+
+// How far a sheet goes on from a place in it.
+template <int Dim>
+double Sinker<Dim>::extent(const Point<Dim>& place, const Point<Dim>& tangent, double most, double along) const {
+  const double aside = 0.1 * along;  // by which a sheet may bend
+  double low = 0, high = most + aside;
+  const auto beyond = [&](double way) { return shape_.distance(place + way * tangent) > aside; };
+  for (int n = 1; n <= 8; ++n)
+    if (beyond(n * high / 8)) {
+      low = (n - 1) * high / 8;
+      high = n * high / 8;
+      for (int halving = 0; halving < 8; ++halving) {
+        const double middle = 0.5 * (low + high);
+        (beyond(middle) ? high : low) = middle;
+      }
+      return std::max(0.0, low - aside);
+    }
+  return most;
+}
+
+template <int Dim>
+Points<Dim> Sinker<Dim>::tangents(const Point<Dim>& normal) {
+  if constexpr (Dim == 2) return {turned_left<2>(normal)};
+  Points<Dim> result;
+  if constexpr (Dim == 3) {
+    const Point<3> first = normal.unitOrthogonal(), second = normal.cross(first);
+    for (int n = 0; n < directions; ++n) {
+      const double angle = std::numbers::pi * n / directions;
+      result.push_back(std::cos(angle) * first + std::sin(angle) * second);
+    }
+  }
+  return result;
+}
+
+// 1/2 sum_d sigma^2 h_d^2 d2Phi/dx_d2 [m]
+template <int Dim>
+double Sinker<Dim>::bending(const Point<Dim>& foot) const {
+  double sum = 0;
+  for (int d = 0; d < Dim; ++d) {
+    const Point<Dim> aside = layout_.cell[d] * Point<Dim>::Unit(d);
+    sum += shape_.distance(foot + aside) + shape_.distance(foot - aside) - 2 * shape_.distance(foot);
+  }
+  return 0.5 * layout_.moments.variance() * sum;
+}
+
+template class Sinker<2>;
+template class Sinker<3>;
+
+}  // namespace washfsi
