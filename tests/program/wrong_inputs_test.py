@@ -115,6 +115,10 @@ WRONG_OPTIONS = [
     ("unknown kind of matrix", ["-mat_type", "foo"], ["-mat_type foo"]),
     ("solver in capitals", ["-PRESSURE_KSP_TYPE", "foo"], ["-PRESSURE_KSP_TYPE foo"]),
     ("misspelt solver option", ["-pressure_ksp_tpye", "cg"], ["-pressure_ksp_tpye cg"]),
+    ("markers too far apart", ["-body_method", "direct_forcing", "-body_marker_spacing", "3"],
+     ["-body_marker_spacing 3", "from 0.5 to 2"]),
+    ("slip that is never taken away", ["-body_method", "direct_forcing", "-body_slip_tolerance", "0.5"],
+     ["-body_slip_tolerance 0.5", "0.1"]),
     ("unknown solver", ["-pressure_ksp_type", "foo"], ["-pressure_ksp_type", "foo"]),
 ]
 

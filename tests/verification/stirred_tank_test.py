@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A Rushton turbine in a baffled tank: its power number, and what must not matter to it.
+
+Prints the tables of docs/verification/stirred_tank.md. Arguments: grids (cells a side, by default 48 64), or `places`: 48
+cells, the turbine shifted by a quarter and half a cell along z, by half a cell along x, turned by 15 and 30 degrees. Means are over the
+half turn from t = 0.1 to 0.2 s after an impulsive start.
+"""
+
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from tables import ARGUMENTS, SOURCE, command, print_record, print_record_head, read_columns
+
+SPEED, DIAMETER, DENSITY, TURNS_A_SECOND = 31.41592653589793, 0.1, 1000, 5
+START, END, CLEARANCE, COARSE = 0.1, 0.2, 0.1, 48
+WIDTH, HEIGHT = 0.32, 0.3  # of the box [m]
+MOST_APART = 0.03          # of the mean power number, between places
+BAND = (3.5, 4.5)          # at Re = 100: Rushton, Costich and Everett
+
+
+def center(across, up):
+    """Returns the option that shifts the turbine by parts of a cell of the coarse grid."""
+    return ["-impeller_center", f"{across * WIDTH / COARSE},0,{CLEARANCE + up * HEIGHT / COARSE}"]
+
+
+PLACES = {"as it is": [], "h/4 up": center(0, 0.25), "h/2 up": center(0, 0.5), "h/2 across": center(0.5, 0),
+          "15 degrees": ["-impeller_turn", 15], "30 degrees": ["-impeller_turn", 30]}
+
+
+def power_number(cells, options):
+    """Runs the case; returns the mean power number, the torque's standard deviation over its mean, and the open energy
+    and that lost at moving walls over the work."""
+    with tempfile.TemporaryDirectory(prefix="washfsi_") as folder:
+        subprocess.run(command(2, "-options_file", SOURCE / "inputs" / "stirred_tank.opts", "-time_end", END, "-time_cfl", 0,
+                               "-time_step", 1e-3 * COARSE / cells, "-grid_cells", f"{cells},{cells},{cells}",
+                               "-output_interval", 1, "-output_dir", folder, *options), check=True, stdout=subprocess.DEVNULL)
+        history = read_columns(Path(folder) / "history.csv")
+    torque = -history["impeller_torque_z"][history["time"] > START]
+    dt = history["dt"]
+    work, lost = (history["impeller_power"] * dt).sum(), (history["mask_dissipation"] * dt).sum()
+    left = work - history["kinetic_energy"][-1] - (history["dissipation"] * dt).sum() - lost
+    scale = SPEED / (DENSITY * TURNS_A_SECOND ** 3 * DIAMETER ** 5)
+    return torque.mean() * scale, torque.std() / torque.mean(), left / work, lost / work
+
+
+def main():
+    places = ARGUMENTS == ["places"]
+    cases = [(name, COARSE, options) for name, options in PLACES.items()] if places else [
+        ("as it is", int(cells), []) for cells in ARGUMENTS or (48, 64)]
+    print_record_head("place", "cells", "Np", "torque's deviation", "energy open", "lost at moving walls")
+    numbers = []
+    for name, cells, options in cases:
+        number, deviation, left, lost = power_number(cells, options)
+        numbers.append(number)
+        print_record(name, f"{cells}³", f"{number:.3f}", f"{100 * deviation:.1f} %", f"{100 * left:.1f} %", f"{100 * lost:.1f} %",
+                     arguments=ARGUMENTS)
+    if places:
+        return 0 if max(numbers) - min(numbers) < MOST_APART * sum(numbers) / len(numbers) else 1
+    return 0 if BAND[0] <= numbers[-1] <= BAND[1] else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
