@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "washfsi/body/combinations.hpp"
 #include "washfsi/body/primitives.hpp"
 
 namespace washfsi::test {
@@ -88,6 +89,21 @@ TEST(SurfaceMarkers, OfAThinPlateAreOneSheetWithinItsEdges) {
     }
     EXPECT_NEAR(widest, 0.5 - 0.5 * moments.sheet_reach() * cell, 0.05 * cell) << thickness;
   }
+}
+
+// Blades of a turbine have equal markers, and keep them when it is turned.
+TEST(SurfaceMarkers, TurnWithTheirPart) {
+  constexpr double cell = 0.1, offset = 0.9;
+  const auto blade = [] { return std::make_unique<Cuboid<3>>(Point<3>(0.5, 0.03, 0.4)); };
+  const Bounds<3> region = Bounds<3>::round(Point<3>::Zero(), Point<3>::Constant(2));
+  const Pose<3> aside = Pose<3>::at(Point<3>(offset, 0, 0), 0), turn = Pose<3>::at(Point<3>::Zero(), 0.3);
+  const Placed<3> straight(blade(), aside), turned(blade(), turn.in_space(aside));
+  const auto expected = surface_markers<3>(straight, region, layout(cell));
+  const auto found = surface_markers<3>(turned, region, layout(cell));
+  ASSERT_EQ(found.starts, expected.starts);
+  ASSERT_GT(found.markers.size(), 20U);
+  for (std::size_t m = 0; m < found.markers.size(); ++m)
+    EXPECT_LT((found.markers[m] - turn.in_space(expected.markers[m])).norm(), 1e-9 * cell);
 }
 
 // What flows through a sheet goes through its gaps.

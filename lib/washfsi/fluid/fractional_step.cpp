@@ -60,7 +60,7 @@ void FractionalStep<Dim>::predict(const TimeStep& step, const StepFields<Dim>& f
   if (fields.walls) {
     if (!force_) force_ = grid_.face_vector();
     WASH_PETSC(VecCopy(fields.force, force_));
-    fields.walls->begin_trial();
+    fields.walls->begin_trial(step, fields.liquid.density);
     fields.walls->add_held(force_);
     fields_.force = force_;
   }
@@ -75,7 +75,7 @@ void FractionalStep<Dim>::predict(const TimeStep& step, const StepFields<Dim>& f
   if (fields.constraint.fluid_fraction) momentum_.constraint_force(rhs_, step.end(), intermediate_, constraint_force_);
   poisson_.set_density(fields.liquid.density,
                        fields.constraint.in_projection ? fields.constraint.fluid_fraction : nullptr);
-  if (fields.walls) fields.walls->push(step, fields.liquid.density, intermediate_);
+  if (fields.walls) fields.walls->push(intermediate_);
 }
 
 template <int Dim>
@@ -142,11 +142,11 @@ void FractionalStep<Dim>::hold_walls() {
   if (!fields_.walls) return;
   constexpr int sweeps = 2;  // leave so little slip that the solver, which makes loads jump, is called in few steps
   for (int sweep = 0; sweep < sweeps; ++sweep) {
-    fields_.walls->push(step_, fields_.liquid.density, intermediate_);
+    fields_.walls->push(intermediate_);
     project_again();
   }
   const WallForces::Project project = [this](Vec increment) { free_of_divergence(increment); };
-  if (fields_.walls->hold(step_, fields_.liquid.density, project, intermediate_)) project_again();
+  if (fields_.walls->hold(project, intermediate_)) project_again();
 }
 
 // After a further force. Its guess is not the last one: a restart does not know it.

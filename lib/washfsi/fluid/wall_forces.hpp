@@ -25,12 +25,12 @@ class WallForces {
   /// force += the density [N/m3] of the forces of the step before. Collective.
   virtual void add_held(Vec force) = 0;
   /// Removes most of the slip of a velocity on faces, as if there were no pressure. Collective.
-  virtual void push(const TimeStep& step, Vec density, Vec velocity) = 0;
+  virtual void push(Vec velocity) = 0;
   /// Adds to a velocity what, once projected, leaves no slip; false if there was none. Collective.
-  virtual bool hold(const TimeStep& step, Vec density, const Project& project, Vec velocity) = 0;
+  virtual bool hold(const Project& project, Vec velocity) = 0;
   /// For schemes that try a step several times: every trial starts with the forces of the step before. `accept` makes
-  /// those of the last trial its successors.
-  virtual void begin_trial() = 0;
+  /// those of the last trial its successors. The density [kg/m3], on faces, is the trial's.
+  virtual void begin_trial(const TimeStep& step, Vec density) = 0;
   virtual void accept() = 0;
 };
 

@@ -12,22 +12,22 @@ namespace washfsi {
 
 namespace {
 
+// `reach`: of what is asked for [m].
 template <int Dim>
-std::vector<Bounds<Dim>> bounds_of(const std::vector<Candidate<Dim>>& candidates) {
-  std::vector<Bounds<Dim>> bounds;
-  for (const auto& candidate : candidates) bounds.push_back(Bounds<Dim>::round(candidate.place, Point<Dim>::Zero()));
-  return bounds;
+NearSearch<Dim> search_among(const std::vector<Candidate<Dim>>& candidates, const Point<Dim>& reach) {
+  Points<Dim> places;
+  for (const auto& candidate : candidates) places.push_back(candidate.place);
+  const std::vector<Bounds<Dim>> bounds = bounds_of(places);
+  return NearSearch<Dim>(bounds, reach, hull(bounds));
 }
 
-/// Takes away the most crowded of some places, one after the other, until all are a spacing from each other: what is
-/// left lies more evenly than places taken in any order (Yuksel, Comput. Graph. Forum 34 (2015) 25).
+/// The first half of `spread_evenly`.
 template <int Dim>
 class Elimination {
  public:
   Elimination(const std::vector<Candidate<Dim>>& candidates, const Point<Dim>& spacing)
       : candidates_(candidates), scale_(spacing.cwiseInverse()) {
-    const std::vector<Bounds<Dim>> places = bounds_of(candidates);
-    const NearSearch<Dim> search(places, spacing, hull(places));
+    const NearSearch<Dim> search = search_among(candidates, spacing);
     for (std::size_t m = 0; m < candidates_.size(); ++m) {
       pairs_.emplace_back();
       for (const std::size_t other : search.near(Bounds<Dim>::round(candidates_[m].place, influence * spacing)))
@@ -103,8 +103,7 @@ class Elimination {
 template <int Dim>
 std::vector<std::size_t> nearest(const std::vector<Candidate<Dim>>& candidates,
                                  const std::vector<Candidate<Dim>>& middles, const Point<Dim>& spacing) {
-  const std::vector<Bounds<Dim>> places = bounds_of(middles);
-  const NearSearch<Dim> search(places, spacing, hull(places));
+  const NearSearch<Dim> search = search_among(middles, spacing);
   std::vector<std::size_t> result;
   for (const auto& candidate : candidates) {
     result.push_back(middles.size());
@@ -118,6 +117,7 @@ std::vector<std::size_t> nearest(const std::vector<Candidate<Dim>>& candidates,
   return result;
 }
 
+// Lloyd's method, with the candidate nearest to the middle in place of the middle.
 template <int Dim>
 std::vector<Candidate<Dim>> relaxed(std::vector<Candidate<Dim>> chosen, const std::vector<Candidate<Dim>>& candidates,
                                     const Point<Dim>& spacing) {
@@ -143,6 +143,9 @@ std::vector<Candidate<Dim>> relaxed(std::vector<Candidate<Dim>> chosen, const st
       least[m] = apart;
       next[m] = candidates[n];
     }
+    const bool rests = std::equal(next.begin(), next.end(), chosen.begin(),
+                                  [](const auto& a, const auto& b) { return a.place == b.place; });
+    if (rests) break;
     chosen = std::move(next);
   }
   return chosen;

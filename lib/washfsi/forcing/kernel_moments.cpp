@@ -24,6 +24,7 @@ KernelMoments::KernelMoments(DeltaKernel kernel, double width) : width_(width), 
   weights_.assign(2 * density.size() - 1, 0.0);
   for (std::size_t i = 0; i < density.size(); ++i)
     for (std::size_t j = 0; j < density.size(); ++j) weights_[i + j] += density[i] * density[j];
+  sheet_reach_ = mean_difference(0);
   for (int n = 0; n <= depths_a_cell * deepest; ++n) {
     const double b = static_cast<double>(n) / depths_a_cell;
     double lower = 0, upper = b;

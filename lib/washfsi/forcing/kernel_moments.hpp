@@ -22,16 +22,16 @@ class KernelMoments {
   /// <s^2> [cells^2].
   double variance() const { return variance_; }
   /// <|s - t|>: how far before its faces and beyond its edges a sheet of markers acts [cells].
-  double sheet_reach() const { return mean_difference(0); }
+  double sheet_reach() const { return sheet_reach_; }
   /// How far behind the surface of a part of this half thickness its markers belong; all in cells. Parts thinner than
   /// a sheet of markers acts get one sheet in their middle.
   double retraction(double half_thickness) const;
 
  private:
   double mean_difference(double shift) const;
-  double acting_half_thickness(double d) const { return 0.5 * (mean_difference(0) + mean_difference(2 * d)); }
+  double acting_half_thickness(double d) const { return 0.5 * (sheet_reach_ + mean_difference(2 * d)); }
 
-  double width_, variance_ = 0, spacing_ = 0;
+  double width_, spacing_, variance_ = 0, sheet_reach_ = 0;
   std::vector<double> weights_;   ///< of the differences s - t, a spacing apart, from -2 width on
   std::vector<double> by_depth_;  ///< retraction at equal steps of half thickness
 };

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/forcing/overlap_inverse.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <map>
-#include <optional>
 
 #include <Eigen/SparseCholesky>
 
@@ -21,17 +18,18 @@ template <int Dim>
 class PatchOverlap {
  public:
   PatchOverlap(const MarkerPatches<Dim>& patches, const MarkerLayout<Dim>& layout)
-      : patches_(patches), layout_(layout), reach_(2 * layout.moments.width() * layout.cell) {
+      : patches_(patches),
+        layout_(layout),
+        reach_(2 * layout.moments.width() * layout.cell),
+        search_(bounds_of(patches.markers), reach_, hull(bounds_of(patches.markers))) {
     for (std::size_t p = 0; p < patches.size(); ++p) patch_of_.resize(patches.starts[p + 1], p);
-    for (const auto& marker : patches.markers) places_.push_back(Bounds<Dim>::round(marker, Point<Dim>::Zero()));
-    search_.emplace(places_, reach_, hull(places_));
   }
 
   /// With all patches that it touches.
   std::map<std::size_t, double> row(std::size_t patch) const {
     std::map<std::size_t, double> row;
     for (std::size_t m = patches_.starts[patch]; m < patches_.starts[patch + 1]; ++m)
-      for (const std::size_t other : search_->near(Bounds<Dim>::round(patches_.markers[m], reach_))) {
+      for (const std::size_t other : search_.near(Bounds<Dim>::round(patches_.markers[m], reach_))) {
         const double value = share(patch) * share(patch_of_[other]) * of_markers(m, other);
         if (value != 0) row[patch_of_[other]] += value;
       }
@@ -52,9 +50,8 @@ class PatchOverlap {
   const MarkerPatches<Dim>& patches_;
   const MarkerLayout<Dim>& layout_;
   Point<Dim> reach_;
+  NearSearch<Dim> search_;
   std::vector<std::size_t> patch_of_;  ///< of each marker
-  std::vector<Bounds<Dim>> places_;
-  std::optional<NearSearch<Dim>> search_;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <Eigen/Eigenvalues>
@@ -115,21 +116,26 @@ Candidate<Dim> Sinker<Dim>::in_sheet(Point<Dim> place, const Point<Dim>& out) co
 // Of the ways along a sheet that in which it ends soonest.
 template <int Dim>
 Point<Dim> Sinker<Dim>::to_nearest_edge(const Point<Dim>& place, const Point<Dim>& normal) const {
-  const auto ahead = [&](const Point<Dim>& way) {
+  Point<Dim> nearest = Point<Dim>::Zero();
+  double least = std::numeric_limits<double>::max();
+  const auto look = [&](const Point<Dim>& way) {
     const double along = way.cwiseProduct(layout_.cell).norm();
-    return extent(place, way, 2 * edge_factor * along * layout_.moments.sheet_reach(), along);
+    const double ahead = extent(place, way, 2 * edge_factor * along * layout_.moments.sheet_reach(), along);
+    if (ahead >= least) return;
+    least = ahead;
+    nearest = way;
   };
-  Points<Dim> ways;
-  for (const Point<Dim>& tangent : tangents(normal)) ways.insert(ways.end(), {tangent, Point<Dim>(-tangent)});
-  const auto sooner = [&](const Point<Dim>& a, const Point<Dim>& b) { return ahead(a) < ahead(b); };
-  Point<Dim> way = *std::min_element(ways.begin(), ways.end(), sooner);
+  for (const Point<Dim>& tangent : tangents(normal)) {
+    look(tangent);
+    look(-tangent);
+  }
   if constexpr (Dim == 3)
     for (double turn = 0.5 * std::numbers::pi / directions; turn > 0.04; turn *= 0.5) {
-      const Point<Dim> aside = std::tan(turn) * normal.cross(way);
-      for (const Point<Dim>& near : {Point<Dim>((way + aside).normalized()), Point<Dim>((way - aside).normalized())})
-        if (sooner(near, way)) way = near;
+      const Point<Dim> way = nearest, aside = std::tan(turn) * normal.cross(way);
+      look((way + aside).normalized());
+      look((way - aside).normalized());
     }
-  return way;
+  return nearest;
 }
 
 // Two edges that meet are a corner.

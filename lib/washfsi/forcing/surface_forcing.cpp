@@ -145,7 +145,9 @@ Points<Dim> SurfaceForcing<Dim>::turned(const Points<Dim>& values, bool into_spa
 }
 
 template <int Dim>
-void SurfaceForcing<Dim>::begin_trial() {
+void SurfaceForcing<Dim>::begin_trial(const TimeStep& step, Vec density) {
+  step_ = step;
+  fluid_density_ = density;
   forces_ = turned(kept_, true);
 }
 
@@ -252,28 +254,22 @@ Points<Dim> SurfaceForcing<Dim>::approximate_forces(const Points<Dim>& velocitie
 }
 
 template <int Dim>
-void SurfaceForcing<Dim>::push(const TimeStep& step, Vec density, Vec velocity) {
-  step_ = step;
-  fluid_density_ = density;
+void SurfaceForcing<Dim>::push(Vec velocity) {
   const Points<Dim> more = approximate_forces(slips(velocity));
   accelerate(more, velocity);
   forces_ += more;
 }
 
 template <int Dim>
-bool SurfaceForcing<Dim>::hold(const TimeStep& step, Vec density, const Project& project, Vec velocity) {
-  step_ = step;
-  fluid_density_ = density;
+bool SurfaceForcing<Dim>::hold(const Project& project, Vec velocity) {
   const Points<Dim> left = slips(velocity);
   const double tolerance = slip_tolerance_ * largest_speed(velocity);
-  slip_ = rms(left);
-  if (slip_ <= tolerance) return false;
+  if (rms(left) <= tolerance) return false;
   project_ = &project;
   to_vector<Dim>(left, right_);
   const double to_norm = std::sqrt(static_cast<double>(markers_.patches()));
   (void)solve_to(solver_, 0.5 * tolerance * to_norm, right_, solution_, "walls");
   project_ = nullptr;
-  slip_ = std::min(slip_, 0.5 * tolerance);
   const Points<Dim> more = to_points<Dim>(solution_);
   accelerate(more, velocity);
   forces_ += more;

@@ -26,10 +26,10 @@ class SurfaceForcing : public WallForces {
   /// Places the markers as the bodies are at `time`. Collective.
   void update(double time);
 
-  void begin_trial() override;
+  void begin_trial(const TimeStep& step, Vec density) override;
   void add_held(Vec force) override;
-  void push(const TimeStep& step, Vec density, Vec velocity) override;
-  bool hold(const TimeStep& step, Vec density, const Project& project, Vec velocity) override;
+  void push(Vec velocity) override;
+  bool hold(const Project& project, Vec velocity) override;
   void accept() override;
 
   /// What the water does to the markers of each body, about its centre: -F, but for what sides of the box that the
@@ -41,8 +41,6 @@ class SurfaceForcing : public WallForces {
   /// Power that the bodies gave over the last step of dt and the water did not get, because it had other velocities at
   /// the markers than they: F (U(t + dt/2) - J (u^n + u^(n+1))/2) [W; W/m in the plane]. Collective.
   double lost_power(Vec velocity_before, Vec velocity, double dt) const;
-  /// rms slip at the patches that the last step left [m/s], by its own test.
-  double slip() const { return slip_; }
 
   /// What a restart needs: the forces of this rank's patches, in the bodies' frames, and which patches these are.
   Points<Dim>& kept() { return kept_; }
@@ -91,7 +89,6 @@ class SurfaceForcing : public WallForces {
   TimeStep step_;                     ///< under way
   Vec fluid_density_ = nullptr;       ///< of it
   const Project* project_ = nullptr;  ///< while the solver runs
-  double slip_ = 0;
 };
 
 extern template class SurfaceForcing<2>;

@@ -92,8 +92,7 @@ class Assembly {
   // Without those that hold what lies within another part, and those too near to one of a part before.
   MarkerPatches<Dim> patches() const {
     MarkerPatches<Dim> result;
-    std::vector<Bounds<Dim>> bounds;
-    for (const auto& place : places_) bounds.push_back(Bounds<Dim>::round(place, Point<Dim>::Zero()));
+    const std::vector<Bounds<Dim>> bounds = bounds_of(places_);
     const NearSearch<Dim> search(bounds, layout_.cell, hull(bounds));
     std::vector<char> stays(places_.size(), 0);
     std::size_t m = 0;

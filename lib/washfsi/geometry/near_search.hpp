@@ -29,6 +29,14 @@ Bounds<Dim> hull(const std::vector<Bounds<Dim>>& boxes) {
   return all;
 }
 
+/// Points as boxes without extent.
+template <int Dim>
+std::vector<Bounds<Dim>> bounds_of(const Points<Dim>& places) {
+  std::vector<Bounds<Dim>> bounds;
+  for (const auto& place : places) bounds.push_back({place, place});
+  return bounds;
+}
+
 /// A space that repeats itself along some axes.
 template <int Dim>
 struct PeriodicSpace {
