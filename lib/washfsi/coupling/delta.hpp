@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
 
 #include "washfsi/support/options.hpp"
 
@@ -106,6 +107,15 @@ struct AxisStencil {
   int count = 0;
   std::array<double, most> weight{};
 };
+
+/// Calls use(count) with what is the usual count of points as a constant, so that loops over them are unrolled.
+template <class Use>
+void with_count(const AxisStencil& stencil, const Use& use) {
+  if (stencil.count == 4)
+    use(std::integral_constant<int, 4>{});
+  else
+    use(stencil.count);
+}
 
 /// The delta along one axis, with what does not depend on the marker worked out once.
 class AxisDelta {

@@ -21,6 +21,38 @@ class FaceStencil {
   /// Weights along an axis of the faces of a component: those normal to the axis or those between.
   const AxisStencil& along(int axis, int component) const { return axes_[axis][axis == component ? 0 : 1]; }
 
+  /// Whether all of its faces lie within a box of so many cells, and not in its sides.
+  bool lies_within(const Index<Dim>& cells) const {
+    for (int d = 0; d < Dim; ++d)
+      for (const AxisStencil& faces : axes_[d])
+        if (faces.first < 1 || faces.first + faces.count > cells[d]) return false;
+    return true;
+  }
+
+  /// The mean of a component's faces by their weights.
+  double mean(auto component, const ConstFaceView<Dim>& field) const {
+    const AxisStencil& x = along(0, component);
+    double sum = 0;
+    with_count(x, [&](auto count) {
+      visit_rows(component, field, [&](const double* row, double weight) {
+        double of_row = 0;
+        for (int i = 0; i < count; ++i) of_row += row[i * Dim] * x.weight[i];
+        sum += weight * of_row;
+      });
+    });
+    return sum;
+  }
+
+  /// Adds to a component's faces a value times their weights.
+  void add(auto component, double value, const FaceView<Dim>& field) const {
+    const AxisStencil& x = along(0, component);
+    with_count(x, [&](auto count) {
+      visit_rows(component, field, [&](double* row, double weight) {
+        for (int i = 0; i < count; ++i) row[i * Dim] += weight * value * x.weight[i];
+      });
+    });
+  }
+
   /// Calls visit(row, weight) for each row along x of a component's faces, `row` pointing to its first face in the
   /// field of a view; the weight of the row times that along x is a face's.
   template <class Field, class Visit>

@@ -55,13 +55,7 @@ void Transfer<Dim>::add_to_local(const Points<Dim>& values, Vec local) const {
   const FaceView<Dim> field(grid_.wide_face_dm(), local);
   const double per_volume = 1 / grid_.cell_volume();
   for (std::size_t m = 0; m < spread_stencils_.size(); ++m)
-    for_each_component<Dim>([&](auto c) {
-      const AxisStencil& x = spread_stencils_[m].along(0, c);
-      const double value = per_volume * values[m][c];
-      spread_stencils_[m].visit_rows(c, field, [&](double* row, double weight) {
-        for (int i = 0; i < x.count; ++i) row[i * Dim] += weight * value * x.weight[i];
-      });
-    });
+    for_each_component<Dim>([&](auto c) { spread_stencils_[m].add(c, per_volume * values[m][c], field); });
 }
 
 template <int Dim>
@@ -88,21 +82,24 @@ void Transfer<Dim>::spread_mass(const std::vector<double>& masses, Vec density) 
 
 template <int Dim>
 Points<Dim> Transfer<Dim>::interpolate(Vec local_velocity) const {
+  return interpolate_where([](const FaceStencil<Dim>&) { return true; }, local_velocity);
+}
+
+template <int Dim>
+Points<Dim> Transfer<Dim>::interpolate_from_sides(Vec local_velocity) const {
+  const auto reaches_side = [&](const FaceStencil<Dim>& stencil) { return !stencil.lies_within(grid_.cells()); };
+  return interpolate_where(reaches_side, local_velocity);
+}
+
+template <int Dim>
+template <class Matters>
+Points<Dim> Transfer<Dim>::interpolate_where(const Matters& matters, Vec local_velocity) const {
   const petsc::LogPart part("interpolate");
   const ConstFaceView<Dim> u(grid_.wide_face_dm(), local_velocity);
   const auto& stencils = delta_.interpolate_width != delta_.spread_width ? interpolate_stencils_ : spread_stencils_;
-  Points<Dim> velocities(stencils.size());
+  Points<Dim> velocities(stencils.size(), Point<Dim>::Zero());
   for (std::size_t m = 0; m < stencils.size(); ++m)
-    for_each_component<Dim>([&](auto c) {
-      const AxisStencil& x = stencils[m].along(0, c);
-      double sum = 0;
-      stencils[m].visit_rows(c, u, [&](const double* row, double weight) {
-        double along = 0;
-        for (int i = 0; i < x.count; ++i) along += row[i * Dim] * x.weight[i];
-        sum += weight * along;
-      });
-      velocities[m][c] = sum;
-    });
+    if (matters(stencils[m])) for_each_component<Dim>([&](auto c) { velocities[m][c] = stencils[m].mean(c, u); });
   return exchange_.to_owners(velocities);
 }
 

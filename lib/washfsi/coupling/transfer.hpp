@@ -43,9 +43,13 @@ class Transfer {
 
   /// U = J u for a local velocity whose ghosts are filled. Collective.
   Points<Dim> interpolate(Vec local_velocity) const;
+  /// The same for one that is zero but in the sides of the box and beyond them: only markers near them are looked at.
+  Points<Dim> interpolate_from_sides(Vec local_velocity) const;
 
  private:
   void find_stencils();
+  template <class Matters>
+  Points<Dim> interpolate_where(const Matters& matters, Vec local_velocity) const;
   void add_to_local(const Points<Dim>& values, Vec local) const;
 
   const Grid<Dim>& grid_;

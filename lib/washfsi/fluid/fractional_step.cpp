@@ -49,6 +49,7 @@ template <int Dim>
 void FractionalStep<Dim>::advance(const TimeStep& step, const StepFields<Dim>& fields) {
   predict(step, fields);
   project();
+  hold_walls();
   finish();
 }
 
@@ -134,12 +135,12 @@ void FractionalStep<Dim>::project() {
   const petsc::LogPart part("pressure");
   solve_pressure(phi_);
   add_viscous_pressure();
-  hold_walls();
 }
 
 template <int Dim>
 void FractionalStep<Dim>::hold_walls() {
-  if (!fields_.walls) return;
+  if (!fields_.walls || !projects_) return;
+  const petsc::LogPart part("pressure");
   constexpr int sweeps = 2;  // leave so little slip that the solver, which makes loads jump, is called in few steps
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     fields_.walls->push(intermediate_);
@@ -230,9 +231,7 @@ void FractionalStep<Dim>::add_force(Vec force) {
       if (fluid_fraction) held(face, c) -= (1 - H) * f(face, c);
     });
   }
-  if (!projects_) return;
-  project_again();
-  hold_walls();
+  if (projects_) project_again();
 }
 
 template <int Dim>

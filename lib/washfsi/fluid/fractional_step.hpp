@@ -51,7 +51,7 @@ class FractionalStep {
   /// Sets the velocity at the start. Collective.
   void start(const VelocityAt<Dim>& velocity);
 
-  /// One whole step: predict, project, finish. Collective. Errors: DivergedError.
+  /// One whole step: predict, project, hold walls, finish. Collective. Errors: DivergedError.
   void advance(const TimeStep& step, const StepFields<Dim>& fields);
 
   /// Phases 1 and 2: u* from u^n. Collective.
@@ -61,6 +61,9 @@ class FractionalStep {
   /// Phase 3b: adds a further force density (faces) to the projected velocity and projects it again. What falls on
   /// solids is kept by them. Collective.
   void add_force(Vec force);
+  /// Phase 3c, after the last further force: takes away the slip that is left at walls that hold the water by forces.
+  /// Collective.
+  void hold_walls();
   /// For schemes that try a step several times: keeps the pressure, and takes the kept one back after a trial.
   void keep_pressure();
   void restore_pressure();
@@ -102,7 +105,6 @@ class FractionalStep {
   void project_again();
   void find_divergence(Vec local_velocity);
   void add_viscous_pressure();
-  void hold_walls();
   void free_of_divergence(Vec increment);
 
   const Grid<Dim>& grid_;

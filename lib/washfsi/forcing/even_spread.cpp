@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
-#include <set>
+#include <queue>
 
 #include "washfsi/geometry/near_search.hpp"
 
@@ -39,7 +39,7 @@ class Elimination {
   std::vector<Candidate<Dim>> run() {
     crowding_.assign(candidates_.size(), 0.0);
     too_near_.assign(candidates_.size(), 0);
-    std::set<std::pair<double, std::size_t>> queue;
+    std::priority_queue<std::pair<double, std::size_t>> queue;  // with entries that are out of date
     for (std::size_t m = 0; m < candidates_.size(); ++m) {
       for (const Pair& pair : pairs_[m]) add(m, pair, 1);
       if (too_near_[m] > 0) queue.emplace(crowding_[m], m);
@@ -47,13 +47,13 @@ class Elimination {
     std::vector<char> gone(candidates_.size(), 0);
     std::vector<std::size_t> order;  // of those that went
     while (!queue.empty()) {
-      const std::size_t worst = std::prev(queue.end())->second;
-      queue.erase(std::prev(queue.end()));
+      const auto [crowding, worst] = queue.top();
+      queue.pop();
+      if (gone[worst] || crowding != crowding_[worst] || too_near_[worst] == 0) continue;
       gone[worst] = 1;
       order.push_back(worst);
       for (const Pair& pair : pairs_[worst]) {
         if (gone[pair.other]) continue;
-        queue.erase({crowding_[pair.other], pair.other});
         add(pair.other, {worst, pair.distance}, -1);
         if (too_near_[pair.other] > 0) queue.emplace(crowding_[pair.other], pair.other);
       }

@@ -171,17 +171,11 @@ void SurfaceForcing<Dim>::accelerate(const Points<Dim>& forces, Vec velocity) co
   WASH_PETSC(VecAXPY(velocity, step_.dt, pushed));
 }
 
-// J u
-template <int Dim>
-Points<Dim> SurfaceForcing<Dim>::interpolated(Vec velocity, double time) const {
-  const GhostedVelocity<Dim> local(boundary_, grid_.wide_face_dm(), velocity, time);
-  return transfer_.interpolate(local);
-}
-
 // U - J u
 template <int Dim>
 Points<Dim> SurfaceForcing<Dim>::slips(Vec velocity) const {
-  Points<Dim> result = interpolated(velocity, time_);
+  const GhostedVelocity<Dim> local(boundary_, grid_.wide_face_dm(), velocity, time_);
+  Points<Dim> result = transfer_.interpolate(local);
   for (std::size_t m = 0; m < result.size(); ++m) result[m] = states_[m].velocity - result[m];
   return means(result);
 }
@@ -199,13 +193,15 @@ double SurfaceForcing<Dim>::rms(const Points<Dim>& values) const {
 
 template <int Dim>
 double SurfaceForcing<Dim>::lost_power(Vec velocity_before, Vec velocity, double dt) const {
-  const Points<Dim> given = shared_out(forces_);
-  const Points<Dim> before = interpolated(velocity_before, time_ - dt), now = interpolated(velocity, time_);
+  const GhostedVelocity<Dim> mean(boundary_, grid_.wide_face_dm(), velocity_before, time_ - dt),
+      now(boundary_, grid_.wide_face_dm(), velocity, time_);
+  WASH_PETSC(VecAXPBY(mean, 0.5, 0.5, now));
+  const Points<Dim> given = shared_out(forces_), of_water = transfer_.interpolate(mean);
   double lost = 0;
   for_each_acting([&](std::size_t p, std::size_t m) {
     const RigidMotion<Dim>& motion = bodies_[markers_.body_of(begin_ + p)].motion;
     const Point<Dim> own = motion.velocity(states_[m].place, time_ - 0.5 * dt);
-    lost += given[m].dot(own - 0.5 * (before[m] + now[m]));
+    lost += given[m].dot(own - of_water[m]);
   });
   return ordered_sum(grid_.comm(), lost);
 }
@@ -282,7 +278,7 @@ Points<Dim> SurfaceForcing<Dim>::kept_by_sides(const typename Boundary<Dim>::OnS
   Points<Dim> kept = shared_out(forces_);
   const petsc::LocalVector local(grid_.wide_face_dm());
   boundary_.fill_from_rest(local, shares);
-  const Points<Dim> parts = transfer_.interpolate(local);
+  const Points<Dim> parts = transfer_.interpolate_from_sides(local);
   for (std::size_t m = 0; m < kept.size(); ++m) kept[m] = kept[m].cwiseProduct(parts[m]);
   return kept;
 }
@@ -308,6 +304,7 @@ Loads<Dim> SurfaceForcing<Dim>::loads_on_sides(const std::vector<SideName>& side
   const Point<Dim> middle = 0.5 * (grid_.lower() + grid_.upper());
   for (std::size_t s = 0; s < sides.size(); ++s) {
     const SideName side = sides[s];
+    if (!any_rank(grid_.comm(), !boundary_.covered_wholly(side.axis, side.end))) continue;
     const Points<Dim> kept = kept_by_sides([&](int axis, End end, const Index<Dim>& face, int c) {
       return axis == side.axis && end == side.end ? 1 - boundary_.covered_share(axis, end, face, c, time_) : 0;
     });

@@ -61,7 +61,6 @@ class SurfaceForcing : public WallForces {
   Points<Dim> turned(const Points<Dim>& values, bool into_space) const;
   Points<Dim> shared_out(const Points<Dim>& of_patches) const;
   Points<Dim> means(const Points<Dim>& of_markers) const;
-  Points<Dim> interpolated(Vec velocity, double time) const;
   Points<Dim> slips(Vec velocity) const;
   Points<Dim> response(const Points<Dim>& forces) const;
   Points<Dim> approximate_forces(const Points<Dim>& velocities) const;

@@ -136,12 +136,6 @@ const SideCover<Dim>* Boundary<Dim>::cover(int axis, End end) const {
 }
 
 template <int Dim>
-double Boundary<Dim>::covered_share(int axis, End end, const Index<Dim>& face, int component, double time) const {
-  const auto* covered = cover(axis, end);
-  return covered ? covered->share(face, component, time) : 0;
-}
-
-template <int Dim>
 const Side<Dim>& Boundary<Dim>::side(int axis, End end) const {
   return sides_[axis][end == End::upper ? 1 : 0];
 }
@@ -184,8 +178,8 @@ double Boundary<Dim>::value(int axis, End end, const Index<Dim>& face, int compo
   const Side<Dim>& here = side(axis, end);
   if (here.kind == BoundaryKind::outflow) return outflow(axis, end)(face, component, time > outflow_time_);
   if (here.motion) return here.motion(foot(face, component, axis, end), time)[component];
-  if (const auto* covered = cover(axis, end); covered && component != axis)
-    return covered->velocity(face, component, time);
+  if (const auto* covered = cover(axis, end); covered && covered->moves() && component != axis)
+    return covered->velocities(component, time)(face);
   if (here.profile == InflowProfile::uniform) return here.velocity[component];
   return here.velocity[component] *
          parabola<Dim>(sides_, axis, grid_.lower(), grid_.upper(), foot(face, component, axis, end));
@@ -199,8 +193,8 @@ void Boundary<Dim>::with_values(int axis, End end, int component, double time, U
   const bool varies = here.kind == BoundaryKind::outflow || here.motion || here.profile != InflowProfile::uniform;
   if (varies)
     use([&](const Index<Dim>& face) { return value(axis, end, face, component, time); });
-  else if (const auto* covered = cover(axis, end); covered && component != axis)
-    use([&](const Index<Dim>& face) { return covered->velocity(face, component, time); });
+  else if (const auto* covered = cover(axis, end); covered && covered->moves() && component != axis)
+    use(covered->velocities(component, time));
   else
     use([same = here.velocity[component]](const Index<Dim>&) { return same; });
 }
@@ -223,21 +217,22 @@ void Boundary<Dim>::visit_boundary_faces(int axis, End end, const Box<Dim>& part
   for_each<Dim>(plane, visit);
 }
 
-// Calls visit(ghost, mirror) for the ghosts of `part` beyond one side and the face that each mirrors.
+// Calls visit(ghost, mirror) for the ghosts of `part` beyond one side and the face that each mirrors. The axis is known
+// when this is compiled, so that indices stay in registers.
 template <int Dim>
-template <class Visit>
-void Boundary<Dim>::visit_ghosts(int axis, End end, int component, const Box<Dim>& part, Visit&& visit) const {
-  const bool normal = component == axis;  // faces lie in the boundary, not half a cell from it
-  const PetscInt n = grid_.cells()[axis];
+template <int Axis, class Visit>
+void Boundary<Dim>::visit_ghosts(End end, int component, const Box<Dim>& part, Visit&& visit) const {
+  const bool normal = component == Axis;  // faces lie in the boundary, not half a cell from it
+  const PetscInt n = grid_.cells()[Axis];
   Box<Dim> beyond = part;
   if (end == End::lower)
-    beyond.upper[axis] = 0;
+    beyond.upper[Axis] = 0;
   else
-    beyond.lower[axis] = normal ? n + 1 : n;
+    beyond.lower[Axis] = normal ? n + 1 : n;
   const PetscInt pivot = (end == End::lower ? 0 : 2 * n) - (normal ? 0 : 1);
   for_each<Dim>(beyond, [&](const Index<Dim>& ghost) {
     Index<Dim> mirror = ghost;
-    mirror[axis] = pivot - ghost[axis];
+    mirror[Axis] = pivot - ghost[Axis];
     visit(ghost, mirror);
   });
 }
@@ -248,21 +243,22 @@ template <class Values>
 void Boundary<Dim>::fill_from(Vec local, Values&& values) const {
   const FaceView<Dim> u(dm_of(local), local);
   const Box<Dim> part = ghosted_box<Dim>(local);
-  for (int axis = 0; axis < Dim; ++axis)  // later axes complete the corners of earlier ones
+  for_each_component<Dim>([&](auto axis) {  // later axes complete the corners of earlier ones
     for (const End end : both_ends) {
       if (!touches(axis, end)) continue;
       values(axis, end, axis, [&](const auto& value) {
         visit_boundary_faces(axis, end, part, [&](const Index<Dim>& face) { u(face, axis) = value(face); });
       });
-      for (int c = 0; c < Dim; ++c) {
+      for_each_component<Dim>([&](auto c) {
         const double sign = mirror_sign(axis, end, c);  // u(ghost) = (1 - sign) u_wall + sign u(mirror)
         values(axis, end, c, [&](const auto& value) {
-          visit_ghosts(axis, end, c, part, [&](const Index<Dim>& ghost, const Index<Dim>& mirror) {
+          visit_ghosts<axis>(end, c, part, [&](const Index<Dim>& ghost, const Index<Dim>& mirror) {
             u(ghost, c) = (1 - sign) * value(ghost) + sign * u(mirror, c);
           });
         });
-      }
+      });
     }
+  });
 }
 
 template <int Dim>
@@ -287,13 +283,14 @@ template <int Dim>
 void Boundary<Dim>::fill_cells(Vec local_cells) const {
   const CellView<Dim> values(dm_of(local_cells), local_cells);
   const Box<Dim> part = ghosted_box<Dim>(local_cells);
-  for (int axis = 0; axis < Dim; ++axis)
+  for_each_component<Dim>([&](auto axis) {
     for (const End end : both_ends) {
       if (!touches(axis, end)) continue;
       const int beside = (axis + 1) % Dim;  // cells lie half a spacing from the side, as the faces of the others do
-      visit_ghosts(axis, end, beside, part,
-                   [&](const Index<Dim>& ghost, const Index<Dim>& mirror) { values(ghost) = values(mirror); });
+      visit_ghosts<axis>(end, beside, part,
+                         [&](const Index<Dim>& ghost, const Index<Dim>& mirror) { values(ghost) = values(mirror); });
     }
+  });
 }
 
 template <int Dim>
@@ -301,21 +298,23 @@ Point<Dim> Boundary<Dim>::fold_with(Vec local, bool keep_sign) const {
   const FaceView<Dim> f(dm_of(local), local);
   const Box<Dim> part = ghosted_box<Dim>(local);
   Point<Dim> kept = Point<Dim>::Zero();
-  for (int axis = Dim; axis-- > 0;)  // the reverse of `fill`
+  for_each_component<Dim>([&](auto number) {
+    constexpr int axis = Dim - 1 - number;  // the reverse of `fill`
     for (const End end : both_ends) {
       if (!touches(axis, end)) continue;
-      for (int c = 0; c < Dim; ++c) {
+      for_each_component<Dim>([&](auto c) {
         const double sign = keep_sign ? 1 : mirror_sign(axis, end, c);
-        visit_ghosts(axis, end, c, part, [&](const Index<Dim>& ghost, const Index<Dim>& mirror) {
+        visit_ghosts<axis>(end, c, part, [&](const Index<Dim>& ghost, const Index<Dim>& mirror) {
           f(mirror, c) += sign * f(ghost, c);
           kept[c] += (1 - sign) * f(ghost, c);
           f(ghost, c) = 0;
         });
-      }
+      });
       if (keep_sign) continue;
       visit_boundary_faces(axis, end, part,
                            [&](const Index<Dim>& face) { kept[axis] += std::exchange(f(face, axis), 0.0); });
     }
+  });
   return kept;
 }
 

@@ -57,7 +57,15 @@ class Boundary {
   void cover_sides(double time, const typename SideCover<Dim>::Cover& cover);
 
   /// The share of bodies in the place of a side beside a face; 0 where none stands.
-  double covered_share(int axis, End end, const Index<Dim>& face, int component, double time) const;
+  double covered_share(int axis, End end, const Index<Dim>& face, int component, double time) const {
+    const auto* covered = cover(axis, end);
+    return covered ? covered->share(face, component, time) : 0;
+  }
+  /// Whether bodies cover all of this rank's part of a side.
+  bool covered_wholly(int axis, End end) const {
+    const auto* covered = cover(axis, end);
+    return !touches(axis, end) || (covered && covered->covers_all());
+  }
   /// A number for each place of a side, by the face beside it.
   using OnSides = std::function<double(int axis, End end, const Index<Dim>& face, int component)>;
   /// Fills a local face vector as `fill` would if the water were at rest and the sides moved with these velocities. J
@@ -72,8 +80,8 @@ class Boundary {
   double largest_speed(double time) const;
 
  private:
-  template <class Visit>
-  void visit_ghosts(int axis, End end, int component, const Box<Dim>& part, Visit&& visit) const;
+  template <int Axis, class Visit>
+  void visit_ghosts(End end, int component, const Box<Dim>& part, Visit&& visit) const;
   template <class Visit>
   void visit_boundary_faces(int axis, End end, const Box<Dim>& part, Visit&& visit) const;
   Point<Dim> fold_with(Vec local, bool keep_sign) const;

@@ -16,24 +16,26 @@ template <int Dim>
 void SideCover<Dim>::set(double time, const Cover& cover) {
   const bool first = now_.velocities.empty();
   std::swap(before_, now_);
-  now_ = {time, {}, {}, false};
+  now_ = {time, {}, {}};
   for_each<Dim>(plane_, [&](const Index<Dim>& face) { add(now_, face, cover); });
   if (first) before_ = now_;
 }
 
 template <int Dim>
 void SideCover<Dim>::add(Moment& moment, const Index<Dim>& face, const Cover& cover) const {
-  Point<Dim> velocity = Point<Dim>::Zero(), shares = Point<Dim>::Zero();
+  Point<Dim> velocity = own_, shares = Point<Dim>::Zero();
   for (int c = 0; c < Dim; ++c) {
     Point<Dim> place = grid_.face_center(face, c);
     place[axis_] = end_ == End::lower ? grid_.lower()[axis_] : grid_.upper()[axis_];
     const Covered<Dim> covered = cover(place, own_);
-    velocity[c] = c == axis_ ? 0 : covered.velocity[c];
+    if (c != axis_) velocity[c] = covered.velocity[c];
     shares[c] = covered.share;
   }
   moment.velocities.push_back(velocity);
   moment.shares.push_back(shares);
   moment.covers = moment.covers || !shares.isZero(0);
+  moment.covers_all = moment.covers_all && shares.minCoeff() >= 1;
+  moment.moves = moment.moves || velocity != own_;
 }
 
 template class SideCover<2>;

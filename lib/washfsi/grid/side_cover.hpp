@@ -30,11 +30,17 @@ class SideCover {
   End end() const { return end_; }
   /// Whether a body stands on this rank's part at either moment.
   bool covers() const { return before_.covers || now_.covers; }
+  /// Whether a body moves it there.
+  bool moves() const { return before_.moves || now_.moves; }
+  /// Whether bodies cover all of this rank's part at both moments.
+  bool covers_all() const { return before_.covers_all && now_.covers_all; }
   /// What was last set becomes the moment before; the first time both are the same.
   void set(double time, const Cover& cover);
-  /// The velocity along the side, and the bodies' share, beside a face of a component.
-  double velocity(const Index<Dim>& face, int component, double time) const {
-    return nearest(time).velocities[number(face)][component];
+  /// The velocity along the side, as a function of the face beside it, and the bodies' share beside one.
+  auto velocities(int component, double time) const {
+    return [this, component, &moment = nearest(time)](const Index<Dim>& face) {
+      return moment.velocities[number(face)][component];
+    };
   }
   double share(const Index<Dim>& face, int component, double time) const {
     return nearest(time).shares[number(face)][component];
@@ -44,7 +50,7 @@ class SideCover {
   struct Moment {
     double time = 0;
     Points<Dim> velocities, shares;  ///< of each place of the plane, by component at that component's faces
-    bool covers = false;
+    bool covers = false, covers_all = true, moves = false;
   };
   const Moment& nearest(double time) const {
     return std::abs(time - now_.time) <= std::abs(time - before_.time) ? now_ : before_;

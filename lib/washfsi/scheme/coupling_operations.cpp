@@ -66,6 +66,12 @@ void predict_and_project(System<Dim>& system, double dt) {
 }
 
 template <int Dim>
+void move_water(System<Dim>& system, double dt) {
+  predict_and_project(system, dt);
+  system.model.fluid.hold_walls();
+}
+
+template <int Dim>
 Points<Dim> marker_velocities(const Model<Dim>& model, Vec velocity, double time) {
   const petsc::GlobalVector masked(model.grid.face_dm());
   WASH_PETSC(VecCopy(velocity, masked));
@@ -88,6 +94,8 @@ template void hold_bodies<2>(System<2>&, double);
 template void hold_bodies<3>(System<3>&, double);
 template void predict_and_project<2>(System<2>&, double);
 template void predict_and_project<3>(System<3>&, double);
+template void move_water<2>(System<2>&, double);
+template void move_water<3>(System<3>&, double);
 template Points<2> marker_velocities<2>(const Model<2>&, Vec, double);
 template Points<3> marker_velocities<3>(const Model<3>&, Vec, double);
 

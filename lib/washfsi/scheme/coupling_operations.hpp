@@ -32,6 +32,9 @@ void hold_bodies(System<Dim>& system, double time);
 /// Phases 1 to 3 of the fluid's step with the liquid and the bodies as they are, and the step's force density.
 template <int Dim>
 void predict_and_project(System<Dim>& system, double dt);
+/// All phases but the last, for schemes without further forces.
+template <int Dim>
+void move_water(System<Dim>& system, double dt);
 
 /// U = J [H u + (1-H) u_solid] for a velocity at `time` and the bodies as they were placed last.
 template <int Dim>

@@ -13,7 +13,7 @@ void ExplicitCoupling<Dim>::take(System<Dim>& system, double dt) {
   spread_cloth(system, state.positions, all_forces(system, state.positions));
 
   hold_bodies(system, time + dt);
-  predict_and_project(system, dt);
+  move_water(system, dt);
   model.fluid.finish();
 
   state.velocities = marker_velocities(model, model.fluid.velocity(), time + dt);

@@ -8,7 +8,7 @@ namespace washfsi {
 template <int Dim>
 void FluidAlone<Dim>::take(System<Dim>& system, double dt) {
   hold_bodies(system, system.state.clock.time + dt);
-  predict_and_project(system, dt);
+  move_water(system, dt);
   system.model.fluid.finish();
 }
 

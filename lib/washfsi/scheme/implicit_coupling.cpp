@@ -32,7 +32,7 @@ Points<Dim> ImplicitCoupling<Dim>::fluid_step(System<Dim>& system, double dt, co
                model.forces.of_places(step.pushed_at) + model.forces.of_velocities(middle, velocities) +
                    model.forces.constant());
   model.fluid.restore_pressure();
-  predict_and_project(system, dt);
+  move_water(system, dt);
   return marker_velocities(model, model.fluid.next_velocity(), state.clock.time + dt);
 }
 

@@ -15,7 +15,7 @@ void MidpointCoupling<Dim>::take(System<Dim>& system, double dt) {
   const Points<Dim> before = marker_velocities(model, model.fluid.velocity(), time);
 
   hold_bodies(system, time + dt);
-  predict_and_project(system, dt);
+  move_water(system, dt);
   model.fluid.finish();
 
   const Points<Dim> after = marker_velocities(model, model.fluid.velocity(), time + dt);

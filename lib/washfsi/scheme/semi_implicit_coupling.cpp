@@ -181,6 +181,7 @@ void SemiImplicitCoupling<Dim>::sweep(System<Dim>& system, double dt, Points<Dim
     step.wall_reaction += model.transfer.spread(gained, increment);
     step.given += gained;
     model.fluid.add_force(increment);
+    model.fluid.hold_walls();
     WASH_PETSC(VecAXPY(step.force, 1.0, increment));
     forces = moved;
     interpolated = water_velocities(system, dt);
