@@ -14,7 +14,6 @@ namespace washfsi {
 namespace {
 
 constexpr double deep_inside = -std::numeric_limits<double>::max();
-constexpr double depth_behind_markers = 2.5;  // beyond their reach [cells]
 
 double smoothing_of(const BodyTreatment& treatment, double cell) {
   if (treatment.method == BodyMethod::direct_forcing) return cell;
@@ -29,7 +28,7 @@ Mask<Dim>::Mask(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies, con
       bodies_(bodies),
       treatment_(treatment),
       smoothing_(smoothing_of(treatment, grid.spacing().maxCoeff())),
-      depth_(treatment.method == BodyMethod::direct_forcing ? depth_behind_markers * grid.spacing().maxCoeff() : 0),
+      depth_(treatment.method == BodyMethod::direct_forcing ? held_depth * grid.spacing().maxCoeff() : 0),
       fraction_(grid.face_vector()),
       solid_velocity_(grid.face_vector()),
       held_velocity_(grid.face_vector()),

@@ -15,6 +15,9 @@ namespace washfsi {
 template <int Dim>
 class Mask {
  public:
+  /// Bodies held by markers hold the water themselves where it is deeper in them than this [cells].
+  static constexpr double held_depth = 2.5;
+
   Mask(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies, const BodyTreatment& treatment);
 
   /// Places the bodies as they are at `time`.

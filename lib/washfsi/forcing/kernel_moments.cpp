@@ -9,6 +9,7 @@ namespace washfsi {
 namespace {
 
 constexpr int points_a_cell = 50;
+constexpr double fourth_powers = 2.0 / 3;       // of a normal's components, summed: mean over directions, 3/4 to 3/5
 constexpr int depths_a_cell = 20, deepest = 3;  // beyond which the two sides of a part do not feel each other
 
 }  // namespace
@@ -44,13 +45,13 @@ double KernelMoments::overlap(double shift) const {
   return (weights_[n] + (place - static_cast<double>(n)) * (weights_[n + 1] - weights_[n])) / spacing_;
 }
 
-// <|shift + s - t|>
+// <|shift + s - t|> on a grid
 double KernelMoments::mean_difference(double shift) const {
   const double middle = 0.5 * static_cast<double>(weights_.size() - 1);
   double sum = 0;
   for (std::size_t i = 0; i < weights_.size(); ++i)
     sum += weights_[i] * std::abs(shift + (static_cast<double>(i) - middle) * spacing_);
-  return sum;
+  return sum - fourth_powers / 6 * overlap(shift);
 }
 
 double KernelMoments::retraction(double half_thickness) const {

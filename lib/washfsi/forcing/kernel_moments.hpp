@@ -11,7 +11,8 @@ namespace washfsi {
 /// along the wall's normal, in cells. Water sheared on one side of a sheet of markers slips as if the wall lay
 /// <|s - t|>/2 before them; sheared alike on both sides of two sheets 2d apart, as if a plate of half thickness
 ///   b(d) = (<|s - t|> + <|2d + s - t|>)/2
-/// were there: <|s - t|> for a single sheet.
+/// were there: <|s - t|> for a single sheet. On a grid the water's second difference takes the bend of |s - t| as wider
+/// than it is, which is a sixth of the overlap at it nearer, times the sum of the normal's fourth powers.
 class KernelMoments {
  public:
   KernelMoments(DeltaKernel kernel, double width);
@@ -21,7 +22,7 @@ class KernelMoments {
   double overlap(double shift) const;
   /// <s^2> [cells^2].
   double variance() const { return variance_; }
-  /// <|s - t|>: how far before its faces and beyond its edges a sheet of markers acts [cells].
+  /// <|s - t|> on a grid: how far before its faces and beyond its edges a sheet of markers acts [cells].
   double sheet_reach() const { return sheet_reach_; }
   /// How far behind the surface of a part of this half thickness its markers belong; all in cells. Parts thinner than
   /// a sheet of markers acts get one sheet in their middle.

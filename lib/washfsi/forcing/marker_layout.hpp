@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
+
 #include "washfsi/forcing/kernel_moments.hpp"
 #include "washfsi/support/point.hpp"
 
@@ -9,9 +11,10 @@ namespace washfsi {
 /// How markers are laid on a surface.
 template <int Dim>
 struct MarkerLayout {
-  Point<Dim> cell;        ///< the grid's spacing [m]
-  double spacing = 1.1;   ///< least distance of two patches' middles [cells]
-  KernelMoments moments;  ///< of the delta by which they act
+  Point<Dim> cell;                                              ///< the grid's spacing [m]
+  double spacing = 1.0;                                         ///< least distance of two patches' middles [cells]
+  KernelMoments moments;                                        ///< of the delta by which they act
+  double held_depth = std::numeric_limits<double>::infinity();  ///< from which on bodies hold the water themselves [m]
 };
 
 }  // namespace washfsi

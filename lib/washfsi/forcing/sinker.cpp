@@ -15,6 +15,7 @@ namespace washfsi {
 namespace {
 
 constexpr double edge_factor = 0.5;   // of the reach of a sheet, beyond its edges: as a face acts before itself
+constexpr double held_from = 0.3;     // in cells, by which faces that are held lie deeper than they must, in the mean
 constexpr double smooth_bend = 0.25;  // in cells, above which a place belongs to an edge
 
 }  // namespace
@@ -30,11 +31,30 @@ std::optional<Candidate<Dim>> Sinker<Dim>::sink(const Point<Dim>& seed) const {
   const double along = normal.cwiseProduct(layout_.cell).norm();  // a cell's size in the normal's direction
   const auto [inmost, depth] = inmost_behind(*foot, normal, along);
   if (depth < along * layout_.moments.sheet_reach()) return in_sheet(inmost, normal);
-  const double bend = bending(*foot), flat = along * layout_.moments.retraction(depth / along);
   // at an edge the way is that between its faces
   const Point<Dim> inwards = -gradient(*foot, coarse * cell_).normalized();
+  const double bend = bending(*foot);
+  double flat = along * layout_.moments.retraction(depth / along);
+  if (is_held_behind(*foot, inwards)) flat = before_held(flat, bend);
   return Candidate<Dim>{*foot + std::clamp(flat + bend, 0.0, depth) * inwards, *foot,
                         static_cast<int>(std::clamp(bend / (smooth_bend * cell_), 0.0, 2.0))};
+}
+
+template <int Dim>
+bool Sinker<Dim>::is_held_behind(const Point<Dim>& foot, const Point<Dim>& inwards) const {
+  if (std::isinf(layout_.held_depth)) return false;
+  return -shape_.distance(foot + (layout_.held_depth + held_from * cell_) * inwards) > layout_.held_depth;
+}
+
+// The water between markers and what is held behind them slips at the markers as that before them does, and is sheared
+// by it over the distance between: markers act from farther off by the part that this takes of what bends at them.
+template <int Dim>
+double Sinker<Dim>::before_held(double flat, double bend) const {
+  const double curvature = 2 * bend / (layout_.moments.variance() * cell_ * cell_);
+  const double straight = layout_.held_depth + held_from * cell_ - flat;
+  const double bent = std::min(straight * curvature / (1 - flat * curvature), 0.9);
+  const double between = straight * (1 - 0.5 * bent) / ((1 - bent) * (1 - bent));  // of a layer of a plane as stiff
+  return flat / (1 - flat / between);
 }
 
 template <int Dim>

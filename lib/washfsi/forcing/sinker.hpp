@@ -26,6 +26,8 @@ class Sinker {
   static constexpr int directions = 8;                // along a sheet, in half a turn
   static constexpr double fine = 0.05, coarse = 0.4;  // differences, in cells: of a surface, across ridges of the depth
   Point<Dim> gradient(const Point<Dim>& place, double step) const;
+  bool is_held_behind(const Point<Dim>& foot, const Point<Dim>& inwards) const;
+  double before_held(double flat, double bend) const;
   std::optional<Point<Dim>> foot_of(const Point<Dim>& seed) const;
   std::pair<Point<Dim>, double> inmost_behind(const Point<Dim>& foot, const Point<Dim>& normal, double along) const;
   Point<Dim> refined(const Point<Dim>& place, const Point<Dim>& way, double step) const;

@@ -8,6 +8,7 @@
 // J. Comput. Phys. 225 (2007) 2118. A step begins with the forces of the step before, which turn with their body.
 #pragma once
 
+#include "washfsi/body/mask.hpp"
 #include "washfsi/body/wall_loads.hpp"
 #include "washfsi/coupling/transfer.hpp"
 #include "washfsi/fluid/wall_forces.hpp"
