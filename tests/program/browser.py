@@ -30,7 +30,7 @@ def there():
 class Browser:
     """A browser with one page."""
 
-    def __init__(self, width=1280, height=900):
+    def __init__(self, width=900, height=640):
         options = webdriver.ChromeOptions()
         for flag in FLAGS:
             options.add_argument(flag)
@@ -38,7 +38,7 @@ class Browser:
         self.driver = webdriver.Chrome(service=Service(DRIVER), options=options)
         self.resize(width, height)
 
-    def resize(self, width, height=900):
+    def resize(self, width, height=640):
         """Takes a width of the window [px]; below 600 it is a telephone."""
         self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
             "width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 600})

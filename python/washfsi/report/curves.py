@@ -107,12 +107,14 @@ class Curves:
                 "values": self.pack.add(values[rows])}
 
     def energy_panel(self):
-        """Returns the panel of the balance of energy, None where nothing is kept or lost."""
+        """Returns the panel of the balance of energy, None where neither bodies nor loads can put any in."""
         parts = energy_balance(self.history, self.bodies, self.groups)
+        if "put in" not in parts:  # walls drive the flow, or it runs down: nothing to balance with
+            return None
         curves = [self.curve(name, "", part) for name, part in parts.items() if np.any(part)]
         unit = self.history.units.get("kinetic_energy", "J")
         return {"title": "Balance of energy", "unit": unit, "curves": curves,
-                "note": "summed from the first row on; open is what is put in and found nowhere"} if curves else None
+                "note": "summed from the first row on; open is what is found nowhere, or passed open or moving sides"} if curves else None
 
     def panels(self):
         """Returns all panels: torque and power, the balance of energy, the rest."""

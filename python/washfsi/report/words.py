@@ -5,6 +5,7 @@ import math
 
 import numpy as np
 
+SHAPES = {"stl": "surface from an STL file", "agitator": "vaned agitator", "vaned": "vaned agitator"}
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
@@ -107,7 +108,9 @@ def motion_words(options, body):
 def body_words(options, body):
     """Returns the sentence on a body."""
     shape = options.get(f"{body}_shape", "body").replace("_", " ")
-    shape = "surface from an STL file" if shape == "stl" else "vaned agitator" if shape == "agitator" else shape
+    shape = SHAPES.get(shape, shape)
+    if shape == "sphere" and len(numbers(options, "grid_cells")) == 2:
+        shape = "circle"
     side = "the water is inside" if true(options, f"{body}_inverted") else ""
     told = ", ".join(filter(None, [side, *size_words(options, body)]))
     return f"The {body} ({shape}{': ' if told else ''}{told}) {motion_words(options, body)}."
@@ -123,7 +126,7 @@ def cloth_words(options, group):
     mass = value(options, f"{group}_excess_mass")
     ready = [f"of {product(size, 'm')}" if size else "", f"with {lattice} markers" if markers else "", "each"]
     stiff = numbers(options, f"{group}_ke")
-    return (f"The load {group}: {plural(count, 'cloth')} {' '.join(filter(None, ready))}"
+    return (f"Group {group}: {plural(count, 'cloth')} {' '.join(filter(None, ready))}"
             f"{f', {number(mass)} kg/m² heavier than the water they displace' if mass else ''}"
             f"{', stretching stiffness ' + ', '.join(map(number, stiff)) + ' N/m' if stiff else ''}, "
             f"placement {options.get(f'{group}_placement', 'line')}.")

@@ -62,11 +62,11 @@ class Sheets {
   }
 }
 
-/** Cloths in the plane as strips in front of the flow: two vertices for each marker. */
-class Strips {
-  constructor(lines, markers, width) {
+/** Strips along lines in the plane, of a half width, at a height: two vertices for each marker. */
+class Strip {
+  constructor(lines, markers, width, height, material) {
     this.chains = lines;
-    this.width = width;
+    [this.width, this.height] = [width, height];
     this.positions = new THREE.BufferAttribute(new Float32Array(6 * markers), 3);
     this.colours = new THREE.BufferAttribute(new Float32Array(6 * markers), 3);
     const triangles = lines.flatMap((line) =>
@@ -76,13 +76,11 @@ class Strips {
       }),
     );
     this.geometry = geometryOf({ position: [this.positions], color: [this.colours] }, triangles);
-    this.mesh = this.object = new THREE.Mesh(
-      this.geometry,
-      new THREE.MeshBasicMaterial({ vertexColors: THREE.VertexColors, side: THREE.DoubleSide }),
-    );
-    this.object.frustumCulled = false;
+    this.mesh = new THREE.Mesh(this.geometry, material);
+    this.mesh.frustumCulled = false;
   }
 
+  /** Takes places and colours of the markers, three numbers each. */
   put(places, colours) {
     for (const line of this.chains) line.forEach((marker, place) => this.widen(line, place, marker, places));
     for (let vertex = 0; vertex < this.positions.count; vertex++) {
@@ -99,10 +97,27 @@ class Strips {
     for (const side of [0, 1]) {
       const sign = factor * (1 - 2 * side);
       this.positions.array.set(
-        [places[3 * marker] - sign * y, places[3 * marker + 1] + sign * x, this.width],
+        [places[3 * marker] - sign * y, places[3 * marker + 1] + sign * x, this.height],
         6 * marker + 3 * side,
       );
     }
+  }
+}
+
+/** Cloths in the plane as coloured strips with dark rims, in front of the flow. */
+class Strips {
+  constructor(lines, markers, width) {
+    const side = THREE.DoubleSide;
+    const coloured = new THREE.MeshBasicMaterial({ vertexColors: THREE.VertexColors, side });
+    this.rims = new Strip(lines, markers, 1.9 * width, width, new THREE.MeshBasicMaterial({ side }));
+    this.strip = new Strip(lines, markers, width, 2 * width, coloured);
+    [this.lines, this.mesh] = [this.rims.mesh, this.strip.mesh];
+    this.object = new THREE.Group().add(this.lines, this.mesh);
+  }
+
+  put(places, colours) {
+    this.rims.put(places, colours);
+    this.strip.put(places, colours);
   }
 }
 

@@ -106,8 +106,10 @@ class Playback {
       this.speed = Number(value);
     });
     speed.querySelector("select").value = String(this.speed);
+    const view = choice("view", "view", VIEWS, (value) => this.view.look(value));
+    view.querySelector("select").value = this.view.from;
     return [
-      choice("view", "view", VIEWS, (value) => this.view.look(value)),
+      view,
       speed,
       this.clothSettings(),
       this.sliceSettings(),

@@ -61,7 +61,7 @@ class TracksChart {
     const options = chartOptions(
       axisOptions("radius [m]", { min: 0, max: reach }),
       axisOptions("height [m]", { min: lower, max: upper }),
-      { interaction: { mode: "nearest", intersect: true } },
+      { parsing: {}, normalized: false, interaction: { mode: "nearest", intersect: true } },
     );
     options.plugins.legend.display = false;
     options.plugins.tooltip.callbacks = {
@@ -75,12 +75,10 @@ class TracksChart {
     this.showTime(this.times[0]);
   }
 
-  /** Puts the dots to a time. */
+  /** Puts the dots to the row nearest to a time. */
   showTime(time) {
-    const row = Math.max(
-      0,
-      this.times.findIndex((other) => other >= time - 1e-9),
-    );
+    const far = this.times.map((other) => Math.abs(other - time));
+    const row = far.indexOf(Math.min(...far));
     if (row === this.row && this.chart) return;
     this.row = row;
     this.dots.data = this.paths.map((path) => path.data[row]);
