@@ -9,6 +9,7 @@ from contourpy import FillType, contour_generator
 from washfsi.paraview_view.command import surrounds
 
 VIEWS = {"from above": (0, 1, 2), "from the front": (0, 2, 1)}  # axis across, axis up, axis along which one looks
+LEAST_SEEN = 0.5  # of the cells in which a surface is seen, those that must be solid for the outline to be that of solid cells
 LEVELS = 9  # at which a body is cut for its form to be seen
 WIDTH = 360.0  # of a view [units of the drawing]
 MARGIN = 30.0  # for the lengths
@@ -24,6 +25,20 @@ def flattened(distance, view):
     half = distance.shape[along] // 2
     flat = np.take(distance, half, axis=along) if surrounds(distance) else distance.min(axis=along)
     return flat if up < across else flat.T
+
+
+def shade(results, name, flat, view):
+    """Returns the outline `flat` of a body; of one with parts thinner than cells, which lie between their centres, where its
+    surface is seen instead."""
+    surfaces, flow = results.surfaces, results.flow
+    if flow.dim == 2 or not surfaces or name not in surfaces.bodies:
+        return flat
+    corners = surfaces.frame(0)["position"][surfaces.facets_of(name)]
+    points = np.concatenate([*np.moveaxis(corners, 1, 0), corners.mean(axis=1)])
+    across, up = view[:2]
+    edges = [flow.lower[axis] + flow.spacing[axis] * np.arange(flow.cells[axis] + 1) for axis in (up, across)]
+    seen = np.histogram2d(points[:, up], points[:, across], edges)[0] > 0
+    return flat if (flat < 0).sum() > LEAST_SEEN * seen.sum() else np.where(seen, -1.0, 1.0)
 
 
 def levels(distance, view):
@@ -110,10 +125,11 @@ def draw_view(results, title, view):
     flow = results.flow
     pick, centres = list(view[:2]), results.flow.centres()
     sketch = Sketch(flow.lower[pick], flow.upper[pick], title)
-    for distance in (results.bodies.frame(0).data.values() if results.bodies else ()):
+    for name, distance in (results.bodies.frame(0).data.items() if results.bodies else ()):
         if distance.min() < 0 < distance.max():
             axes = [centres[axis] for axis in pick]
-            sketch.add(rings(flattened(distance, view), axes), "solid")
+            flat = flattened(distance, view)
+            sketch.add(rings(flat if surrounds(distance) else shade(results, name, flat, view), axes), "solid")
             sketch.add([ring for cut in levels(distance, view) for ring in rings(cut, axes)], "level")
     lines, closed = cloth_lines(results, view)
     sketch.add(lines, "cloth" if closed else "fibre", closed)

@@ -29,7 +29,7 @@ function storySection(run) {
       key("solid", "bodies"),
       run.groups.length ? key("cloth", "cloths") : null,
       key("water", "liquid"),
-      " at the start; from the front a drum is cut in the middle.",
+      run.drawings.length > 1 ? " at the start; a drum is cut in the middle." : " at the start.",
     ),
   );
 }
