@@ -11,6 +11,7 @@ import unittest
 
 import h5py
 import numpy as np
+from matplotlib.image import imread
 
 import browser
 from support import SOURCE, WASH, ProgramTest, read_columns, run
@@ -403,6 +404,19 @@ class InBrowser(ProgramTest):
         self.page.set("#run", "1", "change")
         self.assertEqual(self.page.run("return document.querySelector('#overview h2').textContent;"), "two")
         self.assertGreater(len(np.unique(self.page.picture(".stage").reshape(-1, 3), axis=0)), 500)
+
+    def test_pictures_are_as_asked(self):
+        pictures = {}
+        for name, words in (("start", ["--time", "0"]), ("later", ["--time", "0.3", "--view", "top", "--slice", "none"])):
+            path = self.folder / f"{name}.png"
+            outcome = report(ROOT / "three", "--picture", path, *words)
+            self.assertEqual(outcome.returncode, 0, outcome.stderr)
+            pictures[name] = np.rint(255 * imread(path)[..., :3]).astype(int)
+            self.assertEqual(pictures[name].shape[1], 1200)
+            self.assertGreater(len(np.unique(pictures[name].reshape(-1, 3), axis=0)), 100)
+        self.assertGreater((pictures["start"] != pictures["later"]).mean(), 0.05)
+        outcome = report(ROOT / "three", ROOT / "two", "--picture", self.folder / "both.png")
+        self.assertEqual(outcome.returncode, 2)
 
     def test_shows_the_plane(self):
         self.open("plane/report.html")

@@ -8,6 +8,7 @@ import sys
 
 from washfsi.errors import ResultsError
 from washfsi.report.page import write_page
+from washfsi.report.picture import write_picture
 from washfsi.results import Results
 
 
@@ -18,7 +19,23 @@ def parse_arguments(description):
                         help="output folder of a run, or of a -check")
     parser.add_argument("--output", metavar="FILE.html", type=pathlib.Path,
                         help="the report (default: report.html in OUT, or where the folders OUT are)")
-    return parser.parse_args()
+    picture = parser.add_argument_group("a picture of the playback instead, by chromium")
+    picture.add_argument("--picture", metavar="FILE.png", type=pathlib.Path, help="of one run")
+    picture.add_argument("--time", type=float, help="[s] (default: at three quarters of the run)")
+    picture.add_argument("--view", choices=("3d", "top", "front", "side"))
+    picture.add_argument("--slice", choices=("x", "y", "z", "none"), help="axis that the slice lies across (default: z)")
+    picture.add_argument("--height", type=float, help="place of the slice along it, from 0 to 1 (default: 0.3)")
+    picture.add_argument("--colour", help="of the cloths: stress, water_shear, relative_speed, stretch, shear_angle, number")
+    options = parser.parse_args()
+    if options.picture and len(options.folders) > 1:
+        parser.error("--picture is of one run")
+    return options
+
+
+def asked_of(options):
+    """Returns what the page is asked to show in a picture."""
+    across = {"x": 0, "y": 1, "z": 2, "none": "none", None: None}[options.slice]
+    return {"time": options.time, "view": options.view, "slice": across, "height": options.height, "colour": options.colour}
 
 
 def usual_output(folders):
@@ -33,8 +50,11 @@ def main(description):
     options = parse_arguments(description)
     try:
         runs = [Results(folder) for folder in options.folders]
-        path = options.output or usual_output(options.folders)
-        write_page(runs, path)
+        path = options.picture or options.output or usual_output(options.folders)
+        if options.picture:
+            write_picture(runs[0], path, asked_of(options))
+        else:
+            write_page(runs, path)
     except ResultsError as error:
         print(f"report: {error}", file=sys.stderr)
         return 2

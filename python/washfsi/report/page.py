@@ -20,7 +20,7 @@ from washfsi.report.words import words_of
 
 WEB = pathlib.Path(__file__).parent / "web"
 SCRIPTS = ("dom", "numbers", "unpack", "theme", "story", "tables", "charts", "tracks", "colours", "geometry", "solids",
-           "cloths", "slice", "view", "playback", "comparison", "main")
+           "cloths", "slice", "view", "playback", "comparison", "picture", "main")
 ROOM = 9_000_000  # [bytes] for the playbacks of all runs, before compression
 # Told apart by all eyes: lightness grows with the number, or from both ends to the middle.
 SHADES = {"cloth": ("YlOrBr", 0.12, 1.0), "flow": ("Blues", 0.02, 1.0), "signed": ("PuOr_r", 0.04, 0.96)}

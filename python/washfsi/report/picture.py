@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures of the playback, by a headless browser."""
+
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import urllib.parse
+
+from PIL import Image
+
+from washfsi.errors import ResultsError
+from washfsi.report.page import write_page
+
+SIZE = 1200, 760  # [px]
+COLOURS = 255  # of the file, which keeps it small
+PATIENCE = 30000  # [ms] of the page's clock
+FLAGS = ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--hide-scrollbars", "--use-gl=angle",
+         "--use-angle=swiftshader-webgl", "--force-device-scale-factor=1"]
+
+
+def picture_address(page, asked):
+    """Returns the address of a page that shows the playback alone; `asked` has time, view, slice, height and colour."""
+    words = {name: value for name, value in asked.items() if value is not None}
+    return f"{page.as_uri()}#" + "&".join(["picture=1", urllib.parse.urlencode(words)]).rstrip("&")
+
+
+def write_picture(results, path, asked):
+    """Writes a picture of the playback of a run (PNG)."""
+    chromium = shutil.which("chromium")
+    if not chromium:
+        raise ResultsError("there is no program chromium, which makes the pictures; Debian's package is chromium")
+    with tempfile.TemporaryDirectory(prefix="washfsi_") as folder:
+        page, shot = pathlib.Path(folder) / "page.html", pathlib.Path(folder) / "shot.png"
+        write_page([results], page)
+        outcome = subprocess.run([chromium, *FLAGS, f"--user-data-dir={folder}/profile", f"--window-size={SIZE[0]},{SIZE[1]}",
+                                  f"--virtual-time-budget={PATIENCE}", f"--screenshot={shot}", picture_address(page, asked)],
+                                 capture_output=True, text=True, check=False)
+        if not shot.is_file():
+            raise ResultsError(f"chromium has made no picture: {outcome.stderr.strip().splitlines()[-1:]}")
+        try:
+            Image.open(shot).convert("RGB").quantize(COLOURS, dither=Image.Dither.NONE).save(path, optimize=True)
+        except (OSError, ValueError) as error:
+            raise ResultsError(f"cannot write {path}: {error}") from None
