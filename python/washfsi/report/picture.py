@@ -14,9 +14,10 @@ from washfsi.report.page import write_page
 
 SIZE = 1200, 760  # [px]
 COLOURS = 255  # of the file, which keeps it small
-PATIENCE = 30000  # [ms] of the page's clock
+PATIENCE = 3000  # [ms] of the page's clock
 FLAGS = ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--hide-scrollbars", "--use-gl=angle",
-         "--use-angle=swiftshader-webgl", "--force-device-scale-factor=1"]
+         "--use-angle=swiftshader-webgl", "--force-device-scale-factor=1", "--no-first-run", "--disable-sync",
+         "--disable-background-networking", "--disable-component-update", "--disable-extensions"]
 
 
 def picture_address(page, asked):
@@ -30,14 +31,15 @@ def write_picture(results, path, asked):
     chromium = shutil.which("chromium")
     if not chromium:
         raise ResultsError("there is no program chromium, which makes the pictures; Debian's package is chromium")
-    with tempfile.TemporaryDirectory(prefix="washfsi_") as folder:
-        page, shot = pathlib.Path(folder) / "page.html", pathlib.Path(folder) / "shot.png"
+    with tempfile.TemporaryDirectory(prefix="washfsi_", ignore_cleanup_errors=True) as folder:
+        page, shot, log = (pathlib.Path(folder) / name for name in ("page.html", "shot.png", "log"))
         write_page([results], page)
-        outcome = subprocess.run([chromium, *FLAGS, f"--user-data-dir={folder}/profile", f"--window-size={SIZE[0]},{SIZE[1]}",
-                                  f"--virtual-time-budget={PATIENCE}", f"--screenshot={shot}", picture_address(page, asked)],
-                                 capture_output=True, text=True, check=False)
+        with open(log, "wb") as said:  # no pipe: helpers of the browser keep it open for seconds
+            subprocess.run([chromium, *FLAGS, f"--user-data-dir={folder}/profile", f"--window-size={SIZE[0]},{SIZE[1]}",
+                            f"--virtual-time-budget={PATIENCE}", f"--screenshot={shot}", picture_address(page, asked)],
+                           stdout=subprocess.DEVNULL, stderr=said, check=False)
         if not shot.is_file():
-            raise ResultsError(f"chromium has made no picture: {outcome.stderr.strip().splitlines()[-1:]}")
+            raise ResultsError(f"chromium has made no picture: {' '.join(log.read_text().splitlines()[-1:])}")
         try:
             Image.open(shot).convert("RGB").quantize(COLOURS, dither=Image.Dither.NONE).save(path, optimize=True)
         except (OSError, ValueError) as error:
