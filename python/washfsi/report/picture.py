@@ -14,7 +14,8 @@ from washfsi.report.page import write_page
 
 SIZE = 1200, 760  # [px]
 COLOURS = 255  # of the file, which keeps it small
-PATIENCE = 3000  # [ms] of the page's clock
+PATIENCE = 10000, 60000  # [ms] of the page's clock, one try after the other
+LEAST_COLOURS = 40  # of a picture that shows something
 FLAGS = ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--hide-scrollbars", "--use-gl=angle",
          "--use-angle=swiftshader-webgl", "--force-device-scale-factor=1", "--no-first-run", "--disable-sync",
          "--disable-background-networking", "--disable-component-update", "--disable-extensions"]
@@ -26,21 +27,32 @@ def picture_address(page, asked):
     return f"{page.as_uri()}#" + "&".join(["picture=1", urllib.parse.urlencode(words)]).rstrip("&")
 
 
+def take_picture(chromium, folder, address, patience):
+    """Returns what a browser shows at an address, None when that is hardly more than a background: it was not ready."""
+    shot, log = folder / "shot.png", folder / "log"
+    with open(log, "wb") as said:  # no pipe: helpers of the browser keep it open for seconds
+        subprocess.run([chromium, *FLAGS, f"--user-data-dir={folder}/profile", f"--window-size={SIZE[0]},{SIZE[1]}",
+                        f"--virtual-time-budget={patience}", f"--screenshot={shot}", address],
+                       stdout=subprocess.DEVNULL, stderr=said, check=False)
+    if not shot.is_file():
+        raise ResultsError(f"chromium has made no picture: {' '.join(log.read_text().splitlines()[-1:])}")
+    picture = Image.open(shot).convert("RGB")
+    return picture if len(picture.getcolors(SIZE[0] * SIZE[1])) > LEAST_COLOURS else None
+
+
 def write_picture(results, path, asked):
     """Writes a picture of the playback of a run (PNG)."""
     chromium = shutil.which("chromium")
     if not chromium:
         raise ResultsError("there is no program chromium, which makes the pictures; Debian's package is chromium")
-    with tempfile.TemporaryDirectory(prefix="washfsi_", ignore_cleanup_errors=True) as folder:
-        page, shot, log = (pathlib.Path(folder) / name for name in ("page.html", "shot.png", "log"))
-        write_page([results], page)
-        with open(log, "wb") as said:  # no pipe: helpers of the browser keep it open for seconds
-            subprocess.run([chromium, *FLAGS, f"--user-data-dir={folder}/profile", f"--window-size={SIZE[0]},{SIZE[1]}",
-                            f"--virtual-time-budget={PATIENCE}", f"--screenshot={shot}", picture_address(page, asked)],
-                           stdout=subprocess.DEVNULL, stderr=said, check=False)
-        if not shot.is_file():
-            raise ResultsError(f"chromium has made no picture: {' '.join(log.read_text().splitlines()[-1:])}")
+    with tempfile.TemporaryDirectory(prefix="washfsi_", ignore_cleanup_errors=True) as name:
+        folder = pathlib.Path(name)
+        write_page([results], folder / "page.html")
+        address = picture_address(folder / "page.html", asked)
+        picture = next(filter(None, (take_picture(chromium, folder, address, patience) for patience in PATIENCE)), None)
+        if picture is None:
+            raise ResultsError("chromium shows no playback: the machine is too busy, or has no WebGL")
         try:
-            Image.open(shot).convert("RGB").quantize(COLOURS, dither=Image.Dither.NONE).save(path, optimize=True)
+            picture.quantize(COLOURS, dither=Image.Dither.NONE).save(path, optimize=True)
         except (OSError, ValueError) as error:
             raise ResultsError(f"cannot write {path}: {error}") from None
