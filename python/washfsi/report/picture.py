@@ -10,7 +10,7 @@ import urllib.parse
 from PIL import Image
 
 from washfsi.errors import ResultsError
-from washfsi.report.page import write_page
+from washfsi.report.page import page_of
 
 SIZE = 1200, 760  # [px]
 COLOURS = 255  # of the file, which keeps it small
@@ -21,14 +21,15 @@ FLAGS = ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--hide-sc
          "--disable-background-networking", "--disable-component-update", "--disable-extensions"]
 
 
-def picture_address(page, asked):
-    """Returns the address of a page that shows the playback alone; `asked` has time, view, slice, height and colour."""
+def write_picture_page(results, path, asked):
+    """Writes the page that shows the playback alone; returns its address. `asked` has time, view, slice, height and colour."""
+    path.write_text(page_of([results]).replace("<body>", '<body class="picture">', 1), encoding="utf-8")
     words = {name: value for name, value in asked.items() if value is not None}
-    return f"{page.as_uri()}#" + "&".join(["picture=1", urllib.parse.urlencode(words)]).rstrip("&")
+    return f"{path.as_uri()}#{urllib.parse.urlencode(words)}"
 
 
 def take_picture(chromium, folder, address, patience):
-    """Returns what a browser shows at an address, None when that is hardly more than a background: it was not ready."""
+    """Returns what a browser shows at an address, None when that is nothing: the page was not ready."""
     shot, log = folder / "shot.png", folder / "log"
     with open(log, "wb") as said:  # no pipe: helpers of the browser keep it open for seconds
         subprocess.run([chromium, *FLAGS, f"--user-data-dir={folder}/profile", f"--window-size={SIZE[0]},{SIZE[1]}",
@@ -47,8 +48,7 @@ def write_picture(results, path, asked):
         raise ResultsError("there is no program chromium, which makes the pictures; Debian's package is chromium")
     with tempfile.TemporaryDirectory(prefix="washfsi_", ignore_cleanup_errors=True) as name:
         folder = pathlib.Path(name)
-        write_page([results], folder / "page.html")
-        address = picture_address(folder / "page.html", asked)
+        address = write_picture_page(results, folder / "page.html", asked)
         picture = next(filter(None, (take_picture(chromium, folder, address, patience) for patience in PATIENCE)), None)
         if picture is None:
             raise ResultsError("chromium shows no playback: the machine is too busy, or has no WebGL")

@@ -8,6 +8,7 @@ from washfsi.report.solids import solids_of
 
 COLOURS = {"stress": "stress", "water_shear": "shear of the water", "relative_speed": "speed of the water along it",
            "stretch": "stretch", "shear_angle": "shear angle"}  # by which cloths are coloured, where they are known
+NOISE = {"Pa": 1e-3}  # a limit below this is that of rounding, as at the start
 PERCENTILE = 98.0  # where colours saturate
 MOST_FRAMES = 600
 
@@ -36,7 +37,8 @@ def packed_colours(data, units, pack):
     for name, title in COLOURS.items():
         if name in data[0].data:
             values = np.array([frame[name] for frame in data])
-            high = float(np.percentile(np.abs(values), PERCENTILE)) or 1.0
+            high = float(np.percentile(np.abs(values), PERCENTILE))
+            high = high if high > NOISE.get(units[name], 0.0) else 1.0
             made.append({"name": name, "title": title, "unit": units[name], "limit": high,
                          "values": pack.add_scaled(values, 0.0, max(float(values.max()), high))})
     return made

@@ -111,6 +111,8 @@ def body_words(options, body):
     shape = SHAPES.get(shape, shape)
     if shape == "sphere" and len(numbers(options, "grid_cells")) == 2:
         shape = "circle"
+    if shape in ("union", "intersection", "difference"):
+        shape += " of " + ", ".join(names_in(options, f"{body}_parts"))
     side = "the water is inside" if true(options, f"{body}_inverted") else ""
     told = ", ".join(filter(None, [side, *size_words(options, body)]))
     return f"The {body} ({shape}{': ' if told else ''}{told}) {motion_words(options, body)}."

@@ -99,9 +99,10 @@ function barsNote(comparison) {
   );
 }
 
-/** Returns the row of a figure: each run's, and how far it is from the first run's. */
+/** Returns the row of a figure: each run's, and how far it is from the first run's where that is more than its spread. */
 function comparisonRow(row) {
-  const first = row.values[0]?.value;
+  const { value, std } = row.values[0] ?? {};
+  const first = Math.abs(value) > (std ?? 0) ? value : NaN;
   return element(
     "tr",
     {},

@@ -108,7 +108,7 @@ async function startReport() {
   );
   const report = new Report(data, packs);
   report.start();
-  if (location.hash.startsWith("#picture")) showPicture(report, location.hash);
+  if (document.body.classList.contains("picture")) await showPicture(report, location.hash);
   return report;
 }
 

@@ -290,7 +290,10 @@ function playbackSection(run, playback) {
     element(
       "p",
       { class: "note" },
-      `${times.length} of ${every} frames${apart}; between them cloths and bodies are interpolated.${coarse} ` +
+      (times.length > 1
+        ? `${times.length} of ${every} frames${apart}; between them cloths and bodies are interpolated.`
+        : "The start alone.") +
+        `${coarse} ` +
         "Drag to turn, with the right button or two fingers to move; click for the wheel to zoom, on a cloth for its " +
         "number.",
     ),
