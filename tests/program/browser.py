@@ -1,8 +1,16 @@
+#!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""A headless browser for tests of pages: Debian's chromium and chromium-driver, steered by python3-selenium."""
+"""A headless browser for tests of pages: Debian's chromium and chromium-driver, steered by python3-selenium.
+
+By itself it opens a report a few times, tells seconds and errors, and takes a picture of every section:
+
+    tests/program/browser.py out/report.html [FOLDER]
+"""
 
 import io
+import pathlib
 import shutil
+import sys
 import time
 
 import numpy as np
@@ -81,3 +89,18 @@ class Browser:
 
     def close(self):
         self.driver.quit()
+
+
+def look_at(path, folder):
+    """Opens a report, tells how long that takes, and takes pictures of its sections."""
+    browser = Browser(1280, 900)
+    print("seconds to open:", *(f"{browser.open(path):.2f}" for _ in range(4)), "errors:", browser.errors() or "none")
+    for name in browser.run("return [...document.querySelectorAll('main section')].map((part) => part.id);"):
+        browser.run("document.getElementById(given[0]).scrollIntoView();", name)
+        time.sleep(0.5)
+        browser.driver.save_screenshot(str(folder / f"{name}.png"))
+    browser.close()
+
+
+if __name__ == "__main__":
+    look_at(pathlib.Path(sys.argv[1]).resolve(), pathlib.Path((sys.argv[2:] or ["."])[0]))
