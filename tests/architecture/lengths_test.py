@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files and functions of the library and of the Python module are short enough to see whole."""
+"""Files and functions of the library, of the Python module and of the report's page are short enough to see whole."""
 import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -13,9 +14,9 @@ MOST_OF_NINE_IN_TEN = 18
 
 
 def sources():
-    """The files of the library, the program and the Python module."""
-    ends = {"lib": "*.[hc]pp", "apps": "*.[hc]pp", "python": "*.py"}
-    return sorted(path for folder, end in ends.items() for path in (SOURCE / folder).rglob(end))
+    """The files of the library, the program, the Python module and the report's page."""
+    ends = [("lib", "*.[hc]pp"), ("apps", "*.[hc]pp"), ("python", "*.py"), ("python", "*.js")]
+    return sorted(path for folder, end in ends for path in (SOURCE / folder).rglob(end))
 
 
 def long_files():
@@ -26,19 +27,31 @@ def long_files():
             yield f"{path.relative_to(SOURCE)} has {lines} lines; at most {MOST_OF_A_FILE}"
 
 
-def functions():
-    """Lines and place of each function that is defined, the shortest first."""
+def functions_of_scripts():
+    """Lines and place of each function and method of several lines in JavaScript, of which ctags does not know the ends: it ends
+    with the first brace that stands as far to the left as it begins."""
+    for path in (path for path in sources() if path.suffix == ".js"):
+        lines = path.read_text().splitlines()
+        for start, line in enumerate(lines):
+            begun = re.match(r"( *)(?:async )?(?:function |get )?(\w+)\(.*\{$", line)
+            if begun and begun[2] not in ("for", "if", "while", "switch") and (not begun[1] or len(begun[1]) == 2):
+                end = next(place for place in range(start, len(lines)) if lines[place].rstrip(",;") == begun[1] + "}")
+                yield end - start + 1, f"{path.relative_to(SOURCE)}: {begun[2]}"
+
+
+def functions_of_others():
+    """Lines and place of each function that is defined in C++ and Python."""
     command = ["ctags", "--output-format=json",
                "--languages=C++,Python", "--kinds-C++=f", "--kinds-Python=fm", "--fields=+ne", "-f", "-",
-               *map(str, sources())]
+               *(str(path) for path in sources() if path.suffix != ".js")]
     found = subprocess.run(command, check=True, capture_output=True, text=True).stdout.splitlines()
-    for tag in sorted(map(json.loads, found), key=lambda tag: tag["end"] - tag["line"]):
+    for tag in map(json.loads, found):
         yield tag["end"] - tag["line"] + 1, f"{pathlib.Path(tag['path']).relative_to(SOURCE)}: {tag['name']}"
 
 
 def main():
     """Lists what is too long."""
-    lengths = list(functions())
+    lengths = sorted([*functions_of_others(), *functions_of_scripts()])
     problems = list(long_files())
     problems += [f"{place} has {lines} lines; at most {MOST_OF_A_FUNCTION}" for lines, place in lengths
                  if lines > MOST_OF_A_FUNCTION]

@@ -28,7 +28,8 @@ SECONDS = 60 * PATIENCE  # that a try may take [s]
 WRONG_INPUT, DIVERGED, NOT_WRITTEN = 2, 3, 4
 TRACES = ("PETSC ERROR", "Sanitizer", "runtime error", "Signal:", "terminate called", "This is an error of")
 CELLS = {2: "32,32", 3: "12,12,12"}
-SPACE = {"wash", "drape", "flag3d", "plate", "sheet", "strip", "re1.2e3"}  # inputs in three dimensions
+SPACE = {"agitator_stl", "drape", "flag3d", "front_loader_filled", "plate", "re1.2e3", "sheet", "sphere", "stirred_tank",
+         "strip", "wash"}  # inputs in three dimensions
 SAMPLE = {"cavity", "flag", "wash", "wash2d"}
 WORDS = ["nan", "inf", "-inf", "1e308", "-1e308", "5e-324", "1e-300", "0", "-0", "-1", "1", "2.5", "2147483648",
          "9223372036854775808", "1e999", "", "''", "1,2", "1,2,3,4,5", ",", "1,,2", "0x10", "1e", "--5", "true", "maybe", "none",
@@ -57,6 +58,7 @@ class Outcome:
 def run(folder, *options):
     """Runs the program without a launcher; returns status and standard error."""
     (folder / "inputs").symlink_to(SOURCE / "inputs")  # some include others
+    (folder / "agitator_stl").symlink_to(SOURCE / "inputs" / "agitator_stl")
     environment = {**alone(folder), "ASAN_OPTIONS": "detect_leaks=0:abort_on_error=0:allocator_may_return_null=1",
                    "HOME": str(folder)}
     try:

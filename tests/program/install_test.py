@@ -38,6 +38,8 @@ class Install(ProgramTest):
         module = {"PYTHONPATH": str(place / "lib" / "python3" / "dist-packages")}
         environment = {name: value for name, value in os.environ.items() if name != "WASHFSI_PROGRAM"} | module
         self.assertEqual(float(self.call(sys.executable, "-c", lines, environment=environment)), 2)
+        lines = "import washfsi; from washfsi.report.page import page_of; print(page_of([washfsi.Results('python')]))"
+        self.assertIn("washfsiReport", self.call(sys.executable, "-c", lines, environment=environment))
 
 
 if __name__ == "__main__":

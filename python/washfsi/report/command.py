@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command scripts/report."""
+
+import argparse
+import os
+import pathlib
+import sys
+
+from washfsi.errors import ResultsError
+from washfsi.report.page import write_page
+from washfsi.report.picture import write_picture
+from washfsi.results import Results
+
+
+def parse_arguments(description):
+    """Returns the command line's options."""
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folders", metavar="OUT", type=pathlib.Path, nargs="+",
+                        help="output folder of a run, or of a -check")
+    parser.add_argument("--output", metavar="FILE.html", type=pathlib.Path,
+                        help="the report (default: report.html in OUT, or where the folders OUT are)")
+    picture = parser.add_argument_group("a picture of the playback instead, by chromium")
+    picture.add_argument("--picture", metavar="FILE.png", type=pathlib.Path, help="of one run")
+    picture.add_argument("--time", type=float, help="[s] (default: at three quarters of the run)")
+    picture.add_argument("--view", choices=("3d", "top", "front", "side"))
+    picture.add_argument("--slice", choices=("x", "y", "z", "none"), help="axis that the slice lies across (default: z)")
+    picture.add_argument("--height", type=float, help="place of the slice along it, from 0 to 1 (default: 0.3)")
+    picture.add_argument("--colour", help="of the cloths: stress, water_shear, relative_speed, stretch, shear_angle, number")
+    options = parser.parse_args()
+    if options.picture and len(options.folders) > 1:
+        parser.error("--picture is of one run")
+    return options
+
+
+def asked_of(options):
+    """Returns what the page is asked to show in a picture."""
+    across = {"x": 0, "y": 1, "z": 2, "none": "none", None: None}[options.slice]
+    return {"time": options.time, "view": options.view, "slice": across, "height": options.height, "colour": options.colour}
+
+
+def usual_output(folders):
+    """Returns where the report goes: into the folder of one run, of several into the folder that they share."""
+    if len(folders) == 1:
+        return folders[0] / "report.html"
+    return pathlib.Path(os.path.commonpath([folder.resolve() for folder in folders])) / "report.html"
+
+
+def main(description):
+    """Writes the report; tells what is wrong in a line."""
+    options = parse_arguments(description)
+    try:
+        runs = [Results(folder) for folder in options.folders]
+        path = options.picture or options.output or usual_output(options.folders)
+        if options.picture:
+            write_picture(runs[0], path, asked_of(options))
+        else:
+            write_page(runs, path)
+    except ResultsError as error:
+        print(f"report: {error}", file=sys.stderr)
+        return 2
+    print(f"{path} ({path.stat().st_size / 1e6:.1f} MB)")
+    return 0
