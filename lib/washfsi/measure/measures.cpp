@@ -50,12 +50,14 @@ Measures<Dim>::Measures(const System<Dim>& system, const MeasureOptions& options
       walls_(system),
       cloth_(system, options.machine),
       coupling_(system, cloth_),
+      intersections_(system),
       further_(further_measures(system)) {
   flow_.declare(quantities_);
   bodies_.declare(quantities_);
   walls_.declare(quantities_);
   coupling_.declare(quantities_);
   cloth_.declare(quantities_);
+  intersections_.declare(quantities_);
   for (const auto& measure : further_) measure->declare(quantities_);
   quantities_.keep("unmeasured_time", {&unmeasured_time_, 1});
   cycles_.emplace(quantities_, options.cycle_time > 0 ? options.cycle_time : first_period(system.model.bodies),

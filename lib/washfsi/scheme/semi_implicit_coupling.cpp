@@ -36,9 +36,16 @@ SemiImplicitCoupling<Dim>::SemiImplicitCoupling(const System<Dim>& system, const
     : options_(options),
       solver_(system.model.forces, system.state.positions,
               {SNESNEWTONLS, options.mobility == Mobility::row_sums, options.mobility == Mobility::matrix}),
+      force_equation_(solver_),
       matrix_(system.model.grid, system.model.transfer.delta()) {
   if (const MarkerForce<Dim>* force = system.model.forces.without_jacobian())
     throw InputError(force->origin() + ": has no Jacobian; use -coupling_scheme explicit or midpoint");
+  const DeltaOptions& delta = system.model.transfer.delta();
+  if (system.model.forces.limit_motion() && options.mobility == Mobility::matrix &&
+      delta.spread_width != delta.interpolate_width)
+    throw InputError(
+        "-contact barrier: needs -delta_spread_width equal to -delta_interpolate_width, or -coupling_mobility "
+        "row_sums");
 }
 
 template <int Dim>
@@ -73,6 +80,7 @@ template <int Dim>
 void SemiImplicitCoupling<Dim>::find_mobility(const Model<Dim>& model, const Points<Dim>& places) {
   const petsc::LogPart part("mobility");
   constexpr double floor = 1e-3;
+  constexpr double own_share = 1e-3;  // by which markers with the same water round them can be kept apart
   row_sums_ = row_sum_mobility<Dim>(model.transfer, model.grid, model.boundary, model.liquid.density(),
                                     model.fluid_fraction(), std::vector<double>(places.size(), 1.0));
   double most = 0;
@@ -81,7 +89,8 @@ void SemiImplicitCoupling<Dim>::find_mobility(const Model<Dim>& model, const Poi
   const double factor = options_.mobility_factor * weights_.end * weights_.end;
   for (double& sum : row_sums_) sum = factor * std::max(sum, floor * most);
   if (options_.mobility == Mobility::matrix)
-    matrix_.assemble(model.cloths.of_all_ranks(places), model.cloths.begin(), row_sums_);
+    matrix_.assemble(model.cloths.of_all_ranks(places), model.cloths.begin(), row_sums_,
+                     model.forces.limit_motion() ? own_share : 0);
 }
 
 template <int Dim>
@@ -90,8 +99,18 @@ Points<Dim> SemiImplicitCoupling<Dim>::move(System<Dim>& system, double dt, cons
   const petsc::LogPart part("cloth_solve");
   const MPI_Comm comm = system.model.grid.comm();
   const double tolerance = options_.tolerance * std::hypot(norm(comm, free_velocities), norm(comm, velocities_));
-  return options_.mobility == Mobility::matrix ? move_by_matrix(system, dt, free_velocities, forces, tolerance)
-                                               : move_by_row_sums(system, dt, free_velocities, forces, tolerance);
+  if (options_.mobility == Mobility::row_sums) return move_by_row_sums(system, dt, free_velocities, forces, tolerance);
+  return system.model.forces.limit_motion() ? move_by_forces(system, dt, free_velocities, forces, tolerance)
+                                            : move_by_matrix(system, dt, free_velocities, forces, tolerance);
+}
+
+template <int Dim>
+Points<Dim> SemiImplicitCoupling<Dim>::move_by_forces(System<Dim>& system, double dt,
+                                                      const Points<Dim>& free_velocities, const Points<Dim>& forces,
+                                                      double tolerance) {
+  return force_equation_.solve(
+      {system.model.forces, dt, system.state.positions, free_velocities, forces, matrix_, row_sums_, tolerance},
+      change_, system.step.cloth_iterations);
 }
 
 // V - U - dt M (F' - F) = 0
@@ -128,7 +147,7 @@ template <int Dim>
 Points<Dim> SemiImplicitCoupling<Dim>::move_by_row_sums(System<Dim>& system, double dt,
                                                         const Points<Dim>& free_velocities, const Points<Dim>& forces,
                                                         double tolerance) {
-  const Forces<Dim>& all = system.model.forces;
+  Forces<Dim>& all = system.model.forces;
   const Points<Dim>& start = system.state.positions;
   const auto residual = [&](const Points<Dim>& velocities) {
     const Points<Dim> moved = all.of_places(start + dt * velocities);
@@ -154,10 +173,15 @@ Points<Dim> SemiImplicitCoupling<Dim>::move_by_row_sums(System<Dim>& system, dou
   for (const double value : inverse) squares += value * value;
   const double markers = static_cast<double>(system.model.cloths.marker_count());
   const double weight = std::sqrt(ordered_sum(system.model.grid.comm(), squares) / markers);
-  const double round_off = 10 * dt * all.round_off(start);
+  ClothEquation<Dim> equation{residual, assemble, 10 * dt * all.round_off(start), potential};
   Points<Dim> velocities = velocities_;
-  system.step.cloth_iterations +=
-      static_cast<double>(solver_.solve({residual, assemble, round_off, potential}, weight * tolerance, velocities));
+  if (all.limit_motion()) {
+    velocities = all.free_part(start, dt * velocities_) * velocities_;
+    equation.free_part = [&](const Points<Dim>& from, const Points<Dim>& way) {
+      return all.free_part(start + dt * from, dt * way);
+    };
+  }
+  system.step.cloth_iterations += static_cast<double>(solver_.solve(equation, weight * tolerance, velocities));
   return velocities;
 }
 
@@ -183,6 +207,7 @@ void SemiImplicitCoupling<Dim>::sweep(System<Dim>& system, double dt, Points<Dim
     model.fluid.add_force(increment);
     WASH_PETSC(VecAXPY(step.force, 1.0, increment));
     forces = moved;
+    change_.assign(change_.size(), Point<Dim>::Zero());
     interpolated = water_velocities(system, dt);
     step.cloth_slip = slip(model.grid.comm(), interpolated);
     if (step.cloth_slip <= options_.slip_tolerance) break;
@@ -216,6 +241,7 @@ void SemiImplicitCoupling<Dim>::take(System<Dim>& system, double dt) {
   predict_and_project(system, dt);
 
   velocities_ = state.velocities;
+  change_ = at_start - (state.clock.step > 0 ? state.forces_before : at_start);  // as in the last step
   find_mobility(model, places);
   sweep(system, dt, forces, water_velocities(system, dt));
   state.velocities = options_.order == 1 ? velocities_ : extrapolated(system, dt, velocities_);
