@@ -51,8 +51,8 @@ struct Stack {
   Points<Dim> own(const Points<Dim>& values) const {
     return {values.begin() + cloths->begin(), values.begin() + cloths->end()};
   }
-  std::unique_ptr<Barrier<Dim>> barrier(const Points<Dim>& places) const {
-    auto result = std::make_unique<Barrier<Dim>>(BarrierOptions{distance, 1e4},
+  std::unique_ptr<Barrier<Dim>> barrier(const Points<Dim>& places, double friction = 0) const {
+    auto result = std::make_unique<Barrier<Dim>>(BarrierOptions{distance, 1e4, friction},
                                                  Surroundings<Dim>{*grid, *boundary, bodies, *cloths});
     const Points<Dim> start = own(places), at_rest(start.size(), Point<Dim>::Zero());
     result->begin_step({start, at_rest, 0, 1e-3});
@@ -215,6 +215,51 @@ TYPED_TEST(BarrierTest, NoMotionGoesThroughACloth) {
     Points<Dim> held = stack.own(motion);
     barrier->hold_back(stack.own(stack.all), held);
     EXPECT_EQ(barrier->free_part(stack.own(stack.all), held), 1);
+  }
+}
+
+double sum_of(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values) sum += value;
+  return ordered_sum(PETSC_COMM_WORLD, sum);
+}
+
+// The upper cloths slide over the lowest, which stays, by less than a step of creep and by much more.
+TYPED_TEST(BarrierTest, FrictionIsThatOfCoulombAndTheGradientOfItsEnergy) {
+  constexpr int Dim = TypeParam::value;
+  const Stack<Dim> stack;
+  const auto barrier = stack.barrier(stack.all, 0.4), smooth = stack.barrier(stack.all);
+  const std::size_t of_cloth = stack.all.size() / 3;
+  for (const double slide : {2e-7, 1e-4}) {
+    Points<Dim> moved = stack.all;
+    for (std::size_t m = of_cloth; m < moved.size(); ++m) moved[m][0] += slide;
+    const auto friction = [&](const Points<Dim>& places) {
+      return stack.forces(*barrier, places) - stack.forces(*smooth, places);
+    };
+    const auto energy = [&](const Points<Dim>& places) {
+      return stack.energy(*barrier, places) - stack.energy(*smooth, places);
+    };
+    const Points<Dim> forces = friction(moved), direction = random_points<Dim>(moved.size(), 15);
+    double slope = 0, pull = 0;
+    Point<Dim> sum = Point<Dim>::Zero();
+    for (std::size_t m = 0; m < moved.size(); ++m) {
+      slope -= forces[m].dot(direction[m]);
+      sum += forces[m];
+      if (m < of_cloth) pull += forces[m][0];
+    }
+    constexpr double e = 1e-9;
+    const double difference = energy(moved + e * direction) - energy(moved - e * direction);
+    EXPECT_NEAR(difference / (2 * e), slope, 1e-3 * std::abs(slope));
+    EXPECT_LE(sum.norm(), 1e-12 * std::abs(pull) * static_cast<double>(moved.size()));
+    // between the two upper cloths nothing slides: all friction is that of the lowest one with the middle one
+    const double normal = sum_of(barrier->marker_contact(stack.own(stack.all)).normal_force) / 4;
+    const double power = sum_of(barrier->marker_contact(stack.own(moved)).friction_power) * 1e-3;
+    EXPECT_NEAR(power, pull * slide, 0.05 * power);
+    if (slide > 1e-6) {
+      EXPECT_NEAR(pull, 0.4 * normal, 0.1 * pull);
+    } else {
+      EXPECT_LT(pull, 0.3 * normal);
+    }
   }
 }
 

@@ -23,7 +23,7 @@ PRESSED = """
 -upper_load 0,0,-500
 -contact_distance 0.006
 -time_step 1e-3
--time_end 0.05
+-time_end 0.02
 -output_interval 1
 """.split()
 # A towel that falls onto one held by its corners, in a vacuum.
@@ -68,6 +68,30 @@ FIBRES = """
 -time_end 0.1
 -output_interval 1
 """.split()
+# A small towel that is pulled over one that is too heavy to move, and pressed onto it.
+SLED = """
+-grid_cells 12,12,12
+-grid_lower -0.5,-0.5,-0.5
+-grid_upper 0.5,0.5,0.5
+-fluid none
+-cloths base,sled
+-cloths_ke 800
+-base_size 0.4
+-base_markers 14
+-base_excess_mass 1e5
+-sled_size 0.08
+-sled_markers 4
+-sled_excess_mass 1
+-sled_center -0.1,0.013,0.0037
+-sled_direction 0.9,0.3,0
+-contact barrier
+-contact_distance 0.004
+-time_step 5e-4
+-time_end 0.1
+-output_interval 1
+""".split()
+RUBS = ["-contact_friction", 0.4]
+PULL, PRESS, AREA = 45, 100, 0.08**2  # [N/m2], [N/m2], [m2]
 COUNT = ["-contact_verify_interval", 1e-9]
 NOT_PHYSICAL = {"step", "dt", "max_divergence"}
 
@@ -89,7 +113,7 @@ class Contact(ProgramTest):
     def test_fibres_do_not_pass_in_any_coupling(self):
         without = self.history(1, *FIBRES, "-time_step", 1e-3, *COUNT)
         self.assertGreater(without["intersections"].max(), 0)
-        for coupling, step in (("semi_implicit", 1e-3), ("explicit", 1e-4), ("midpoint", 1e-4)):
+        for coupling, step in (("semi_implicit", 1e-3), ("implicit", 1e-3), ("explicit", 1e-4), ("midpoint", 1e-4)):
             history = self.history(1, *FIBRES, "-contact", "barrier", "-coupling_scheme", coupling, "-time_step", step)
             with self.subTest(coupling=coupling):
                 self.assertEqual(history["intersections"].max(), 0)
@@ -132,6 +156,26 @@ class Contact(ProgramTest):
         self.assertEqual(len(lines), 1, lines)
         for words in ("-contact barrier", "held 1 goes through loose 1", "place the cloths apart"):
             self.assertIn(words, lines[0])
+
+    def test_friction_is_that_of_coulomb(self):
+        late = slice(100, None)
+        history = self.history(1, *SLED, *RUBS, "-sled_load", f"{PULL},0,-{PRESS}")
+        time, place = history["time"], history["sled_center_x"]
+        acceleration = 2 * np.polyfit(time[late], place[late], 2)[0]
+        friction = (PULL - acceleration) / PRESS
+        print(f"coefficient {friction:.4f}")
+        self.assertLess(abs(friction - 0.4), 0.03 * 0.4)
+        speed = (place[-1] - place[-2]) / (time[-1] - time[-2])
+        work = np.sum(history["friction_power"][late] * history["dt"][late])
+        kinetic = 0.5 * AREA * (speed**2 - ((place[99] - place[98]) / (time[99] - time[98]))**2)
+        driven = PULL * AREA * (place[-1] - place[99])
+        print(f"driven {driven:.5g} J, friction {work:.5g} J, kinetic {kinetic:.5g} J")
+        self.assertLess(abs(driven - work - kinetic), 0.01 * driven)
+        self.assertGreaterEqual(history["friction_power"].min(), 0)
+        stuck = self.history(1, *SLED, *RUBS, "-sled_load", f"36,0,-{PRESS}")
+        creep = np.diff(stuck["sled_center_x"])[late] / np.diff(stuck["time"])[late]
+        print(f"creep {creep.max():.3g} m/s, sliding {speed:.3g} m/s")
+        self.assertLess(creep.max(), 0.01 * speed)
 
     def test_energy_of_cloths_alone_never_grows(self):
         history = self.history(1, *DROPPED, "-contact", "barrier")

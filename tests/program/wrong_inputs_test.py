@@ -41,8 +41,6 @@ WRONG_OPTIONS = [
     ("barrier as soft as nothing", ["-contact", "barrier", "-contact_stiffness", "0"], ["-contact_stiffness 0", "> 0"]),
     ("barrier wider than a cell", ["-contact", "barrier", "-contact_distance", "0.1"],
      ["-contact_distance 0.1", "half of the least spacing"]),
-    ("barrier in the implicit coupling", ["-contact", "barrier", "-contact_distance", "0.005", "-coupling_scheme", "implicit"],
-     ["-contact barrier", "-coupling_scheme implicit", "semi_implicit"]),
     ("barrier with two deltas", ["-contact", "barrier", "-contact_distance", "0.005", "-delta_spread_width", "3"],
      ["-contact barrier", "-delta_spread_width", "-delta_interpolate_width"]),
     ("old and new name", ["-coupling_scheme", "explicit", "-cloth_coupling", "midpoint"],

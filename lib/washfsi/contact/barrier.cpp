@@ -5,10 +5,7 @@
 #include <cmath>
 
 #include "washfsi/contact/collision.hpp"
-#include "washfsi/contact/cushion.hpp"
 #include "washfsi/support/collective.hpp"
-#include "washfsi/support/errors.hpp"
-#include "washfsi/support/text.hpp"
 
 namespace washfsi {
 
@@ -18,26 +15,6 @@ constexpr double most_ways = 2;  // that markers go at a time, in spacings
 constexpr double ahead = 1.25;   // pairs that are nearer than this times d^ have places in the matrix
 
 }  // namespace
-
-// The least spacing of markers along the lattices decides: nearer ones of a cloth would push each other.
-template <int Dim>
-double barrier_distance(const BarrierOptions& options, const Cloths<Dim>& cloths) {
-  constexpr double usual = 0.16, most = 0.5;
-  const double spacing = least_spacing(cloths);
-  if (options.distance == 0) return std::isfinite(spacing) ? usual * spacing : 1;
-  if (options.distance > most * spacing)
-    throw InputError("-contact_distance " + to_text(options.distance) + ": must be at most half of the least spacing " +
-                     to_text(spacing) + " m of markers with -contact barrier");
-  return options.distance;
-}
-
-template <int Dim>
-MakeForce<Dim> barrier_of_bodies(const BarrierOptions& options) {
-  return [options](const Surroundings<Dim>& around) {
-    return Cushion<Dim>::maker({options.stiffness, barrier_distance(options, around.cloths), CushionLaw::barrier})(
-        around);
-  };
-}
 
 template <int Dim>
 MakeForce<Dim> Barrier<Dim>::maker(const BarrierOptions& options) {
@@ -65,6 +42,7 @@ template <int Dim>
 void Barrier<Dim>::begin_step(const StepStart<Dim>& start) {
   const Points<Dim> all = around_.cloths.of_all_ranks(start.positions);
   if (start.dt == 0) {
+    begin_friction(all, 0);
     if (covers(all)) return;
     reaches_.assign(all.size(), least_reach());
     return look_round(all);
@@ -76,6 +54,22 @@ void Barrier<Dim>::begin_step(const StepStart<Dim>& start) {
     reaches_.push_back(std::max(least_reach(), to_spare * start.dt * velocity.norm()));
   look_round(all);
   lay_out();
+  begin_friction(all, start.dt);
+}
+
+// With what touches now.
+template <int Dim>
+void Barrier<Dim>::begin_friction(const Points<Dim>& all, double dt) {
+  std::vector<Rub<Dim>> rubs;
+  if (options_.friction > 0)
+    for (const auto& pair : pairs_) {
+      const Gap<Dim> gap = gap_of<Dim>(pair.kind, pair.at(all));
+      if (gap.distance > 0 && gap.distance < distance_)
+        rubs.push_back({pair, gap, options_.friction * touch(pair, gap, pair.at(all)).push});
+    }
+  friction_.begin(std::move(rubs), all, dt);
+  rubs_.clear();
+  seen_.clear();
 }
 
 template <int Dim>
@@ -139,18 +133,17 @@ typename Barrier<Dim>::Touch Barrier<Dim>::touch(const FacetPair<Dim>& pair, con
                                                  const PairPoints<Dim>& places) const {
   const BarrierValue b = barrier(gap.distance / distance_);
   const double scale = options_.stiffness * pair.weight;
-  Touch touch{&pair, gap, scale * distance_ * b.value, scale / distance_ * b.second, {}};
-  double push = -scale * b.first;
+  Touch touch{&pair, gap, scale * distance_ * b.value, scale / distance_ * b.second, -scale * b.first, {}};
   if constexpr (Dim == 3) {
     const Mollifier m = pair.parallel > 0 ? mollifier(places, pair.parallel) : Mollifier{};
     for (std::size_t i = 0; i < places.size(); ++i) touch.forces[i] = -touch.energy * m.gradient[i];
     touch.energy *= m.value;
     touch.stiffness *= m.value;
-    push *= m.value;
+    touch.push *= m.value;
   } else {
     touch.forces.fill(Point<Dim>::Zero());
   }
-  for (std::size_t i = 0; i < places.size(); ++i) touch.forces[i] += push * gap.shares[i] * gap.normal;
+  for (std::size_t i = 0; i < places.size(); ++i) touch.forces[i] += touch.push * gap.shares[i] * gap.normal;
   return touch;
 }
 
@@ -165,6 +158,7 @@ const std::vector<typename Barrier<Dim>::Touch>& Barrier<Dim>::touches(const Poi
     const Gap<Dim> gap = gap_of<Dim>(pair.kind, places);
     if (gap.distance > 0 && gap.distance < distance_) touches_.push_back(touch(pair, gap, places));
   }
+  rubs_ = friction_.forces(all);
   seen_ = positions;
   return touches_;
 }
@@ -172,15 +166,17 @@ const std::vector<typename Barrier<Dim>::Touch>& Barrier<Dim>::touches(const Poi
 // visit(which of the pair's markers, its number among this rank's)
 template <int Dim>
 template <class Visit>
-void Barrier<Dim>::visit_own(const Touch& touch, const Visit& visit) const {
-  for (std::size_t i = 0; i < touch.pair->markers.size(); ++i)
-    if (owns(touch.pair->markers[i])) visit(i, touch.pair->markers[i] - begin_);
+void Barrier<Dim>::visit_own(const FacetPair<Dim>& pair, const Visit& visit) const {
+  for (std::size_t i = 0; i < pair.markers.size(); ++i)
+    if (owns(pair.markers[i])) visit(i, pair.markers[i] - begin_);
 }
 
 template <int Dim>
 void Barrier<Dim>::add_force(const Points<Dim>& positions, const Points<Dim>&, Points<Dim>& forces) const {
   for (const Touch& touch : touches(positions))
-    visit_own(touch, [&](std::size_t i, std::size_t m) { forces[m] += touch.forces[i]; });
+    visit_own(*touch.pair, [&](std::size_t i, std::size_t m) { forces[m] += touch.forces[i]; });
+  for (const auto& rub : rubs_)
+    visit_own(rub.rub->pair, [&](std::size_t i, std::size_t m) { forces[m] -= rub.rub->gap.shares[i] * rub.pull; });
 }
 
 // Of a pair by the rank of its first marker.
@@ -190,39 +186,47 @@ void Barrier<Dim>::add_energy(const Points<Dim>& positions, std::span<double> of
     const std::size_t first = touch.pair->markers[0];
     if (owns(first)) of_groups[around_.cloths.group_number(first - begin_)] += touch.energy;
   }
+  for (const auto& rub : rubs_) {
+    const std::size_t first = rub.rub->pair.markers[0];
+    if (owns(first)) of_groups[around_.cloths.group_number(first - begin_)] += rub.energy;
+  }
 }
 
 template <int Dim>
 void Barrier<Dim>::add_force_rates(const Points<Dim>& positions, const Points<Dim>& direction,
                                    Points<Dim>& rates) const {
   const Points<Dim> all = around_.cloths.of_all_ranks(direction);
-  for (const Touch& touch : touches(positions)) {
-    double rate = 0;
-    for (std::size_t i = 0; i < touch.gap.shares.size(); ++i)
-      rate += touch.gap.shares[i] * touch.gap.normal.dot(all[touch.pair->markers[i]]);
-    visit_own(touch, [&](std::size_t i, std::size_t m) {
-      rates[m] -= touch.stiffness * rate * touch.gap.shares[i] * touch.gap.normal;
-    });
-  }
+  const auto add = [&](const FacetPair<Dim>& pair, const Gap<Dim>& gap, const auto& stiffness) {
+    Point<Dim> way = Point<Dim>::Zero();
+    for (std::size_t i = 0; i < gap.shares.size(); ++i) way += gap.shares[i] * all[pair.markers[i]];
+    const Point<Dim> rate = stiffness * way;
+    visit_own(pair, [&](std::size_t i, std::size_t m) { rates[m] -= gap.shares[i] * rate; });
+  };
+  for (const Touch& touch : touches(positions)) add(*touch.pair, touch.gap, touch.block());
+  for (const auto& rub : rubs_) add(rub.rub->pair, rub.rub->gap, rub.stiffness);
+}
+
+// Into the places that were laid out for them.
+template <int Dim>
+void Barrier<Dim>::add_blocks(const FacetPair<Dim>& pair, const Gap<Dim>& gap, const StiffnessBlock<Dim>& block,
+                              std::vector<StiffnessBlock<Dim>>& blocks) const {
+  visit_own(pair, [&](std::size_t i, std::size_t m) {
+    const auto row = columns_.begin() + static_cast<long>(rows_[m]),
+               end = columns_.begin() + static_cast<long>(rows_[m + 1]);
+    for (std::size_t j = 0; j < pair.markers.size(); ++j) {
+      const auto place = std::lower_bound(row, end, pair.markers[j]);
+      if (place != end && *place == pair.markers[j])
+        blocks[static_cast<std::size_t>(place - columns_.begin())] += gap.shares[i] * gap.shares[j] * block;
+    }
+  });
 }
 
 template <int Dim>
 void Barrier<Dim>::visit_stiffness(const Points<Dim>& positions, GeometricStiffness,
                                    const AddMarkerBlock<Dim>& add) const {
   std::vector<StiffnessBlock<Dim>> blocks(columns_.size(), StiffnessBlock<Dim>::Zero());
-  for (const Touch& touch : touches(positions)) {
-    const StiffnessBlock<Dim> normal = touch.stiffness * touch.gap.normal * touch.gap.normal.transpose();
-    visit_own(touch, [&](std::size_t i, std::size_t m) {
-      const auto row = columns_.begin() + static_cast<long>(rows_[m]),
-                 end = columns_.begin() + static_cast<long>(rows_[m + 1]);
-      for (std::size_t j = 0; j < touch.pair->markers.size(); ++j) {
-        const auto place = std::lower_bound(row, end, touch.pair->markers[j]);
-        if (place != end && *place == touch.pair->markers[j])
-          blocks[static_cast<std::size_t>(place - columns_.begin())] +=
-              touch.gap.shares[i] * touch.gap.shares[j] * normal;
-      }
-    });
-  }
+  for (const Touch& touch : touches(positions)) add_blocks(*touch.pair, touch.gap, touch.block(), blocks);
+  for (const auto& rub : rubs_) add_blocks(rub.rub->pair, rub.rub->gap, rub.stiffness, blocks);
   for (std::size_t m = 0; m + 1 < rows_.size(); ++m)
     for (std::size_t n = rows_[m]; n < rows_[m + 1]; ++n)
       add(around_.cloths.number_of(m), static_cast<PetscInt>(columns_[n]), blocks[n]);
@@ -231,7 +235,7 @@ void Barrier<Dim>::visit_stiffness(const Points<Dim>& positions, GeometricStiffn
 template <int Dim>
 void Barrier<Dim>::add_cancelling_size(const Points<Dim>& positions, std::span<double> sizes) const {
   for (const Touch& touch : touches(positions))
-    visit_own(touch, [&](std::size_t i, std::size_t m) {
+    visit_own(*touch.pair, [&](std::size_t i, std::size_t m) {
       sizes[m] += touch.stiffness * std::abs(touch.gap.shares[i]) * positions[m].norm();
     });
 }
@@ -244,7 +248,7 @@ void Barrier<Dim>::add_bound(std::span<StiffnessBound> bounds) const {
   for (const Touch& touch : touches_) {
     double all = 0;
     for (const double share : touch.gap.shares) all += std::abs(share);
-    visit_own(touch, [&](std::size_t i, std::size_t m) {
+    visit_own(*touch.pair, [&](std::size_t i, std::size_t m) {
       sums[m] += touch.stiffness * std::abs(touch.gap.shares[i]) * all / around_.cloths.marker_areas()[m];
     });
   }
@@ -300,10 +304,21 @@ void Barrier<Dim>::hold_back(const Points<Dim>& from, Points<Dim>& motion) {
   std::copy_n(motions.begin() + static_cast<long>(begin_), motion.size(), motion.begin());
 }
 
-template double barrier_distance<2>(const BarrierOptions&, const Cloths<2>&);
-template double barrier_distance<3>(const BarrierOptions&, const Cloths<3>&);
-template MakeForce<2> barrier_of_bodies<2>(const BarrierOptions&);
-template MakeForce<3> barrier_of_bodies<3>(const BarrierOptions&);
+template <int Dim>
+typename Barrier<Dim>::MarkerContact Barrier<Dim>::marker_contact(const Points<Dim>& positions) const {
+  const std::size_t owned = around_.cloths.owned();
+  MarkerContact contact{std::vector<double>(owned, 0.0), std::vector<double>(owned, 0.0)};
+  for (const Touch& touch : touches(positions))
+    visit_own(*touch.pair, [&](std::size_t i, std::size_t m) {
+      contact.normal_force[m] += touch.push * std::abs(touch.gap.shares[i]);
+    });
+  for (const auto& rub : rubs_)
+    visit_own(rub.rub->pair, [&](std::size_t i, std::size_t m) {
+      contact.friction_power[m] += 0.5 * std::abs(rub.rub->gap.shares[i]) * rub.work / friction_.dt();
+    });
+  return contact;
+}
+
 template class Barrier<2>;
 template class Barrier<3>;
 

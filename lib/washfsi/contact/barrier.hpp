@@ -2,20 +2,11 @@
 #pragma once
 
 #include "washfsi/contact/barrier_function.hpp"
-#include "washfsi/contact/contact_force.hpp"
+#include "washfsi/contact/barrier_options.hpp"
+#include "washfsi/contact/friction.hpp"
 #include "washfsi/contact/pair_search.hpp"
 
 namespace washfsi {
-
-/// The barrier between cloths.
-struct BarrierOptions {
-  double distance = 0;     ///< d^, at which it begins [m]; 0: 0.16 of the least spacing of markers
-  double stiffness = 1e4;  ///< kappa [Pa]
-};
-
-/// d^ for these cloths [m]. Errors: InputError if it is too large for their lattices.
-template <int Dim>
-double barrier_distance(const BarrierOptions& options, const Cloths<Dim>& cloths);
 
 /// Keeps cloths, and the parts of one, from passing through each other (Li et al., ACM Trans. Graph. 39 (2020) 49). A
 /// pair of facets without a common marker, a marker and a triangle or two edges, in the plane a marker and a segment,
@@ -48,6 +39,12 @@ class Barrier : public MarkerForce<Dim> {
   void hold_back(const Points<Dim>& from, Points<Dim>& motion) override;
 
   double distance() const { return distance_; }
+  /// What contact does to each of this rank's markers at these places: the sum of the normal forces of its pairs, each
+  /// by its share [N], and the power that friction takes out in the step, half from either facet [W]. Collective.
+  struct MarkerContact {
+    std::vector<double> normal_force, friction_power;
+  };
+  MarkerContact marker_contact(const Points<Dim>& positions) const;
 
  private:
   /// A pair nearer than d^, and what it does.
@@ -56,7 +53,10 @@ class Barrier : public MarkerForce<Dim> {
     Gap<Dim> gap;
     double energy;             ///< [J; per unit depth in the plane]
     double stiffness;          ///< kappa w/d^ m b'' [N/m]
+    double push;               ///< -kappa w m b', the normal force [N]
     PairPoints<Dim> forces{};  ///< on its markers [N]
+
+    StiffnessBlock<Dim> block() const { return stiffness * gap.normal * gap.normal.transpose(); }
   };
   using Pairs = std::vector<FacetPair<Dim>>;
   void look_round(const Points<Dim>& all);
@@ -69,7 +69,10 @@ class Barrier : public MarkerForce<Dim> {
   bool owns(std::size_t marker) const { return marker >= begin_ && marker < begin_ + around_.cloths.owned(); }
   PairPoints<Dim> motions_of(const FacetPair<Dim>& pair, const Points<Dim>& all) const;
   template <class Visit>
-  void visit_own(const Touch& touch, const Visit& visit) const;
+  void visit_own(const FacetPair<Dim>& pair, const Visit& visit) const;
+  void add_blocks(const FacetPair<Dim>& pair, const Gap<Dim>& gap, const StiffnessBlock<Dim>& block,
+                  std::vector<StiffnessBlock<Dim>>& blocks) const;
+  void begin_friction(const Points<Dim>& all, double dt);
 
   BarrierOptions options_;
   Surroundings<Dim> around_;
@@ -87,11 +90,9 @@ class Barrier : public MarkerForce<Dim> {
 
   mutable Points<Dim> seen_;  ///< places of this rank's markers for which the touches are known
   mutable std::vector<Touch> touches_;
+  mutable std::vector<RubForce<Dim>> rubs_;
+  Friction<Dim> friction_;
 };
-
-/// The barrier of bodies and walls: a cushion with the same law and distance.
-template <int Dim>
-MakeForce<Dim> barrier_of_bodies(const BarrierOptions& options);
 
 extern template class Barrier<2>;
 extern template class Barrier<3>;

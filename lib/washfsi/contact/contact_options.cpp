@@ -23,6 +23,8 @@ ContactOptions ContactOptions::from_options(Options& options) {
     block.real("pressure", contact.pressure, "Pa", non_negative,
                "push of the cushion on cloth at a body's surface; 0: no cushion");
     block.real("stiffness", contact.stiffness, "Pa", positive, "of the barrier");
+    block.real("friction", contact.friction, "-", non_negative,
+               "coefficient between cloths, with the barrier (semi_implicit, implicit)");
     block.real("verify_interval", contact.verify_interval, "s", non_negative,
                "between counts of the cloths' intersections, with the barrier; 0: after each step");
   });
@@ -33,7 +35,8 @@ template <int Dim>
 std::vector<MakeForce<Dim>> ContactOptions::forces() const {
   if (kind == ContactKind::none) return {};
   if (kind == ContactKind::barrier)
-    return {barrier_of_bodies<Dim>({distance, stiffness}), Barrier<Dim>::maker({distance, stiffness})};
+    return {barrier_of_bodies<Dim>({distance, stiffness, friction}),
+            Barrier<Dim>::maker({distance, stiffness, friction})};
   CushionOptions cushion;
   cushion.pressure = pressure;
   if (distance > 0) cushion.distance = distance;

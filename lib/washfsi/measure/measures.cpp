@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "washfsi/measure/cloth_force_measure.hpp"
+#include "washfsi/measure/contact_measure.hpp"
 
 namespace washfsi {
 
@@ -14,6 +15,7 @@ template <int Dim>
 std::vector<std::unique_ptr<Measure<Dim>>> further_measures(const System<Dim>& system) {
   std::vector<std::unique_ptr<Measure<Dim>>> measures;
   measures.push_back(std::make_unique<ClothForceMeasure<Dim>>(system));
+  measures.push_back(std::make_unique<ContactMeasure<Dim>>(system));
   return measures;
 }
 

@@ -26,6 +26,8 @@ struct ClothEquation {
   std::function<double(const Points<Dim>& residual, const Points<Dim>& direction)> slope = {};
   /// The part of a way that can be gone without coming to what limits the motion, from 0 to 1; if there is none, all.
   std::function<double(const Points<Dim>& from, const Points<Dim>& way)> free_part = {};
+  /// Whether a residual is small enough; if there is none, its 2-norm tells.
+  std::function<bool(const Points<Dim>& residual)> is_solved = {};
 };
 
 }  // namespace washfsi

@@ -99,6 +99,10 @@ PetscErrorCode ClothSolver<Dim>::test_convergence(SNES solver, PetscInt iteratio
     const auto& self = *static_cast<ClothSolver*>(context);
     if (*reason == SNES_CONVERGED_SNORM_RELATIVE && self.search_.was_stopped()) *reason = SNES_CONVERGED_ITERATING;
     if (*reason == SNES_CONVERGED_ITERATING && self.search_.is_round_off()) *reason = SNES_CONVERGED_SNORM_RELATIVE;
+    if (*reason != SNES_CONVERGED_ITERATING || !self.equation_->is_solved) return;
+    Vec value = nullptr;
+    WASH_PETSC(SNESGetFunction(solver, &value, nullptr, nullptr));
+    if (self.equation_->is_solved(to_points<Dim>(value))) *reason = SNES_CONVERGED_FNORM_ABS;
   });
 }
 

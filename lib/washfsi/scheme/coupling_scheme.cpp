@@ -138,8 +138,6 @@ std::unique_ptr<CouplingScheme<Dim>> make_coupling_scheme(const CouplingOptions&
   if (system.model.mass_carrier == MassCarrier::cloth && !scheme.takes_inertia)
     throw InputError("-cloth_inertia cloth: not with -" + options.scheme_option + " " + options.scheme +
                      ", which needs water");
-  if (scheme.name == "implicit" && system.model.forces.limit_motion())
-    throw InputError("-contact barrier: not with -" + options.scheme_option + " implicit in water; use semi_implicit");
   return scheme.make(system, options);
 }
 

@@ -78,6 +78,7 @@ double DescentSearch<Dim>::slope_towards_descent(Vec x, Vec f, Vec direction) {
   geometric_ = GeometricStiffness::of_tension;
   Mat jacobian = nullptr, matrix = nullptr;
   WASH_PETSC(KSPGetOperators(linear_solver(), &jacobian, &matrix));
+  if (!equation_->product) jacobian = matrix;  // one by differences would not be positive
   WASH_PETSC(SNESComputeJacobian(solver_, x, jacobian, matrix));
   WASH_PETSC(KSPSetOperators(linear_solver(), jacobian, matrix));
   WASH_PETSC(KSPSolve(linear_solver(), f, direction));

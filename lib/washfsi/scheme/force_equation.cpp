@@ -63,6 +63,10 @@ ClothEquation<Dim> ForceEquation<Dim>::equation(const Step& step, double share) 
   equation.assemble = [=, this](const Points<Dim>& change, GeometricStiffness geometric, Mat matrix) {
     assemble(step, places(change), geometric, matrix);
   };
+  equation.is_solved = [=, this](const Points<Dim>& residual) {
+    const Points<Dim> missing = step.dt * product<Dim>(step.mobility, residual);
+    return dot(step, missing, missing) <= step.tolerance * step.tolerance;
+  };
   equation.round_off = 10 * step.all.round_off(step.start);
   equation.potential = [=, this](const Points<Dim>& change) { return potential(step, share, change); };
   equation.product = [=, this](const Points<Dim>& direction) {
@@ -118,6 +122,17 @@ void ForceEquation<Dim>::solve_by_shares(const Step& step, Points<Dim>& change, 
   if (share < 1) throw DivergedError("cloth: the water presses cloths through each other; a shorter step may help");
 }
 
+template <int Dim>
+void check_symmetry(const Model<Dim>& model) {
+  const DeltaOptions& delta = model.transfer.delta();
+  if (model.forces.limit_motion() && delta.spread_width != delta.interpolate_width)
+    throw InputError(
+        "-contact barrier: needs -delta_spread_width equal to -delta_interpolate_width, or -coupling_mobility "
+        "row_sums");
+}
+
+template void check_symmetry<2>(const Model<2>&);
+template void check_symmetry<3>(const Model<3>&);
 template class ForceEquation<2>;
 template class ForceEquation<3>;
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "washfsi/cloth/forces.hpp"
-#include "washfsi/coupling/mobility.hpp"
 #include "washfsi/scheme/cloth_solver.hpp"
+#include "washfsi/scheme/model.hpp"
 
 namespace washfsi {
 
@@ -48,6 +48,10 @@ class ForceEquation {
   petsc::Matrix stiffness_;    ///< K where it was assembled last
   std::vector<long> pattern_;  ///< of it
 };
+
+/// Stops unless the mobility's matrix is symmetric, where it has to be. Errors: InputError.
+template <int Dim>
+void check_symmetry(const Model<Dim>& model);
 
 extern template class ForceEquation<2>;
 extern template class ForceEquation<3>;

@@ -25,10 +25,10 @@
 // and Wetton, SIAM J. Numer. Anal. 32 (1995) 797, on a constraint and on both sides of it.
 #pragma once
 
-#include "washfsi/coupling/mobility.hpp"
 #include "washfsi/scheme/cloth_solver.hpp"
 #include "washfsi/scheme/coupling_scheme.hpp"
 #include "washfsi/scheme/force_equation.hpp"
+#include "washfsi/scheme/step_mobility.hpp"
 
 namespace washfsi {
 
@@ -50,7 +50,6 @@ class SemiImplicitCoupling : public CouplingScheme<Dim> {
   void weigh(const System<Dim>& system, double dt);
   /// The water's mean velocity at the markers.
   Points<Dim> water_velocities(const System<Dim>& system, double dt) const;
-  void find_mobility(const Model<Dim>& model, const Points<Dim>& places);
   void begin_motion(System<Dim>& system, double dt) const;
   void sweep(System<Dim>& system, double dt, Points<Dim> forces, Points<Dim> interpolated);
   /// V from U and F. Collective. Errors: DivergedError.
@@ -67,10 +66,9 @@ class SemiImplicitCoupling : public CouplingScheme<Dim> {
   StepWeights weights_;
   ClothSolver<Dim> solver_;
   ForceEquation<Dim> force_equation_;
-  MobilityMatrix<Dim> matrix_;    ///< M of the step under way
-  std::vector<double> row_sums_;  ///< D of each of this rank's markers
-  Points<Dim> velocities_;        ///< W
-  Points<Dim> change_;            ///< guess of how the forces change in the step under way
+  StepMobility<Dim> mobility_;  ///< M, D of the step under way
+  Points<Dim> velocities_;      ///< W
+  Points<Dim> change_;          ///< guess of how the forces change in the step under way
 };
 
 }  // namespace washfsi
