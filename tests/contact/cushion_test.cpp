@@ -11,6 +11,7 @@ namespace washfsi::test {
 namespace {
 
 constexpr CushionOptions soft{.pressure = 100, .distance = 0.02};
+constexpr CushionOptions hard{.pressure = 100, .distance = 0.02, .law = CushionLaw::barrier};
 
 /// A box with walls from (-1, -1) to (4, 4) m, perhaps with a roller of radius 0.1 m at (1, 2), and a cloth in it.
 struct Room {
@@ -29,8 +30,9 @@ struct Room {
     return group;
   }
   /// A cushion that has looked round at these places; the markers will move for dt.
-  std::unique_ptr<Cushion<2>> cushion(const Points<2>& places, double dt = 0) const {
-    auto result = std::make_unique<Cushion<2>>(soft, Surroundings<2>{grid, boundary, bodies, cloths});
+  std::unique_ptr<Cushion<2>> cushion(const Points<2>& places, double dt = 0,
+                                      const CushionOptions& options = soft) const {
+    auto result = std::make_unique<Cushion<2>>(options, Surroundings<2>{grid, boundary, bodies, cloths});
     const Points<2> at_rest(places.size(), Point<2>::Zero());
     result->begin_step({places, at_rest, 0, dt});
     return result;
@@ -105,36 +107,53 @@ double energy_of(const Cushion<2>& cushion, const Points<2>& places) {
 
 TEST(Cushion, ForceIsMinusTheGradientOfItsEnergy) {
   const Touching touching;
-  const auto cushion = touching.room.cushion(touching.start, 1);
-  const Points<2> forces = forces_of(*cushion, touching.places), direction = random_points<2>(40, 5);
-  double slope = 0;
-  for (std::size_t m = 0; m < 40; ++m) slope -= forces[m].dot(direction[m]);
-  constexpr double e = 1e-6;
-  const double difference =
-      energy_of(*cushion, touching.places + e * direction) - energy_of(*cushion, touching.places - e * direction);
-  EXPECT_GT(energy_of(*cushion, touching.places), 1e-3);
-  EXPECT_NEAR(difference / (2 * e), slope, 1e-7 * std::abs(slope));
+  for (const CushionOptions& options : {soft, hard}) {
+    const auto cushion = touching.room.cushion(touching.start, 1, options);
+    const Points<2> forces = forces_of(*cushion, touching.places), direction = random_points<2>(40, 5);
+    double slope = 0;
+    for (std::size_t m = 0; m < 40; ++m) slope -= forces[m].dot(direction[m]);
+    constexpr double e = 1e-6;
+    const double difference =
+        energy_of(*cushion, touching.places + e * direction) - energy_of(*cushion, touching.places - e * direction);
+    EXPECT_GT(energy_of(*cushion, touching.places), 1e-3);
+    EXPECT_NEAR(difference / (2 * e), slope, 1e-7 * std::abs(slope));
+  }
 }
 
 TEST(Cushion, StiffnessIsItsJacobianAndNeverNegative) {
   const Touching touching;
-  const auto cushion = touching.room.cushion(touching.start, 1);
-  const Points<2> direction = random_points<2>(40, 6);
-  constexpr double e = 1e-7;
-  const Points<2> more = forces_of(*cushion, touching.places + e * direction),
-                  less = forces_of(*cushion, touching.places - e * direction);
-  Points<2> rates(40, Point<2>::Zero()), products(40, Point<2>::Zero());
-  cushion->add_force_rates(touching.places, direction, rates);
-  cushion->visit_stiffness(
-      touching.places, GeometricStiffness::all, [&](PetscInt row, PetscInt column, const StiffnessBlock<2>& block) {
-        EXPECT_EQ(row, column);
-        EXPECT_GE(block.trace(), 0);
-        products[static_cast<std::size_t>(row)] -= block * direction[static_cast<std::size_t>(row)];
-      });
-  for (std::size_t m = 0; m < 40; ++m) {
-    EXPECT_LE((rates[m] - products[m]).norm(), 1e-12);
-    EXPECT_LE((rates[m] - (more[m] - less[m]) / (2 * e)).norm(), 1e-4);
+  for (const CushionOptions& options : {soft, hard}) {
+    const auto cushion = touching.room.cushion(touching.start, 1, options);
+    const Points<2> direction = random_points<2>(40, 6);
+    constexpr double e = 1e-7;
+    const Points<2> more = forces_of(*cushion, touching.places + e * direction),
+                    less = forces_of(*cushion, touching.places - e * direction);
+    Points<2> rates(40, Point<2>::Zero()), products(40, Point<2>::Zero());
+    cushion->add_force_rates(touching.places, direction, rates);
+    cushion->visit_stiffness(
+        touching.places, GeometricStiffness::all, [&](PetscInt row, PetscInt column, const StiffnessBlock<2>& block) {
+          EXPECT_EQ(row, column);
+          EXPECT_GE(block.trace(), 0);
+          products[static_cast<std::size_t>(row)] -= block * direction[static_cast<std::size_t>(row)];
+        });
+    for (std::size_t m = 0; m < 40; ++m) {
+      EXPECT_LE((rates[m] - products[m]).norm(), 1e-12);
+      EXPECT_LE((rates[m] - (more[m] - less[m]) / (2 * e)).norm(), 1e-4);
+    }
   }
+}
+
+// As hard as it is at a tenth of its distance, where a body has moved over a marker.
+TEST(Cushion, OfTheBarrierGoesOnWithinABody) {
+  double before = cushion_push(hard, -0.05).pressure;
+  for (double distance = -0.05; distance < 0.021; distance += 1e-5) {
+    const CushionPush push = cushion_push(hard, distance);
+    EXPECT_TRUE(std::isfinite(push.energy));
+    EXPECT_LE(push.pressure, before);
+    EXPECT_LE(before - push.pressure, 1.01e-5 * cushion_push(hard, 0).stiffness);
+    before = push.pressure;
+  }
+  EXPECT_EQ(before, 0);
 }
 
 // What a marker is pushed with does not depend on where in the step the surface was looked at, but for its curvature.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/cloth/forces.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "washfsi/support/collective.hpp"
@@ -141,6 +142,26 @@ std::vector<StiffnessBound> Forces<Dim>::bounds() const {
   std::vector<StiffnessBound> bounds(cloths_.owned());
   for (const auto& force : forces_) force->add_bound(bounds);
   return bounds;
+}
+
+template <int Dim>
+bool Forces<Dim>::limit_motion() const {
+  return std::any_of(forces_.begin(), forces_.end(), [](const auto& force) { return force->limits_motion(); });
+}
+
+template <int Dim>
+double Forces<Dim>::free_part(const Points<Dim>& from, const Points<Dim>& motion) {
+  double part = 1;
+  for (const auto& force : forces_)
+    if (force->limits_motion()) part = std::min(part, force->free_part(from, motion));
+  return part;
+}
+
+template <int Dim>
+Points<Dim> Forces<Dim>::held_back(const Points<Dim>& from, Points<Dim> motion) {
+  for (const auto& force : forces_)
+    if (force->limits_motion()) force->hold_back(from, motion);
+  return motion;
 }
 
 template class Forces<2>;

@@ -79,6 +79,14 @@ class MarkerForce {
   virtual void add_cancelling_size(const Points<Dim>&, std::span<double>) const {}
   /// Adds to the bound of each marker.
   virtual void add_bound(std::span<StiffnessBound>) const {}
+
+  /// Whether there are places that it does not let markers come to, so that a scheme has to ask before it moves them.
+  virtual bool limits_motion() const { return false; }
+  /// The part of a straight motion, from 0 to 1, that all markers can make without coming to such places. What it looks
+  /// at after that is right for all places on this way.
+  virtual double free_part(const Points<Dim>&, const Points<Dim>&) { return 1; }
+  /// Shortens the motion of those markers that would come to such places.
+  virtual void hold_back(const Points<Dim>&, Points<Dim>&) {}
 };
 
 }  // namespace washfsi

@@ -1,20 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/contact/cushion.hpp"
 
+#include <algorithm>
+
+#include "washfsi/contact/barrier_function.hpp"
+
 namespace washfsi {
 
-CushionOptions CushionOptions::from_options(Options& options) {
-  CushionOptions cushion;
-  options.block("contact_", "Contact of cloth with bodies", [&](OptionBlock& block) {
-    block.real("pressure", cushion.pressure, "Pa", non_negative, "push on cloth at a body's surface; 0: none");
-    block.real("distance", cushion.distance, "m", positive, "distance from the surface at which the push begins");
-  });
-  return cushion;
+namespace {
+
+// The barrier, below a tenth of its distance as a parabola with the same second derivative.
+BarrierValue softened_barrier(double s) {
+  constexpr double soft = 0.1;
+  if (s >= soft) return barrier(s);
+  const BarrierValue from = barrier(soft);
+  const double beyond = s - soft;
+  return {from.value + from.first * beyond + 0.5 * from.second * beyond * beyond, from.first + from.second * beyond,
+          from.second};
 }
 
-template <int Dim>
-MakeForce<Dim> Cushion<Dim>::from_options(Options& options) {
-  return maker(CushionOptions::from_options(options));
+}  // namespace
+
+CushionPush cushion_push(const CushionOptions& options, double distance) {
+  const double p = options.pressure, d = options.distance;
+  if (options.law == CushionLaw::barrier) {
+    const BarrierValue b = softened_barrier(distance / d);
+    return {p * d * b.value, -p * b.first, p / d * b.second};
+  }
+  const double s = std::max(0.0, 1 - distance / d);
+  return {p * d / 3 * s * s * s, p * s * s, 2 * p / d * s};
 }
 
 template <int Dim>
@@ -68,45 +82,36 @@ void Cushion<Dim>::find_sides(std::size_t marker, const Point<Dim>& start, doubl
     }
 }
 
-// s, not below 0
+// Of a marker with this undeformed area.
 template <int Dim>
-double Cushion<Dim>::nearness(const Plane& plane, const Points<Dim>& positions) const {
+CushionPush Cushion<Dim>::push(const Plane& plane, const Points<Dim>& positions) const {
   const double distance = plane.distance + plane.normal.dot(positions[plane.marker] - plane.start);
-  return std::max(0.0, 1 - distance / options_.distance);
-}
-
-template <int Dim>
-Point<Dim> Cushion<Dim>::push(const Plane& plane, const Points<Dim>& positions) const {
-  const double s = nearness(plane, positions), area = around_.cloths.marker_areas()[plane.marker];
-  return options_.pressure * area * s * s * plane.normal;
-}
-
-template <int Dim>
-double Cushion<Dim>::stiffness(const Plane& plane, const Points<Dim>& positions) const {
   const double area = around_.cloths.marker_areas()[plane.marker];
-  return 2 * options_.pressure * area / options_.distance * nearness(plane, positions);
+  const CushionPush push = cushion_push(options_, distance);
+  return {area * push.energy, area * push.pressure, area * push.stiffness};
+}
+
+template <int Dim>
+Point<Dim> Cushion<Dim>::force(const Plane& plane, const Points<Dim>& positions) const {
+  return push(plane, positions).pressure * plane.normal;
 }
 
 template <int Dim>
 void Cushion<Dim>::add_force(const Points<Dim>& positions, const Points<Dim>&, Points<Dim>& forces) const {
-  for (const Plane& plane : planes_) forces[plane.marker] += push(plane, positions);
+  for (const Plane& plane : planes_) forces[plane.marker] += force(plane, positions);
 }
 
 template <int Dim>
 void Cushion<Dim>::add_energy(const Points<Dim>& positions, std::span<double> of_groups) const {
-  const Cloths<Dim>& cloths = around_.cloths;
-  for (const Plane& plane : planes_) {
-    const double s = nearness(plane, positions);
-    of_groups[cloths.group_number(plane.marker)] +=
-        options_.pressure * cloths.marker_areas()[plane.marker] * options_.distance / 3 * s * s * s;
-  }
+  for (const Plane& plane : planes_)
+    of_groups[around_.cloths.group_number(plane.marker)] += push(plane, positions).energy;
 }
 
 template <int Dim>
 void Cushion<Dim>::add_force_rates(const Points<Dim>& positions, const Points<Dim>& direction,
                                    Points<Dim>& rates) const {
   for (const Plane& plane : planes_)
-    rates[plane.marker] -= stiffness(plane, positions) * plane.normal.dot(direction[plane.marker]) * plane.normal;
+    rates[plane.marker] -= push(plane, positions).stiffness * plane.normal.dot(direction[plane.marker]) * plane.normal;
 }
 
 // One block for each marker, whether it touches anything or not: so the pattern never changes.
@@ -115,28 +120,31 @@ void Cushion<Dim>::visit_stiffness(const Points<Dim>& positions, GeometricStiffn
                                    const AddMarkerBlock<Dim>& add) const {
   std::vector<StiffnessBlock<Dim>> blocks(positions.size(), StiffnessBlock<Dim>::Zero());
   for (const Plane& plane : planes_)
-    blocks[plane.marker] += stiffness(plane, positions) * plane.normal * plane.normal.transpose();
+    blocks[plane.marker] += push(plane, positions).stiffness * plane.normal * plane.normal.transpose();
   for (std::size_t m = 0; m < blocks.size(); ++m) {
     const PetscInt marker = around_.cloths.number_of(m);
     add(marker, marker, blocks[m]);
   }
 }
 
-// Of a marker on the surface.
+// Of a marker on the surface; of the barrier, which grows so much, at a third of d0, or where the nearest one starts.
 template <int Dim>
 void Cushion<Dim>::add_bound(std::span<StiffnessBound> bounds) const {
-  for (StiffnessBound& bound : bounds) bound.stiffness += 0.25 * 2 * options_.pressure / options_.distance;
+  double nearest = options_.law == CushionLaw::barrier ? options_.distance / 3 : 0;
+  if (options_.law == CushionLaw::barrier)
+    for (const Plane& plane : planes_) nearest = std::min(nearest, plane.distance);
+  for (StiffnessBound& bound : bounds) bound.stiffness += 0.25 * cushion_push(options_, nearest).stiffness;
 }
 
 template <int Dim>
 void Cushion<Dim>::add_reactions(const Points<Dim>& positions, ContactLoads<Dim>& loads) const {
   const Point<Dim> middle = 0.5 * (around_.grid.lower() + around_.grid.upper());
   for (const Plane& plane : planes_) {
-    const Point<Dim> place = around_.grid.folded(positions[plane.marker]), force = push(plane, positions);
+    const Point<Dim> place = around_.grid.folded(positions[plane.marker]), reaction = -force(plane, positions);
     if (plane.body < loads.bodies.size())
-      loads.bodies[plane.body].add(place - around_.bodies[plane.body].motion.center_at(time_), -force);
+      loads.bodies[plane.body].add(place - around_.bodies[plane.body].motion.center_at(time_), reaction);
     else
-      loads.sides[plane.axis][plane.end == End::upper ? 1 : 0].add(place - middle, -force);
+      loads.sides[plane.axis][plane.end == End::upper ? 1 : 0].add(place - middle, reaction);
   }
 }
 

@@ -5,26 +5,36 @@
 
 namespace washfsi {
 
-/// -contact_pressure and -contact_distance.
-struct CushionOptions {
-  double pressure = 0;     ///< P0, at the surface [Pa]; 0: no contact force
-  double distance = 0.01;  ///< d0 [m]
+/// How the push of a surface grows with nearness.
+enum class CushionLaw { quadratic, barrier };
 
-  static CushionOptions from_options(Options& options);
+/// What pushes, and from where on.
+struct CushionOptions {
+  double pressure = 0;     ///< P0, at the surface, or kappa of the barrier [Pa]; 0: no contact force
+  double distance = 0.01;  ///< d0 [m]
+  CushionLaw law = CushionLaw::quadratic;
 };
 
-/// A soft cushion on bodies and on the walls of the box that keeps cloth out of them: a marker nearer than d0 is pushed
+/// What a cushion does per undeformed area at a distance from a surface.
+struct CushionPush {
+  double energy = 0, pressure = 0, stiffness = 0;  ///< [J/m2, Pa, N/m3]
+};
+CushionPush cushion_push(const CushionOptions& options, double distance);
+
+/// A cushion on bodies and on the walls of the box that keeps cloth out of them: a marker nearer than d0 is pushed
 /// along the outward normal with the force per undeformed area
 ///   P0 s^2,  s = (d0 - Phi)/d0 > 0,      energy P0 d0/3 s^3,      stiffness 2 P0/d0 s n n^T
-/// No-slip alone lets markers drift into the staircase of the sharp mask. In a step Phi is linear about where the
-/// marker starts, with the bodies at the step's end: so the energy is convex, and its stiffness exact and never
-/// negative.
+/// or, with the law of the barrier between cloths (contact/barrier_function.hpp),
+///   -P0 b'(Phi/d0),                      energy P0 d0 b,          stiffness P0/d0 b'' n n^T
+/// which below d0/10, where a moving body may have a marker before the step is solved for, goes on with the same
+/// stiffness. No-slip alone lets markers drift into the staircase of the sharp mask. In a step Phi is linear about
+/// where the marker starts, with the bodies at the step's end: so the energy is convex, and its stiffness exact and
+/// never negative.
 template <int Dim>
 class Cushion : public ContactForce<Dim> {
  public:
   Cushion(const CushionOptions& options, const Surroundings<Dim>& surroundings);
-  /// Reads the options; makes nothing if there is no pressure.
-  static MakeForce<Dim> from_options(Options& options);
+  /// Makes nothing if there is no pressure.
   static MakeForce<Dim> maker(const CushionOptions& options);
 
   Dependence dependence() const override { return Dependence::potential; }
@@ -50,9 +60,8 @@ class Cushion : public ContactForce<Dim> {
   };
   void find_bodies(const PosedBodies<Dim>& posed, std::size_t marker, const Point<Dim>& start, double reach);
   void find_sides(std::size_t marker, const Point<Dim>& start, double reach);
-  double nearness(const Plane& plane, const Points<Dim>& positions) const;
-  Point<Dim> push(const Plane& plane, const Points<Dim>& positions) const;
-  double stiffness(const Plane& plane, const Points<Dim>& positions) const;
+  CushionPush push(const Plane& plane, const Points<Dim>& positions) const;
+  Point<Dim> force(const Plane& plane, const Points<Dim>& positions) const;
 
   CushionOptions options_;
   Surroundings<Dim> around_;

@@ -35,18 +35,31 @@ Points<Dim> product(Mat matrix, const Points<Dim>& values) {
   return to_points<Dim>(y);
 }
 
+namespace {
+
+// One value per marker for all of its coordinates.
+template <int Dim>
+petsc::Vector vector_of(const std::vector<double>& values, Mat matrix) {
+  petsc::Vector vector;
+  WASH_PETSC(MatCreateVecs(matrix, nullptr, vector.put()));
+  Points<Dim> points;
+  for (const double value : values) points.push_back(Point<Dim>::Constant(value));
+  to_vector<Dim>(points, vector);
+  return vector;
+}
+
+}  // namespace
+
 template <int Dim>
 void scale_and_shift(const std::vector<double>& row_factors, const std::vector<double>& diagonal, Mat matrix) {
-  const auto vector_of = [&](const std::vector<double>& values) {
-    petsc::Vector vector;
-    WASH_PETSC(MatCreateVecs(matrix, nullptr, vector.put()));
-    Points<Dim> points;
-    for (const double value : values) points.push_back(Point<Dim>::Constant(value));
-    to_vector<Dim>(points, vector);
-    return vector;
-  };
-  WASH_PETSC(MatDiagonalScale(matrix, vector_of(row_factors), nullptr));
-  WASH_PETSC(MatDiagonalSet(matrix, vector_of(diagonal), ADD_VALUES));
+  WASH_PETSC(MatDiagonalScale(matrix, vector_of<Dim>(row_factors, matrix), nullptr));
+  WASH_PETSC(MatDiagonalSet(matrix, vector_of<Dim>(diagonal, matrix), ADD_VALUES));
+}
+
+template <int Dim>
+void scale_columns_and_shift(const std::vector<double>& column_factors, double diagonal, Mat matrix) {
+  WASH_PETSC(MatDiagonalScale(matrix, nullptr, vector_of<Dim>(column_factors, matrix)));
+  WASH_PETSC(MatShift(matrix, diagonal));
 }
 
 template void to_vector<2>(const Points<2>&, Vec);
@@ -57,5 +70,7 @@ template Points<2> product<2>(Mat, const Points<2>&);
 template Points<3> product<3>(Mat, const Points<3>&);
 template void scale_and_shift<2>(const std::vector<double>&, const std::vector<double>&, Mat);
 template void scale_and_shift<3>(const std::vector<double>&, const std::vector<double>&, Mat);
+template void scale_columns_and_shift<2>(const std::vector<double>&, double, Mat);
+template void scale_columns_and_shift<3>(const std::vector<double>&, double, Mat);
 
 }  // namespace washfsi

@@ -26,4 +26,8 @@ Points<Dim> product(Mat matrix, const Points<Dim>& values);
 template <int Dim>
 void scale_and_shift(const std::vector<double>& row_factors, const std::vector<double>& diagonal, Mat matrix);
 
+/// Makes it  M diag(column_factors) + diagonal 1. Collective.
+template <int Dim>
+void scale_columns_and_shift(const std::vector<double>& column_factors, double diagonal, Mat matrix);
+
 }  // namespace washfsi

@@ -8,17 +8,6 @@
 
 namespace washfsi {
 
-namespace {
-
-template <int Dim>
-PeriodicSpace<Dim> periods_of(const Grid<Dim>& grid) {
-  PeriodicSpace<Dim> space{grid.lower(), grid.upper() - grid.lower(), {}};
-  for (int d = 0; d < Dim; ++d) space.periodic[d] = grid.periodic(d);
-  return space;
-}
-
-}  // namespace
-
 template <int Dim>
 std::vector<typename MobilityMatrix<Dim>::Stencils> MobilityMatrix<Dim>::stencils_at(
     const Points<Dim>& positions) const {
@@ -74,7 +63,7 @@ std::vector<std::vector<typename MobilityMatrix<Dim>::Entry>> MobilityMatrix<Dim
   std::vector<Bounds<Dim>> places, reached;
   for (std::size_t marker = 0; marker < positions.size(); ++marker) places.push_back(round(marker, Point<Dim>::Zero()));
   for (std::size_t marker = first; marker < first + count; ++marker) reached.push_back(round(marker, reach));
-  const NearSearch<Dim> search(std::move(places), reach, hull(reached), periods_of(grid_));
+  const NearSearch<Dim> search(std::move(places), reach, hull(reached), periods_of<Dim>(grid_));
   const std::vector<Stencils> stencils = stencils_at(positions);
   const bool symmetric = delta_.spread_width == delta_.interpolate_width;
   std::vector<std::vector<Entry>> rows(count);
@@ -93,7 +82,8 @@ std::vector<std::vector<typename MobilityMatrix<Dim>::Entry>> MobilityMatrix<Dim
 }
 
 template <int Dim>
-void MobilityMatrix<Dim>::assemble(const Points<Dim>& positions, PetscInt first, const std::vector<double>& row_sums) {
+void MobilityMatrix<Dim>::assemble(const Points<Dim>& positions, PetscInt first, const std::vector<double>& row_sums,
+                                   double own_share) {
   const auto begin = static_cast<std::size_t>(first);
   const std::vector<std::vector<Entry>> rows = overlaps(positions, begin, row_sums.size());
   std::vector<double> scales(positions.size(), 0.0);  // what the row sums of the overlaps must be multiplied with
@@ -121,7 +111,8 @@ void MobilityMatrix<Dim>::assemble(const Points<Dim>& positions, PetscInt first,
       values.clear();
       for (const Entry& entry : rows[m]) {
         columns.push_back(static_cast<PetscInt>(entry.other) * Dim + c);
-        values.push_back(std::sqrt(scales[begin + m] * scales[entry.other]) * entry.value[c]);
+        const double share = entry.other == begin + m ? 1 + own_share : 1;
+        values.push_back(share * std::sqrt(scales[begin + m] * scales[entry.other]) * entry.value[c]);
       }
       WASH_PETSC(MatSetValues(matrix_, 1, &row, static_cast<PetscInt>(columns.size()), columns.data(), values.data(),
                               INSERT_VALUES));

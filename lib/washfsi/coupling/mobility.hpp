@@ -14,8 +14,10 @@ class MobilityMatrix {
   MobilityMatrix(const Grid<Dim>& grid, const DeltaOptions& delta) : grid_(grid), delta_(delta) {}
 
   /// Makes the matrix anew. `positions` are those of all markers, on every rank; `row_sums` those of this rank's
-  /// markers, which are the ones from `first` on. Collective.
-  void assemble(const Points<Dim>& positions, PetscInt first, const std::vector<double>& row_sums);
+  /// markers, which are the ones from `first` on. The diagonal is raised by a share of itself: where two markers are in
+  /// one place, the matrix would be singular. Collective.
+  void assemble(const Points<Dim>& positions, PetscInt first, const std::vector<double>& row_sums,
+                double own_share = 0);
 
   operator Mat() const { return matrix_; }
 

@@ -44,6 +44,14 @@ struct PeriodicSpace {
   std::array<bool, Dim> periodic{};
 };
 
+/// The periods of a grid.
+template <int Dim, class Grid>
+PeriodicSpace<Dim> periods_of(const Grid& grid) {
+  PeriodicSpace<Dim> space{grid.lower(), grid.upper() - grid.lower(), {}};
+  for (int d = 0; d < Dim; ++d) space.periodic[d] = grid.periodic(d);
+  return space;
+}
+
 /// Tells which of many things come near to a place: their boxes are sorted into bins of equal size. Along periodic axes
 /// all images count.
 template <int Dim>

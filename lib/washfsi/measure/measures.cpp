@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "washfsi/measure/cloth_force_measure.hpp"
+#include "washfsi/measure/contact_measure.hpp"
 
 namespace washfsi {
 
@@ -14,6 +15,7 @@ template <int Dim>
 std::vector<std::unique_ptr<Measure<Dim>>> further_measures(const System<Dim>& system) {
   std::vector<std::unique_ptr<Measure<Dim>>> measures;
   measures.push_back(std::make_unique<ClothForceMeasure<Dim>>(system));
+  measures.push_back(std::make_unique<ContactMeasure<Dim>>(system));
   return measures;
 }
 
@@ -50,12 +52,14 @@ Measures<Dim>::Measures(const System<Dim>& system, const MeasureOptions& options
       walls_(system),
       cloth_(system, options.machine),
       coupling_(system, cloth_),
+      intersections_(system),
       further_(further_measures(system)) {
   flow_.declare(quantities_);
   bodies_.declare(quantities_);
   walls_.declare(quantities_);
   coupling_.declare(quantities_);
   cloth_.declare(quantities_);
+  intersections_.declare(quantities_);
   for (const auto& measure : further_) measure->declare(quantities_);
   quantities_.keep("unmeasured_time", {&unmeasured_time_, 1});
   cycles_.emplace(quantities_, options.cycle_time > 0 ? options.cycle_time : first_period(system.model.bodies),

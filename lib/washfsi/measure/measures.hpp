@@ -9,6 +9,7 @@
 #include "washfsi/measure/coupling_measure.hpp"
 #include "washfsi/measure/cycles.hpp"
 #include "washfsi/measure/flow_measure.hpp"
+#include "washfsi/measure/intersection_measure.hpp"
 #include "washfsi/measure/wall_measure.hpp"
 
 namespace washfsi {
@@ -33,6 +34,10 @@ class Measures {
   Measures(const Measures&) = delete;
   Measures& operator=(const Measures&) = delete;
 
+  /// Counts the intersections of cloths: before the first step, and after each before it is observed. Collective.
+  /// Errors: InputError, DivergedError if there is one that must not be.
+  void verify_start() { intersections_.verify_start(); }
+  void verify(double dt) { intersections_.verify(dt); }
   /// Before a step of which `observe` will take all. Collective.
   void prepare();
   /// Takes the state after a step: all of it, or only the flow's. Averages weigh it with the time since all was taken
@@ -60,6 +65,7 @@ class Measures {
   WallMeasure<Dim> walls_;
   ClothMeasure<Dim> cloth_;
   CouplingMeasure<Dim> coupling_;
+  IntersectionMeasure<Dim> intersections_;
   std::vector<std::unique_ptr<Measure<Dim>>> further_;
   QuantityList quantities_;
   std::optional<Cycles> cycles_, whole_run_;

@@ -24,7 +24,10 @@ template <int Dim>
 void ClothAlone<Dim>::take(System<Dim>& system, double dt) {
   State<Dim>& state = system.state;
   half_step(system, dt, state.clock.time);
-  state.positions += dt * state.velocities;
+  const Points<Dim> motion = dt * state.velocities, end = moved(system, motion);
+  for (std::size_t m = 0; m < end.size(); ++m)
+    if (end[m] != state.positions[m] + motion[m]) state.velocities[m] = (1 / dt) * (end[m] - state.positions[m]);
+  state.positions = end;
   half_step(system, dt, state.clock.time + dt);
 }
 

@@ -8,7 +8,8 @@
 
 namespace washfsi {
 
-/// An equation for the velocities of all markers. All of its functions are collective and take this rank's part.
+/// An equation for one vector of each marker, its velocity or a force. All of its functions are collective and take
+/// this rank's part.
 template <int Dim>
 struct ClothEquation {
   /// Its left side, one value per marker.
@@ -21,6 +22,12 @@ struct ClothEquation {
   /// The Jacobian, where the matrix was assembled last, times a direction: if the matrix only preconditions; else that
   /// is found by differences of the residual.
   std::function<Points<Dim>(const Points<Dim>& direction)> product = {};
+  /// How fast the potential grows along a direction; if there is none, as the residual, its gradient, has it.
+  std::function<double(const Points<Dim>& residual, const Points<Dim>& direction)> slope = {};
+  /// The part of a way that can be gone without coming to what limits the motion, from 0 to 1; if there is none, all.
+  std::function<double(const Points<Dim>& from, const Points<Dim>& way)> free_part = {};
+  /// Whether a residual is small enough; if there is none, its 2-norm tells.
+  std::function<bool(const Points<Dim>& residual)> is_solved = {};
 };
 
 }  // namespace washfsi

@@ -22,7 +22,8 @@ ClothSolver<Dim>::ClothSolver(const Forces<Dim>& forces, const Points<Dim>& posi
   WASH_PETSC(SNESSetFunction(solver_, value_, &ClothSolver::evaluate, this));
   plan_ = set_cloth_solver_defaults(solver_, defaults, Dim);
   if (plan_.searches_descent) search_.attach(solver_, matrix_);
-  if (plan_.uses_product) WASH_PETSC(SNESSetConvergenceTest(solver_, &ClothSolver::test_convergence, this, nullptr));
+  if (plan_.uses_product || plan_.searches_descent)
+    WASH_PETSC(SNESSetConvergenceTest(solver_, &ClothSolver::test_convergence, this, nullptr));
   WASH_PETSC(SNESSetTolerances(solver_, 0, 1e-10, defaults.approximate ? 1e-7 : 1e-10, 60, 10000));
   refuse_deadly_options("cloth_");
   const petsc::MutedErrors muted;
@@ -89,14 +90,19 @@ PetscErrorCode ClothSolver<Dim>::evaluate(SNES solver, Vec x, Vec f, void* conte
   });
 }
 
-// PETSc's own test, and an end where what is left is round-off.
+// PETSc's own test, but for a short step that is only a part of Newton's, and an end where what is left is round-off.
 template <int Dim>
 PetscErrorCode ClothSolver<Dim>::test_convergence(SNES solver, PetscInt iteration, PetscReal unknown, PetscReal step,
                                                   PetscReal residual, SNESConvergedReason* reason, void* context) {
   return petsc::guarded([&] {
     WASH_PETSC(SNESConvergedDefault(solver, iteration, unknown, step, residual, reason, nullptr));
     const auto& self = *static_cast<ClothSolver*>(context);
+    if (*reason == SNES_CONVERGED_SNORM_RELATIVE && self.search_.was_stopped()) *reason = SNES_CONVERGED_ITERATING;
     if (*reason == SNES_CONVERGED_ITERATING && self.search_.is_round_off()) *reason = SNES_CONVERGED_SNORM_RELATIVE;
+    if (*reason != SNES_CONVERGED_ITERATING || !self.equation_->is_solved) return;
+    Vec value = nullptr;
+    WASH_PETSC(SNESGetFunction(solver, &value, nullptr, nullptr));
+    if (self.equation_->is_solved(to_points<Dim>(value))) *reason = SNES_CONVERGED_FNORM_ABS;
   });
 }
 

@@ -80,6 +80,11 @@ Points<Dim> marker_velocities(const Model<Dim>& model, Vec velocity, double time
   return model.transfer.interpolate(local);
 }
 
+template <int Dim>
+Points<Dim> moved(System<Dim>& system, const Points<Dim>& motion) {
+  return system.state.positions + system.model.forces.held_back(system.state.positions, motion);
+}
+
 template double norm<2>(MPI_Comm, const Points<2>&);
 template double norm<3>(MPI_Comm, const Points<3>&);
 template void begin_step<2>(System<2>&, const Points<2>&, double, double, const Acceleration<2>&);
@@ -98,5 +103,7 @@ template void move_water<2>(System<2>&, double);
 template void move_water<3>(System<3>&, double);
 template Points<2> marker_velocities<2>(const Model<2>&, Vec, double);
 template Points<3> marker_velocities<3>(const Model<3>&, Vec, double);
+template Points<2> moved<2>(System<2>&, const Points<2>&);
+template Points<3> moved<3>(System<3>&, const Points<3>&);
 
 }  // namespace washfsi

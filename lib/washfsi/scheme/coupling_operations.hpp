@@ -40,6 +40,11 @@ void move_water(System<Dim>& system, double dt);
 template <int Dim>
 Points<Dim> marker_velocities(const Model<Dim>& model, Vec velocity, double time);
 
+/// X and a motion from there, as far as nothing limits it: markers that would go through a cloth stay behind. What
+/// forces look at is right for the new places too.
+template <int Dim>
+Points<Dim> moved(System<Dim>& system, const Points<Dim>& motion);
+
 /// 2-norm over all markers of all ranks.
 template <int Dim>
 double norm(MPI_Comm comm, const Points<Dim>& values);

@@ -6,6 +6,7 @@
 #include "washfsi/scheme/cloth_alone.hpp"
 #include "washfsi/scheme/explicit_coupling.hpp"
 #include "washfsi/scheme/fluid_alone.hpp"
+#include "washfsi/scheme/implicit_cloth_alone.hpp"
 #include "washfsi/scheme/implicit_coupling.hpp"
 #include "washfsi/scheme/midpoint_coupling.hpp"
 #include "washfsi/scheme/semi_implicit_coupling.hpp"
@@ -113,24 +114,25 @@ void CouplingOptions::read_solution(Options& options) {
 
 namespace {
 
+// Explicit, unless the user or a contact that limits the motion wants it implicit.
 template <int Dim>
-void check_cloth_alone(const CouplingOptions& options, const Cloths<Dim>& cloths) {
-  if (options.scheme_given)
+std::unique_ptr<CouplingScheme<Dim>> cloth_alone(const CouplingOptions& options, const System<Dim>& system) {
+  if (options.scheme_given && options.scheme != "explicit" && options.scheme != "implicit")
     throw InputError("-" + options.scheme_option + " " + options.scheme +
-                     ": there is no fluid (-fluid none); leave it out");
-  for (const auto& group : cloths.groups())
+                     ": without fluid (-fluid none) only explicit or implicit");
+  for (const auto& group : system.model.cloths.groups())
     if (group.excess_mass == 0)
       throw InputError("-" + group.name + "_excess_mass 0: without fluid (-fluid none) cloth needs a mass");
+  const bool is_implicit = options.scheme_given ? options.scheme == "implicit" : system.model.forces.limit_motion();
+  if (is_implicit) return std::make_unique<ImplicitClothAlone<Dim>>(system, options);
+  return std::make_unique<ClothAlone<Dim>>();
 }
 
 }  // namespace
 
 template <int Dim>
 std::unique_ptr<CouplingScheme<Dim>> make_coupling_scheme(const CouplingOptions& options, const System<Dim>& system) {
-  if (!system.model.has_fluid) {
-    check_cloth_alone(options, system.model.cloths);
-    return std::make_unique<ClothAlone<Dim>>();
-  }
+  if (!system.model.has_fluid) return cloth_alone(options, system);
   if (system.model.cloths.marker_count() == 0) return std::make_unique<FluidAlone<Dim>>();
   const NamedScheme<Dim>& scheme = scheme_named<Dim>(options.scheme);
   if (system.model.mass_carrier == MassCarrier::cloth && !scheme.takes_inertia)

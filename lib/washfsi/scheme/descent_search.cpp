@@ -29,7 +29,7 @@ template <int Dim>
 void DescentSearch<Dim>::start(const ClothEquation<Dim>& equation) {
   equation_ = &equation;
   geometric_ = GeometricStiffness::of_tension;
-  is_round_off_ = false;
+  is_round_off_ = was_stopped_ = false;
 }
 
 template <int Dim>
@@ -53,19 +53,36 @@ double DescentSearch<Dim>::size_of(Vec residual, Vec work) const {
   return norm_of(work);
 }
 
+template <int Dim>
+double DescentSearch<Dim>::slope_along(Vec f, Vec direction) const {
+  double slope = 0;
+  if (equation_->slope)
+    slope = equation_->slope(to_points<Dim>(f), to_points<Dim>(direction));
+  else
+    WASH_PETSC(VecDot(f, direction, &slope));
+  return slope;
+}
+
+// Of Newton's step, from x against the direction.
+template <int Dim>
+double DescentSearch<Dim>::free_part(Vec x, Vec direction) const {
+  return equation_->free_part ? equation_->free_part(to_points<Dim>(x), -1.0 * to_points<Dim>(direction)) : 1;
+}
+
 // How fast the potential falls along Newton's direction. Where the matrix was not positive definite and it rises, the
 // direction is found anew with one that is.
 template <int Dim>
 double DescentSearch<Dim>::slope_towards_descent(Vec x, Vec f, Vec direction) {
-  double slope = 0;
-  WASH_PETSC(VecDot(f, direction, &slope));
+  const double slope = slope_along(f, direction);
   if (slope > 0) return slope;
   geometric_ = GeometricStiffness::of_tension;
-  WASH_PETSC(SNESComputeJacobian(solver_, x, matrix_, matrix_));
-  WASH_PETSC(KSPSetOperators(linear_solver(), matrix_, matrix_));
+  Mat jacobian = nullptr, matrix = nullptr;
+  WASH_PETSC(KSPGetOperators(linear_solver(), &jacobian, &matrix));
+  if (!equation_->product) jacobian = matrix;  // one by differences would not be positive
+  WASH_PETSC(SNESComputeJacobian(solver_, x, jacobian, matrix));
+  WASH_PETSC(KSPSetOperators(linear_solver(), jacobian, matrix));
   WASH_PETSC(KSPSolve(linear_solver(), f, direction));
-  WASH_PETSC(VecDot(f, direction, &slope));
-  return slope;
+  return slope_along(f, direction);
 }
 
 template <int Dim>
@@ -83,7 +100,7 @@ void DescentSearch<Dim>::search(SNESLineSearch search) {
   const bool is_small = norm_of(direction) <= small * norm_of(x);  // so near the solution residuals may be round-off
   const double size = size_of(f, work), slope = has_potential ? slope_towards_descent(x, f, direction) : 0;
   const double before = potential_at(x);
-  double part = 1;
+  double part = free_part(x, direction);
   for (int n = 0; n < most_halvings; ++n, part *= 0.5) {
     WASH_PETSC(VecWAXPY(trial, -part, direction, x));
     WASH_PETSC(SNESComputeFunction(solver_, trial, f));
@@ -105,6 +122,7 @@ void DescentSearch<Dim>::accept(SNESLineSearch search, double part) {
   WASH_PETSC(SNESLineSearchSetLambda(search, part));
   WASH_PETSC(SNESLineSearchSetReason(search, SNES_LINESEARCH_SUCCEEDED));
   WASH_PETSC(SNESLineSearchComputeNorms(search));
+  was_stopped_ = part < 1 && equation_->free_part;
   geometric_ = part == 1 && equation_->potential ? GeometricStiffness::all : GeometricStiffness::of_tension;
 }
 

@@ -10,7 +10,7 @@ namespace washfsi {
 /// residual; without a potential, the preconditioned residual (Deuflhard's natural level function, with the
 /// preconditioner in place of the Jacobian: a residual's own norm sees little but the stiffest waves). Far from the
 /// solution the matrix of an equation with a potential leaves the geometric stiffness of compressed edges out, so that
-/// there is such a step.
+/// there is such a step. Where something limits the motion, the first step tried is what is free of it.
 template <int Dim>
 class DescentSearch {
  public:
@@ -27,6 +27,9 @@ class DescentSearch {
   GeometricStiffness geometric() const { return geometric_; }
   /// Whether all that the last step left of the preconditioned residual is round-off.
   bool is_round_off() const { return is_round_off_; }
+  /// Whether the last step, in an equation whose motion something limits, was only a part of Newton's: however short,
+  /// it does not tell that the solution is near.
+  bool was_stopped() const { return was_stopped_; }
 
  private:
   static PetscErrorCode shorten(SNESLineSearch search, void* self);
@@ -35,13 +38,15 @@ class DescentSearch {
   double potential_at(Vec place) const;
   double size_of(Vec residual, Vec work) const;
   double slope_towards_descent(Vec x, Vec f, Vec direction);
+  double slope_along(Vec f, Vec direction) const;
+  double free_part(Vec x, Vec direction) const;
   KSP linear_solver() const;
 
   SNES solver_ = nullptr;
   Mat matrix_ = nullptr;
   const ClothEquation<Dim>* equation_ = nullptr;  ///< during a solution
   GeometricStiffness geometric_ = GeometricStiffness::of_tension;
-  bool is_round_off_ = false;
+  bool is_round_off_ = false, was_stopped_ = false;
 };
 
 extern template class DescentSearch<2>;

@@ -17,7 +17,7 @@ void ExplicitCoupling<Dim>::take(System<Dim>& system, double dt) {
   model.fluid.finish();
 
   state.velocities = marker_velocities(model, model.fluid.velocity(), time + dt);
-  state.positions += dt * state.velocities;
+  state.positions = moved(system, dt * state.velocities);
 }
 
 template class ExplicitCoupling<2>;

@@ -9,12 +9,23 @@
 #include "washfsi/scheme/acceleration.hpp"
 #include "washfsi/scheme/coupling_operations.hpp"
 #include "washfsi/support/collective.hpp"
+#include "washfsi/support/errors.hpp"
 
 namespace washfsi {
 
 template <int Dim>
 ImplicitCoupling<Dim>::ImplicitCoupling(const System<Dim>& system, const CouplingOptions& options)
-    : options_(options), solver_(system.model.forces, system.state.positions, {SNESQN, false}) {}
+    : options_(options),
+      solver_(system.model.forces, system.state.positions,
+              system.model.forces.limit_motion() ? ClothSolverDefaults{SNESNEWTONLS, false, true}
+                                                 : ClothSolverDefaults{SNESQN, false}),
+      force_equation_(solver_),
+      mobility_(system.model) {
+  if (!system.model.forces.limit_motion()) return;
+  check_symmetry(system.model);
+  if (const MarkerForce<Dim>* force = system.model.forces.without_jacobian())
+    throw InputError(force->origin() + ": has no energy; with -contact barrier use -coupling_scheme explicit or midpoint");
+}
 
 template <int Dim>
 double ImplicitCoupling<Dim>::step_bound(const System<Dim>&) const {
@@ -47,22 +58,17 @@ double ImplicitCoupling<Dim>::tolerance(const System<Dim>& system) const {
   return options_.tolerance * speed * std::sqrt(static_cast<double>(model.cloths.marker_count()));
 }
 
+// W by Broyden's method; U^(n+1) goes to `last`.
 template <int Dim>
-void ImplicitCoupling<Dim>::take(System<Dim>& system, double dt) {
+Points<Dim> ImplicitCoupling<Dim>::solve(System<Dim>& system, double dt, Points<Dim>& last) {
   Model<Dim>& model = system.model;
-  State<Dim>& state = system.state;
-  const bool trapezoidal = options_.time_scheme == TimeScheme::trapezoidal;
-  const double weight = trapezoidal ? 0.5 : 1.0;
-  begin_step(system, state.positions, state.clock.time + dt, dt,
-             trapezoidal ? trapezoidal_difference(system, dt) : backward_difference(system, dt));
-  hold_bodies(system, state.clock.time + dt);
-  model.fluid.keep_pressure();
-  Points<Dim> last, evaluated;
+  const State<Dim>& state = system.state;
+  Points<Dim> evaluated;
   const auto residual = [&](const Points<Dim>& velocities) {
     evaluated = velocities;
     last = fluid_step(system, dt, velocities);
-    const Points<Dim> result = velocities - weight * last;
-    return trapezoidal ? result - 0.5 * state.velocities : result;
+    const Points<Dim> result = velocities - weight() * last;
+    return is_trapezoidal() ? result - 0.5 * state.velocities : result;
   };
   const auto assemble = [&](const Points<Dim>& velocities, GeometricStiffness geometric, Mat matrix) {
     const petsc::LogPart part("cloth_solve");
@@ -70,7 +76,7 @@ void ImplicitCoupling<Dim>::take(System<Dim>& system, double dt) {
         row_sum_mobility<Dim>(model.transfer, model.grid, model.boundary, model.liquid.density(),
                               model.fluid_fraction(), std::vector<double>(state.positions.size(), 1.0));
     model.forces.set_stiffness(state.positions + dt * velocities, geometric,
-                               weight * dt * dt * options_.mobility_factor, matrix);
+                               weight() * dt * dt * options_.mobility_factor, matrix);
     scale_and_shift<Dim>(mobility, std::vector<double>(mobility.size(), 1.0), matrix);
   };
   Points<Dim> velocities = state.velocities;
@@ -78,6 +84,43 @@ void ImplicitCoupling<Dim>::take(System<Dim>& system, double dt) {
   system.step.cloth_iterations +=
       static_cast<double>(solver_.solve({residual, assemble, 0}, tolerance(system), velocities));
   if (any_rank(model.grid.comm(), evaluated != velocities)) last = fluid_step(system, dt, velocities);
+  return velocities;
+}
+
+// From W of the last step as far as the way is free.
+template <int Dim>
+Points<Dim> ImplicitCoupling<Dim>::solve_by_sweeps(System<Dim>& system, double dt, Points<Dim>& last) {
+  constexpr int most_sweeps = 200;
+  auto& [model, state, step] = system;
+  Points<Dim> velocities = model.forces.free_part(state.positions, dt * state.velocities) * state.velocities;
+  for (int n = 0; n < most_sweeps; ++n) {
+    last = fluid_step(system, dt, velocities);
+    Points<Dim> reached = weight() * last;
+    if (is_trapezoidal()) reached += 0.5 * state.velocities;
+    const double enough = tolerance(system);
+    if (norm(model.grid.comm(), velocities - reached) <= enough) return velocities;
+    mobility_.find(model, step.pushed_at, weight() * options_.mobility_factor, true);
+    Points<Dim> change(velocities.size(), Point<Dim>::Zero());
+    velocities =
+        force_equation_.solve({model.forces, dt, state.positions, reached, model.forces.of_places(step.pushed_at),
+                               mobility_.matrix(), mobility_.row_sums(), 0.1 * enough},
+                              change, step.cloth_iterations);
+  }
+  throw DivergedError("cloth: its equations could not be solved in " + std::to_string(most_sweeps) +
+                      " sweeps; a shorter step, or -coupling_mobility_factor above 1, may help");
+}
+
+template <int Dim>
+void ImplicitCoupling<Dim>::take(System<Dim>& system, double dt) {
+  Model<Dim>& model = system.model;
+  State<Dim>& state = system.state;
+  begin_step(system, state.positions, state.clock.time + dt, dt,
+             is_trapezoidal() ? trapezoidal_difference(system, dt) : backward_difference(system, dt));
+  hold_bodies(system, state.clock.time + dt);
+  model.fluid.keep_pressure();
+  Points<Dim> last;
+  const Points<Dim> velocities =
+      model.forces.limit_motion() ? solve_by_sweeps(system, dt, last) : solve(system, dt, last);
   model.fluid.finish();
   state.positions += dt * velocities;
   state.velocities = last;

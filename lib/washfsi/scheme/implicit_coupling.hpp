@@ -7,11 +7,15 @@
 // forces at X = X^n + dt W: one fluid solve for each evaluation of the residual. First order, since
 // the force of the end acts over the whole step: it takes energy out and never puts any in. Solved by Broyden's method
 // (SNES prefix cloth_), which starts from  I + c dt^2 D K  with the elastic stiffness K, c = 1/2 or 1, and the
-// mobility's row sums D.
+// mobility's row sums D. Where contact limits the motion, by sweeps instead, each of a fluid solve with the forces at
+// the last W and the solution of
+//   W' - c U^(n+1)(W) [- 1/2 U^n] = c dt M [F(X^n + dt W') - F(X^n + dt W)]      (scheme/force_equation.hpp)
 #pragma once
 
 #include "washfsi/scheme/cloth_solver.hpp"
 #include "washfsi/scheme/coupling_scheme.hpp"
+#include "washfsi/scheme/force_equation.hpp"
+#include "washfsi/scheme/step_mobility.hpp"
 
 namespace washfsi {
 
@@ -27,9 +31,15 @@ class ImplicitCoupling : public CouplingScheme<Dim> {
   void take(System<Dim>& system, double dt) override;
   Points<Dim> fluid_step(System<Dim>& system, double dt, const Points<Dim>& velocities) const;
   double tolerance(const System<Dim>& system) const;
+  Points<Dim> solve(System<Dim>& system, double dt, Points<Dim>& last);
+  Points<Dim> solve_by_sweeps(System<Dim>& system, double dt, Points<Dim>& last);
+  bool is_trapezoidal() const { return options_.time_scheme == TimeScheme::trapezoidal; }
+  double weight() const { return is_trapezoidal() ? 0.5 : 1; }
 
   CouplingOptions options_;
   ClothSolver<Dim> solver_;
+  ForceEquation<Dim> force_equation_;
+  StepMobility<Dim> mobility_;
 };
 
 }  // namespace washfsi

@@ -9,7 +9,7 @@ template <int Dim>
 void MidpointCoupling<Dim>::take(System<Dim>& system, double dt) {
   auto& [model, state, step] = system;
   const double time = state.clock.time;
-  const Points<Dim> middle = state.positions + 0.5 * dt * state.velocities;
+  const Points<Dim> middle = moved(system, 0.5 * dt * state.velocities);
   begin_step(system, middle, time + 0.5 * dt, 0);
   spread_cloth(system, middle, all_forces(system, middle));
   const Points<Dim> before = marker_velocities(model, model.fluid.velocity(), time);
@@ -19,7 +19,7 @@ void MidpointCoupling<Dim>::take(System<Dim>& system, double dt) {
   model.fluid.finish();
 
   const Points<Dim> after = marker_velocities(model, model.fluid.velocity(), time + dt);
-  state.positions = state.positions + 0.5 * dt * before + 0.5 * dt * after;
+  state.positions = moved(system, 0.5 * dt * (before + after));
   model.transfer.locate(state.positions);
   state.velocities = marker_velocities(model, model.fluid.velocity(), time + dt);
 }

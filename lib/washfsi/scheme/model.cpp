@@ -9,7 +9,7 @@
 #include "washfsi/cloth/elasticity.hpp"
 #include "washfsi/cloth/holding_springs.hpp"
 #include "washfsi/cloth/inertia.hpp"
-#include "washfsi/contact/cushion.hpp"
+#include "washfsi/contact/contact_options.hpp"
 
 namespace washfsi {
 
@@ -44,14 +44,6 @@ std::unique_ptr<SurfaceForcing<Dim>> make_walls(const Grid<Dim>& grid, const Bou
   return std::make_unique<SurfaceForcing<Dim>>(grid, boundary, bodies, options.treatment, options.fluid.density);
 }
 
-// Every force that comes from what is round the cloths: reads its options, and makes nothing if it is not asked for.
-template <int Dim>
-std::vector<MakeForce<Dim>> surrounding_forces_from_options(Options& options) {
-  return {
-      Cushion<Dim>::from_options(options),
-  };
-}
-
 }  // namespace
 
 template <int Dim>
@@ -71,7 +63,9 @@ ModelOptions<Dim> ModelOptions<Dim>::from_options(Options& options, MassCarrier 
   model.cloths = cloth_groups_from_options<Dim>(options);
   model.treatment = BodyTreatment::from_options(options);
   model.delta = DeltaOptions::from_options(options);
-  model.surrounding_forces = surrounding_forces_from_options<Dim>(options);
+  const ContactOptions contact = ContactOptions::from_options(options);
+  model.surrounding_forces = contact.forces<Dim>();
+  model.verify_interval = contact.verify_interval;
   return model;
 }
 
@@ -89,7 +83,8 @@ Model<Dim>::Model(MPI_Comm comm, const ModelOptions<Dim>& options, std::vector<B
       transfer(grid, boundary, options.delta),
       has_fluid(options.medium == Medium::water),
       mass_carrier(options.mass_carrier),
-      cloth_drag(options.cloth_drag) {}
+      cloth_drag(options.cloth_drag),
+      verify_interval(options.verify_interval) {}
 
 // In this order they are summed.
 template <int Dim>

@@ -29,6 +29,7 @@ struct ModelOptions {
   Point<Dim> gravity = Point<Dim>::Zero();  ///< acts on the cloths' excess mass: p is measured from hydrostatic [m/s2]
   std::vector<ClothGroup<Dim>> cloths;
   std::vector<MakeForce<Dim>> surrounding_forces;  ///< on the cloths, from what is round them
+  double verify_interval = 0;  ///< between counts of the cloths' intersections [s]; 0: after each step
   BodyTreatment treatment;
   DeltaOptions delta;
 
@@ -66,7 +67,8 @@ struct Model {
   Transfer<Dim> transfer;
   bool has_fluid;  ///< false: cloth alone
   MassCarrier mass_carrier;
-  double cloth_drag;  ///< on cloth alone, force per undeformed area and speed [kg/(m2 s)]
+  double cloth_drag;       ///< on cloth alone, force per undeformed area and speed [kg/(m2 s)]
+  double verify_interval;  ///< between counts of the cloths' intersections [s]; 0: after each step
 };
 
 extern template struct ModelOptions<2>;

@@ -36,9 +36,11 @@ SemiImplicitCoupling<Dim>::SemiImplicitCoupling(const System<Dim>& system, const
     : options_(options),
       solver_(system.model.forces, system.state.positions,
               {SNESNEWTONLS, options.mobility == Mobility::row_sums, options.mobility == Mobility::matrix}),
-      matrix_(system.model.grid, system.model.transfer.delta()) {
+      force_equation_(solver_),
+      mobility_(system.model) {
   if (const MarkerForce<Dim>* force = system.model.forces.without_jacobian())
     throw InputError(force->origin() + ": has no Jacobian; use -coupling_scheme explicit or midpoint");
+  if (options.mobility == Mobility::matrix) check_symmetry(system.model);
 }
 
 template <int Dim>
@@ -68,30 +70,24 @@ Points<Dim> SemiImplicitCoupling<Dim>::water_velocities(const System<Dim>& syste
   return marker_velocities(model, mean, state.clock.time + 0.5 * dt);
 }
 
-// Within solids, where nothing moves a marker, the row sums have a floor.
-template <int Dim>
-void SemiImplicitCoupling<Dim>::find_mobility(const Model<Dim>& model, const Points<Dim>& places) {
-  const petsc::LogPart part("mobility");
-  constexpr double floor = 1e-3;
-  row_sums_ = row_sum_mobility<Dim>(model.transfer, model.grid, model.boundary, model.liquid.density(),
-                                    model.fluid_fraction(), std::vector<double>(places.size(), 1.0));
-  double most = 0;
-  for (const double sum : row_sums_) most = std::max(most, sum);
-  most = largest(model.grid.comm(), most);
-  const double factor = options_.mobility_factor * weights_.end * weights_.end;
-  for (double& sum : row_sums_) sum = factor * std::max(sum, floor * most);
-  if (options_.mobility == Mobility::matrix)
-    matrix_.assemble(model.cloths.of_all_ranks(places), model.cloths.begin(), row_sums_);
-}
-
 template <int Dim>
 Points<Dim> SemiImplicitCoupling<Dim>::move(System<Dim>& system, double dt, const Points<Dim>& free_velocities,
                                             const Points<Dim>& forces) {
   const petsc::LogPart part("cloth_solve");
   const MPI_Comm comm = system.model.grid.comm();
   const double tolerance = options_.tolerance * std::hypot(norm(comm, free_velocities), norm(comm, velocities_));
-  return options_.mobility == Mobility::matrix ? move_by_matrix(system, dt, free_velocities, forces, tolerance)
-                                               : move_by_row_sums(system, dt, free_velocities, forces, tolerance);
+  if (options_.mobility == Mobility::row_sums) return move_by_row_sums(system, dt, free_velocities, forces, tolerance);
+  return system.model.forces.limit_motion() ? move_by_forces(system, dt, free_velocities, forces, tolerance)
+                                            : move_by_matrix(system, dt, free_velocities, forces, tolerance);
+}
+
+template <int Dim>
+Points<Dim> SemiImplicitCoupling<Dim>::move_by_forces(System<Dim>& system, double dt,
+                                                      const Points<Dim>& free_velocities, const Points<Dim>& forces,
+                                                      double tolerance) {
+  return force_equation_.solve({system.model.forces, dt, system.state.positions, free_velocities, forces,
+                                mobility_.matrix(), mobility_.row_sums(), tolerance},
+                               change_, system.step.cloth_iterations);
 }
 
 // V - U - dt M (F' - F) = 0
@@ -102,20 +98,20 @@ Points<Dim> SemiImplicitCoupling<Dim>::move_by_matrix(System<Dim>& system, doubl
   const Forces<Dim>& all = system.model.forces;
   const Points<Dim>& start = system.state.positions;
   const auto residual = [&](const Points<Dim>& velocities) {
-    const Points<Dim> gained = product<Dim>(matrix_, all.of_places(start + dt * velocities) - forces);
+    const Points<Dim> gained = product<Dim>(mobility_.matrix(), all.of_places(start + dt * velocities) - forces);
     return velocities - free_velocities - dt * gained;
   };
   Points<Dim> linearised_at;
   const auto assemble = [&](const Points<Dim>& velocities, GeometricStiffness geometric, Mat matrix) {
     linearised_at = start + dt * velocities;
     all.set_stiffness(linearised_at, geometric, dt * dt, matrix);
-    scale_and_shift<Dim>(row_sums_, std::vector<double>(row_sums_.size(), 1.0), matrix);
+    scale_and_shift<Dim>(mobility_.row_sums(), std::vector<double>(mobility_.row_sums().size(), 1.0), matrix);
   };
   const auto jacobian = [&](const Points<Dim>& direction) {
-    return direction + dt * dt * product<Dim>(matrix_, all.stiffness_product(linearised_at, direction));
+    return direction + dt * dt * product<Dim>(mobility_.matrix(), all.stiffness_product(linearised_at, direction));
   };
   double most = 0;
-  for (const double sum : row_sums_) most = std::max(most, sum);
+  for (const double sum : mobility_.row_sums()) most = std::max(most, sum);
   const double round_off = 10 * dt * largest(system.model.grid.comm(), most) * all.round_off(start);
   Points<Dim> velocities = velocities_;
   system.step.cloth_iterations +=
@@ -128,17 +124,17 @@ template <int Dim>
 Points<Dim> SemiImplicitCoupling<Dim>::move_by_row_sums(System<Dim>& system, double dt,
                                                         const Points<Dim>& free_velocities, const Points<Dim>& forces,
                                                         double tolerance) {
-  const Forces<Dim>& all = system.model.forces;
+  Forces<Dim>& all = system.model.forces;
   const Points<Dim>& start = system.state.positions;
   const auto residual = [&](const Points<Dim>& velocities) {
     const Points<Dim> moved = all.of_places(start + dt * velocities);
     Points<Dim> result(velocities.size());
     for (std::size_t m = 0; m < result.size(); ++m)
-      result[m] = (velocities[m] - free_velocities[m]) / row_sums_[m] - dt * (moved[m] - forces[m]);
+      result[m] = (velocities[m] - free_velocities[m]) / mobility_.row_sums()[m] - dt * (moved[m] - forces[m]);
     return result;
   };
   std::vector<double> inverse;
-  for (const double sum : row_sums_) inverse.push_back(1 / sum);
+  for (const double sum : mobility_.row_sums()) inverse.push_back(1 / sum);
   const auto assemble = [&](const Points<Dim>& velocities, GeometricStiffness geometric, Mat matrix) {
     all.set_stiffness(start + dt * velocities, geometric, dt * dt, matrix);
     scale_and_shift<Dim>(std::vector<double>(inverse.size(), 1.0), inverse, matrix);
@@ -154,10 +150,15 @@ Points<Dim> SemiImplicitCoupling<Dim>::move_by_row_sums(System<Dim>& system, dou
   for (const double value : inverse) squares += value * value;
   const double markers = static_cast<double>(system.model.cloths.marker_count());
   const double weight = std::sqrt(ordered_sum(system.model.grid.comm(), squares) / markers);
-  const double round_off = 10 * dt * all.round_off(start);
+  ClothEquation<Dim> equation{residual, assemble, 10 * dt * all.round_off(start), potential};
   Points<Dim> velocities = velocities_;
-  system.step.cloth_iterations +=
-      static_cast<double>(solver_.solve({residual, assemble, round_off, potential}, weight * tolerance, velocities));
+  if (all.limit_motion()) {
+    velocities = all.free_part(start, dt * velocities_) * velocities_;
+    equation.free_part = [&](const Points<Dim>& from, const Points<Dim>& way) {
+      return all.free_part(start + dt * from, dt * way);
+    };
+  }
+  system.step.cloth_iterations += static_cast<double>(solver_.solve(equation, weight * tolerance, velocities));
   return velocities;
 }
 
@@ -184,6 +185,7 @@ void SemiImplicitCoupling<Dim>::sweep(System<Dim>& system, double dt, Points<Dim
     model.fluid.hold_walls();
     WASH_PETSC(VecAXPY(step.force, 1.0, increment));
     forces = moved;
+    change_.assign(change_.size(), Point<Dim>::Zero());
     interpolated = water_velocities(system, dt);
     step.cloth_slip = slip(model.grid.comm(), interpolated);
     if (step.cloth_slip <= options_.slip_tolerance) break;
@@ -217,7 +219,9 @@ void SemiImplicitCoupling<Dim>::take(System<Dim>& system, double dt) {
   predict_and_project(system, dt);
 
   velocities_ = state.velocities;
-  find_mobility(model, places);
+  change_ = at_start - (state.clock.step > 0 ? state.forces_before : at_start);  // as in the last step
+  mobility_.find(model, places, options_.mobility_factor * weights_.end * weights_.end,
+                 options_.mobility == Mobility::matrix);
   sweep(system, dt, forces, water_velocities(system, dt));
   state.velocities = options_.order == 1 ? velocities_ : extrapolated(system, dt, velocities_);
   state.forces_before = at_start;

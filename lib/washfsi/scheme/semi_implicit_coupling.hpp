@@ -15,7 +15,8 @@
 //                  factor
 //                  >= 3/4 and the density is nearly uniform; a heavy plate needs 1
 //   5. elasticity  W - U = dt M [F(X^n + dt W) - F], by Newton's method. With D the equations are the gradient of a
-//                  potential; with M they are solved by GMRES, preconditioned by those with D
+//                  potential; with M they are solved by GMRES, preconditioned by those with D. Where contact limits
+//                  the motion, they are solved for the change of the forces (scheme/force_equation.hpp)
 //   6. correction  f' = a H S [F(X^n + dt W) - F]: u += dt f'/rho, projected;  F = F(X^n + dt W)
 //   7. slip        |W - U| / |W| with the new u; above a tolerance 5 and 6 again with that U, a few times at most
 //   8. markers     X^(n+1) = X^n + dt W;  V^(n+1) = W, or, order 2, extrapolated to the end
@@ -24,9 +25,10 @@
 // and Wetton, SIAM J. Numer. Anal. 32 (1995) 797, on a constraint and on both sides of it.
 #pragma once
 
-#include "washfsi/coupling/mobility.hpp"
 #include "washfsi/scheme/cloth_solver.hpp"
 #include "washfsi/scheme/coupling_scheme.hpp"
+#include "washfsi/scheme/force_equation.hpp"
+#include "washfsi/scheme/step_mobility.hpp"
 
 namespace washfsi {
 
@@ -48,12 +50,13 @@ class SemiImplicitCoupling : public CouplingScheme<Dim> {
   void weigh(const System<Dim>& system, double dt);
   /// The water's mean velocity at the markers.
   Points<Dim> water_velocities(const System<Dim>& system, double dt) const;
-  void find_mobility(const Model<Dim>& model, const Points<Dim>& places);
   void begin_motion(System<Dim>& system, double dt) const;
   void sweep(System<Dim>& system, double dt, Points<Dim> forces, Points<Dim> interpolated);
   /// V from U and F. Collective. Errors: DivergedError.
   Points<Dim> move(System<Dim>& system, double dt, const Points<Dim>& free_velocities, const Points<Dim>& forces);
   Points<Dim> move_by_matrix(System<Dim>& system, double dt, const Points<Dim>& free_velocities,
+                             const Points<Dim>& forces, double tolerance);
+  Points<Dim> move_by_forces(System<Dim>& system, double dt, const Points<Dim>& free_velocities,
                              const Points<Dim>& forces, double tolerance);
   Points<Dim> move_by_row_sums(System<Dim>& system, double dt, const Points<Dim>& free_velocities,
                                const Points<Dim>& forces, double tolerance);
@@ -62,9 +65,10 @@ class SemiImplicitCoupling : public CouplingScheme<Dim> {
   CouplingOptions options_;
   StepWeights weights_;
   ClothSolver<Dim> solver_;
-  MobilityMatrix<Dim> matrix_;    ///< M of the step under way
-  std::vector<double> row_sums_;  ///< D of each of this rank's markers
-  Points<Dim> velocities_;        ///< W
+  ForceEquation<Dim> force_equation_;
+  StepMobility<Dim> mobility_;  ///< M, D of the step under way
+  Points<Dim> velocities_;      ///< W
+  Points<Dim> change_;          ///< guess of how the forces change in the step under way
 };
 
 }  // namespace washfsi

@@ -47,6 +47,7 @@ Simulation<Dim>::Simulation(Options& options, const std::string& case_name) : pr
       throw InputError("-time_end " + to_text(run_.time_end) +
                        ": must be later than the checkpoint of -restart, which is at " + to_text(clock().time) + " s");
   }
+  measures_->verify_start();
   choose_time_step();
   if (run_.time_cfl == 0) options.record("time_step", state_.dt);
   options.reject_unread();
@@ -164,6 +165,7 @@ void Simulation<Dim>::step() {
   if (all) measures_->prepare();
   scheme_->advance(*system_, state_.dt);
   check_markers();  // before anything is measured: crossings look at all space between a cloth's markers
+  measures_->verify(state_.dt);
   measures_->observe(state_.dt, all);
   check_velocity();
   watch_rest();

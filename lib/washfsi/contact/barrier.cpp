@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/contact/barrier.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "washfsi/contact/collision.hpp"
+#include "washfsi/support/collective.hpp"
+
+namespace washfsi {
+
+namespace {
+
+constexpr double most_ways = 2;  // that markers go at a time, in spacings
+constexpr double ahead = 1.25;   // pairs that are nearer than this times d^ have places in the matrix
+
+}  // namespace
+
+template <int Dim>
+MakeForce<Dim> Barrier<Dim>::maker(const BarrierOptions& options) {
+  return [options](const Surroundings<Dim>& surroundings) -> std::unique_ptr<MarkerForce<Dim>> {
+    if (surroundings.cloths.marker_count() == 0) return nullptr;
+    return std::make_unique<Barrier>(options, surroundings);
+  };
+}
+
+template <int Dim>
+Barrier<Dim>::Barrier(const BarrierOptions& options, const Surroundings<Dim>& surroundings)
+    : options_(options),
+      around_(surroundings),
+      facets_(surroundings.cloths),
+      distance_(barrier_distance(options, surroundings.cloths)),
+      spacing_(least_spacing(surroundings.cloths)),
+      begin_(static_cast<std::size_t>(surroundings.cloths.begin())),
+      search_(facets_, periods_of<Dim>(surroundings.grid), begin_, begin_ + surroundings.cloths.owned()) {
+  lay_out();
+}
+
+// For the forces at the start all is known that was looked at for the end of the step before. For those at the end it
+// looks round anew, so that what is laid out does not depend on what was before: a restarted run has the same matrix.
+template <int Dim>
+void Barrier<Dim>::begin_step(const StepStart<Dim>& start) {
+  const Points<Dim> all = around_.cloths.of_all_ranks(start.positions);
+  if (start.dt == 0) {
+    begin_friction(all, 0);
+    if (covers(all)) return;
+    reaches_.assign(all.size(), least_reach());
+    return look_round(all);
+  }
+  constexpr double to_spare = 1.3;
+  const Points<Dim> velocities = around_.cloths.of_all_ranks(start.velocities);
+  reaches_.clear();
+  for (const auto& velocity : velocities)
+    reaches_.push_back(std::max(least_reach(), to_spare * start.dt * velocity.norm()));
+  look_round(all);
+  lay_out();
+  begin_friction(all, start.dt);
+}
+
+// With what touches now.
+template <int Dim>
+void Barrier<Dim>::begin_friction(const Points<Dim>& all, double dt) {
+  std::vector<Rub<Dim>> rubs;
+  if (options_.friction > 0)
+    for (const auto& pair : pairs_) {
+      const Gap<Dim> gap = gap_of<Dim>(pair.kind, pair.at(all));
+      if (gap.distance > 0 && gap.distance < distance_)
+        rubs.push_back({pair, gap, options_.friction * touch(pair, gap, pair.at(all)).push});
+    }
+  friction_.begin(std::move(rubs), all, dt);
+  rubs_.clear();
+  seen_.clear();
+}
+
+template <int Dim>
+void Barrier<Dim>::look_round(const Points<Dim>& all) {
+  const petsc::LogPart part("contact_search");
+  places_ = all;
+  pairs_ = search_.find(all, reaches_, distance_);
+  touches_.clear();
+  seen_.clear();
+}
+
+// The blocks of pairs that touch, or soon may. Those of others, which come up while the step is solved for, are left
+// out but for their diagonal ones: the matrix stays positive.
+template <int Dim>
+void Barrier<Dim>::lay_out() {
+  const std::size_t rows = around_.cloths.owned();
+  std::vector<std::vector<std::size_t>> columns(rows);
+  for (std::size_t m = 0; m < rows; ++m) columns[m].push_back(begin_ + m);
+  for (const auto& pair : pairs_) {
+    if (pair.start >= ahead * distance_) continue;
+    for (const std::size_t row : pair.markers)
+      if (owns(row))
+        columns[row - begin_].insert(columns[row - begin_].end(), pair.markers.begin(), pair.markers.end());
+  }
+  const std::vector<std::size_t> before = std::move(columns_);
+  columns_.clear();
+  rows_.assign(1, 0);
+  for (auto& row : columns) {
+    std::sort(row.begin(), row.end());
+    columns_.insert(columns_.end(), row.begin(), std::unique(row.begin(), row.end()));
+    rows_.push_back(columns_.size());
+  }
+  if (columns_ != before) ++pattern_;
+}
+
+template <int Dim>
+bool Barrier<Dim>::covers(const Points<Dim>& all) const {
+  if (places_.size() != all.size()) return false;
+  for (std::size_t m = 0; m < all.size(); ++m)
+    if (!((all[m] - places_[m]).squaredNorm() <= reaches_[m] * reaches_[m])) return false;
+  return true;
+}
+
+// Widens the reach of the markers that leave it on a way; before it has looked round, about the way's start.
+template <int Dim>
+void Barrier<Dim>::cover(const Points<Dim>& from, const Points<Dim>& motions) {
+  const Points<Dim> all = from + motions;
+  if (covers(all)) return;
+  constexpr double to_spare = 1.5;
+  if (places_.empty()) {
+    places_ = from;
+    reaches_.assign(from.size(), least_reach());
+  }
+  for (std::size_t m = 0; m < all.size(); ++m)
+    reaches_[m] = std::max(reaches_[m], to_spare * (all[m] - places_[m]).norm());
+  look_round(Points<Dim>(places_));
+}
+
+template <int Dim>
+typename Barrier<Dim>::Touch Barrier<Dim>::touch(const FacetPair<Dim>& pair, const Gap<Dim>& gap,
+                                                 const PairPoints<Dim>& places) const {
+  const BarrierValue b = barrier(gap.distance / distance_);
+  const double scale = options_.stiffness * pair.weight;
+  Touch touch{&pair, gap, scale * distance_ * b.value, scale / distance_ * b.second, -scale * b.first, {}};
+  if constexpr (Dim == 3) {
+    const Mollifier m = pair.parallel > 0 ? mollifier(places, pair.parallel) : Mollifier{};
+    for (std::size_t i = 0; i < places.size(); ++i) touch.forces[i] = -touch.energy * m.gradient[i];
+    touch.energy *= m.value;
+    touch.stiffness *= m.value;
+    touch.push *= m.value;
+  } else {
+    touch.forces.fill(Point<Dim>::Zero());
+  }
+  for (std::size_t i = 0; i < places.size(); ++i) touch.forces[i] += touch.push * gap.shares[i] * gap.normal;
+  return touch;
+}
+
+// Facets that touch, as they do only where the places are not those of a cloth, have no barrier.
+template <int Dim>
+const std::vector<typename Barrier<Dim>::Touch>& Barrier<Dim>::touches(const Points<Dim>& positions) const {
+  if (!any_rank(around_.cloths.comm(), seen_ != positions)) return touches_;
+  const Points<Dim> all = around_.cloths.of_all_ranks(positions);
+  touches_.clear();
+  for (const auto& pair : pairs_) {
+    const PairPoints<Dim> places = pair.at(all);
+    const Gap<Dim> gap = gap_of<Dim>(pair.kind, places);
+    if (gap.distance > 0 && gap.distance < distance_) touches_.push_back(touch(pair, gap, places));
+  }
+  rubs_ = friction_.forces(all);
+  seen_ = positions;
+  return touches_;
+}
+
+// visit(which of the pair's markers, its number among this rank's)
+template <int Dim>
+template <class Visit>
+void Barrier<Dim>::visit_own(const FacetPair<Dim>& pair, const Visit& visit) const {
+  for (std::size_t i = 0; i < pair.markers.size(); ++i)
+    if (owns(pair.markers[i])) visit(i, pair.markers[i] - begin_);
+}
+
+template <int Dim>
+void Barrier<Dim>::add_force(const Points<Dim>& positions, const Points<Dim>&, Points<Dim>& forces) const {
+  for (const Touch& touch : touches(positions))
+    visit_own(*touch.pair, [&](std::size_t i, std::size_t m) { forces[m] += touch.forces[i]; });
+  for (const auto& rub : rubs_)
+    visit_own(rub.rub->pair, [&](std::size_t i, std::size_t m) { forces[m] -= rub.rub->gap.shares[i] * rub.pull; });
+}
+
+// Of a pair by the rank of its first marker.
+template <int Dim>
+void Barrier<Dim>::add_energy(const Points<Dim>& positions, std::span<double> of_groups) const {
+  for (const Touch& touch : touches(positions)) {
+    const std::size_t first = touch.pair->markers[0];
+    if (owns(first)) of_groups[around_.cloths.group_number(first - begin_)] += touch.energy;
+  }
+  for (const auto& rub : rubs_) {
+    const std::size_t first = rub.rub->pair.markers[0];
+    if (owns(first)) of_groups[around_.cloths.group_number(first - begin_)] += rub.energy;
+  }
+}
+
+template <int Dim>
+void Barrier<Dim>::add_force_rates(const Points<Dim>& positions, const Points<Dim>& direction,
+                                   Points<Dim>& rates) const {
+  const Points<Dim> all = around_.cloths.of_all_ranks(direction);
+  const auto add = [&](const FacetPair<Dim>& pair, const Gap<Dim>& gap, const auto& stiffness) {
+    Point<Dim> way = Point<Dim>::Zero();
+    for (std::size_t i = 0; i < gap.shares.size(); ++i) way += gap.shares[i] * all[pair.markers[i]];
+    const Point<Dim> rate = stiffness * way;
+    visit_own(pair, [&](std::size_t i, std::size_t m) { rates[m] -= gap.shares[i] * rate; });
+  };
+  for (const Touch& touch : touches(positions)) add(*touch.pair, touch.gap, touch.block());
+  for (const auto& rub : rubs_) add(rub.rub->pair, rub.rub->gap, rub.stiffness);
+}
+
+// Into the places that were laid out for them.
+template <int Dim>
+void Barrier<Dim>::add_blocks(const FacetPair<Dim>& pair, const Gap<Dim>& gap, const StiffnessBlock<Dim>& block,
+                              std::vector<StiffnessBlock<Dim>>& blocks) const {
+  visit_own(pair, [&](std::size_t i, std::size_t m) {
+    const auto row = columns_.begin() + static_cast<long>(rows_[m]),
+               end = columns_.begin() + static_cast<long>(rows_[m + 1]);
+    for (std::size_t j = 0; j < pair.markers.size(); ++j) {
+      const auto place = std::lower_bound(row, end, pair.markers[j]);
+      if (place != end && *place == pair.markers[j])
+        blocks[static_cast<std::size_t>(place - columns_.begin())] += gap.shares[i] * gap.shares[j] * block;
+    }
+  });
+}
+
+template <int Dim>
+void Barrier<Dim>::visit_stiffness(const Points<Dim>& positions, GeometricStiffness,
+                                   const AddMarkerBlock<Dim>& add) const {
+  std::vector<StiffnessBlock<Dim>> blocks(columns_.size(), StiffnessBlock<Dim>::Zero());
+  for (const Touch& touch : touches(positions)) add_blocks(*touch.pair, touch.gap, touch.block(), blocks);
+  for (const auto& rub : rubs_) add_blocks(rub.rub->pair, rub.rub->gap, rub.stiffness, blocks);
+  for (std::size_t m = 0; m + 1 < rows_.size(); ++m)
+    for (std::size_t n = rows_[m]; n < rows_[m + 1]; ++n)
+      add(around_.cloths.number_of(m), static_cast<PetscInt>(columns_[n]), blocks[n]);
+}
+
+template <int Dim>
+void Barrier<Dim>::add_cancelling_size(const Points<Dim>& positions, std::span<double> sizes) const {
+  for (const Touch& touch : touches(positions))
+    visit_own(*touch.pair, [&](std::size_t i, std::size_t m) {
+      sizes[m] += touch.stiffness * std::abs(touch.gap.shares[i]) * positions[m].norm();
+    });
+}
+
+// By the rows' sums of what touched last, and at least as for a pair at a third of d^, which may touch next.
+template <int Dim>
+void Barrier<Dim>::add_bound(std::span<StiffnessBound> bounds) const {
+  const double least = 2 * options_.stiffness / distance_ * barrier(1.0 / 3).second;
+  std::vector<double> sums(bounds.size(), 0.0);
+  for (const Touch& touch : touches_) {
+    double all = 0;
+    for (const double share : touch.gap.shares) all += std::abs(share);
+    visit_own(*touch.pair, [&](std::size_t i, std::size_t m) {
+      sums[m] += touch.stiffness * std::abs(touch.gap.shares[i]) * all / around_.cloths.marker_areas()[m];
+    });
+  }
+  for (std::size_t m = 0; m < bounds.size(); ++m) bounds[m].stiffness += 0.25 * std::max(least, sums[m]);
+}
+
+template <int Dim>
+PairPoints<Dim> Barrier<Dim>::motions_of(const FacetPair<Dim>& pair, const Points<Dim>& all) const {
+  PairPoints<Dim> motions;
+  for (std::size_t i = 0; i < motions.size(); ++i) motions[i] = all[pair.markers[i]];
+  return motions;
+}
+
+// No marker goes farther than some spacings at a time, so that what comes near remains little.
+template <int Dim>
+double Barrier<Dim>::free_part(const Points<Dim>& from, const Points<Dim>& motion) {
+  const Points<Dim> starts = around_.cloths.of_all_ranks(from), motions = around_.cloths.of_all_ranks(motion);
+  double farthest = 0;
+  for (const auto& way : motions) farthest = std::max(farthest, way.norm());
+  const double most = most_ways * spacing_;
+  double part = farthest > most * (1 + 1e-12) ? most / farthest : 1;
+  const Points<Dim> scaled = part * motions;
+  cover(starts, scaled);
+  double free = 1;
+  for (const auto& pair : pairs_)
+    free = std::min(free, washfsi::free_part<Dim>(pair.kind, pair.at(starts), motions_of(pair, scaled)));
+  part *= free;
+  return -largest(around_.cloths.comm(), -part);
+}
+
+// Shortens round by round the motions of pairs that would come too near. That ends, at the latest with no motion at
+// all.
+template <int Dim>
+void Barrier<Dim>::hold_back(const Points<Dim>& from, Points<Dim>& motion) {
+  constexpr int most_rounds = 100;
+  constexpr double shorter = 0.9;
+  const Points<Dim> starts = around_.cloths.of_all_ranks(from);
+  Points<Dim> motions = around_.cloths.of_all_ranks(motion);
+  for (auto& way : motions) way *= std::min(1.0, most_ways * spacing_ / std::max(way.norm(), 1e-300));
+  cover(starts, motions);
+  for (int n = 0;; ++n) {
+    std::vector<double> parts(motions.size(), 1.0);
+    for (const auto& pair : pairs_) {
+      const double free = washfsi::free_part<Dim>(pair.kind, pair.at(starts), motions_of(pair, motions));
+      if (free == 1) continue;
+      for (const std::size_t m : pair.markers) parts[m] = std::min(parts[m], n < most_rounds ? shorter * free : 0);
+    }
+    MPI_Allreduce(MPI_IN_PLACE, parts.data(), static_cast<int>(parts.size()), MPI_DOUBLE, MPI_MIN,
+                  around_.cloths.comm());
+    if (std::all_of(parts.begin(), parts.end(), [](double part) { return part == 1; })) break;
+    for (std::size_t m = 0; m < parts.size(); ++m) motions[m] *= parts[m];
+  }
+  std::copy_n(motions.begin() + static_cast<long>(begin_), motion.size(), motion.begin());
+}
+
+template <int Dim>
+typename Barrier<Dim>::MarkerContact Barrier<Dim>::marker_contact(const Points<Dim>& positions) const {
+  const std::size_t owned = around_.cloths.owned();
+  MarkerContact contact{std::vector<double>(owned, 0.0), std::vector<double>(owned, 0.0)};
+  for (const Touch& touch : touches(positions))
+    visit_own(*touch.pair, [&](std::size_t i, std::size_t m) {
+      contact.normal_force[m] += touch.push * std::abs(touch.gap.shares[i]);
+    });
+  for (const auto& rub : rubs_)
+    visit_own(rub.rub->pair, [&](std::size_t i, std::size_t m) {
+      contact.friction_power[m] += 0.5 * std::abs(rub.rub->gap.shares[i]) * rub.work / friction_.dt();
+    });
+  return contact;
+}
+
+template class Barrier<2>;
+template class Barrier<3>;
+
+}  // namespace washfsi

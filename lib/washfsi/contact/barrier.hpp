@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/contact/barrier_function.hpp"
+#include "washfsi/contact/barrier_options.hpp"
+#include "washfsi/contact/friction.hpp"
+#include "washfsi/contact/pair_search.hpp"
+
+namespace washfsi {
+
+/// Keeps cloths, and the parts of one, from passing through each other (Li et al., ACM Trans. Graph. 39 (2020) 49). A
+/// pair of facets without a common marker, a marker and a triangle or two edges, in the plane a marker and a segment,
+/// at the distance d has the energy
+///   E = kappa w d^ m b(d/d^),     w the undeformed area that the pair stands for, m the mollifier of parallel edges
+/// and pushes its markers by  -kappa w (m b' share n + d^ b dm/dX). The stiffness is the part  kappa w/d^ m b''
+/// (share n)(share n)^T  of its Jacobian, which is never negative. No accepted motion lets facets touch, whatever the
+/// step: `free_part`. All ranks know the places of all markers.
+template <int Dim>
+class Barrier : public MarkerForce<Dim> {
+ public:
+  /// Errors: InputError as `barrier_distance`.
+  Barrier(const BarrierOptions& options, const Surroundings<Dim>& surroundings);
+  /// Makes nothing without cloth.
+  static MakeForce<Dim> maker(const BarrierOptions& options);
+
+  Dependence dependence() const override { return Dependence::potential; }
+  std::string origin() const override { return "-contact barrier"; }
+  void begin_step(const StepStart<Dim>& start) override;
+  void add_force(const Points<Dim>& positions, const Points<Dim>& velocities, Points<Dim>& forces) const override;
+  void add_energy(const Points<Dim>& positions, std::span<double> of_groups) const override;
+  void add_force_rates(const Points<Dim>& positions, const Points<Dim>& direction, Points<Dim>& rates) const override;
+  void visit_stiffness(const Points<Dim>& positions, GeometricStiffness geometric,
+                       const AddMarkerBlock<Dim>& add) const override;
+  long pattern() const override { return pattern_; }
+  void add_cancelling_size(const Points<Dim>& positions, std::span<double> sizes) const override;
+  void add_bound(std::span<StiffnessBound> bounds) const override;
+  bool limits_motion() const override { return true; }
+  double free_part(const Points<Dim>& from, const Points<Dim>& motion) override;
+  void hold_back(const Points<Dim>& from, Points<Dim>& motion) override;
+
+  double distance() const { return distance_; }
+  /// What contact does to each of this rank's markers at these places: the sum of the normal forces of its pairs, each
+  /// by its share [N], and the power that friction takes out in the step, half from either facet [W]. Collective.
+  struct MarkerContact {
+    std::vector<double> normal_force, friction_power;
+  };
+  MarkerContact marker_contact(const Points<Dim>& positions) const;
+
+ private:
+  /// A pair nearer than d^, and what it does.
+  struct Touch {
+    const FacetPair<Dim>* pair;
+    Gap<Dim> gap;
+    double energy;             ///< [J; per unit depth in the plane]
+    double stiffness;          ///< kappa w/d^ m b'' [N/m]
+    double push;               ///< -kappa w m b', the normal force [N]
+    PairPoints<Dim> forces{};  ///< on its markers [N]
+
+    StiffnessBlock<Dim> block() const { return stiffness * gap.normal * gap.normal.transpose(); }
+  };
+  using Pairs = std::vector<FacetPair<Dim>>;
+  void look_round(const Points<Dim>& all);
+  void lay_out();
+  bool covers(const Points<Dim>& all) const;
+  void cover(const Points<Dim>& from, const Points<Dim>& motions);
+  double least_reach() const { return distance_ / 8; }
+  const std::vector<Touch>& touches(const Points<Dim>& positions) const;
+  Touch touch(const FacetPair<Dim>& pair, const Gap<Dim>& gap, const PairPoints<Dim>& places) const;
+  bool owns(std::size_t marker) const { return marker >= begin_ && marker < begin_ + around_.cloths.owned(); }
+  PairPoints<Dim> motions_of(const FacetPair<Dim>& pair, const Points<Dim>& all) const;
+  template <class Visit>
+  void visit_own(const FacetPair<Dim>& pair, const Visit& visit) const;
+  void add_blocks(const FacetPair<Dim>& pair, const Gap<Dim>& gap, const StiffnessBlock<Dim>& block,
+                  std::vector<StiffnessBlock<Dim>>& blocks) const;
+  void begin_friction(const Points<Dim>& all, double dt);
+
+  BarrierOptions options_;
+  Surroundings<Dim> around_;
+  Facets<Dim> facets_;
+  double distance_, spacing_;
+  std::size_t begin_;
+  PairSearch<Dim> search_;
+
+  Pairs pairs_;                  ///< that may touch, as long as no marker leaves its reach
+  Points<Dim> places_;           ///< of all markers when it looked round [m]
+  std::vector<double> reaches_;  ///< of all markers from there [m]
+  /// The columns of the stiffness in the rows of this rank's markers, and where each row's begin.
+  std::vector<std::size_t> columns_, rows_;
+  long pattern_ = 0;
+
+  mutable Points<Dim> seen_;  ///< places of this rank's markers for which the touches are known
+  mutable std::vector<Touch> touches_;
+  mutable std::vector<RubForce<Dim>> rubs_;
+  Friction<Dim> friction_;
+};
+
+extern template class Barrier<2>;
+extern template class Barrier<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/contact/barrier_options.hpp"
+
+#include <cmath>
+
+#include "washfsi/contact/cushion.hpp"
+#include "washfsi/contact/facets.hpp"
+#include "washfsi/support/errors.hpp"
+#include "washfsi/support/text.hpp"
+
+namespace washfsi {
+
+// The least spacing of markers along the lattices decides: nearer ones of a cloth would push each other.
+template <int Dim>
+double barrier_distance(const BarrierOptions& options, const Cloths<Dim>& cloths) {
+  constexpr double usual = 0.16, most = 0.5;
+  const double spacing = least_spacing(cloths);
+  if (options.distance == 0) return std::isfinite(spacing) ? usual * spacing : 1;
+  if (options.distance > most * spacing)
+    throw InputError("-contact_distance " + to_text(options.distance) + ": must be at most half of the least spacing " +
+                     to_text(spacing) + " m of markers with -contact barrier");
+  return options.distance;
+}
+
+template <int Dim>
+MakeForce<Dim> barrier_of_bodies(const BarrierOptions& options) {
+  return [options](const Surroundings<Dim>& around) {
+    return Cushion<Dim>::maker({options.stiffness, barrier_distance(options, around.cloths), CushionLaw::barrier})(
+        around);
+  };
+}
+
+template double barrier_distance<2>(const BarrierOptions&, const Cloths<2>&);
+template double barrier_distance<3>(const BarrierOptions&, const Cloths<3>&);
+template MakeForce<2> barrier_of_bodies<2>(const BarrierOptions&);
+template MakeForce<3> barrier_of_bodies<3>(const BarrierOptions&);
+
+}  // namespace washfsi

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/contact/contact_force.hpp"
+
+namespace washfsi {
+
+/// The barrier between cloths.
+struct BarrierOptions {
+  double distance = 0;     ///< d^, at which it begins [m]; 0: 0.16 of the least spacing of markers
+  double stiffness = 1e4;  ///< kappa [Pa]
+  double friction = 0;     ///< coefficient between cloths, in steps that are solved for
+};
+
+/// d^ for these cloths [m]. Errors: InputError if it is too large for their lattices.
+template <int Dim>
+double barrier_distance(const BarrierOptions& options, const Cloths<Dim>& cloths);
+
+/// The barrier of bodies and walls: a cushion with the same law and distance.
+template <int Dim>
+MakeForce<Dim> barrier_of_bodies(const BarrierOptions& options);
+
+}  // namespace washfsi

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/contact/gap.hpp"
+
+namespace washfsi {
+
+/// The part of a motion, from 0 to 1, that two facets can make, all markers straight and at once, while a tenth of
+/// their distance is left at its end, and a hundredth on the way: additive continuous collision detection (Li, Kaufman
+/// and Jiang, ACM Trans. Graph. 40 (2021) 170). Never too large, and 0 for facets that touch.
+template <int Dim>
+double free_part(PairKind kind, PairPoints<Dim> places, PairPoints<Dim> motions);
+
+extern template double free_part<2>(PairKind, PairPoints<2>, PairPoints<2>);
+extern template double free_part<3>(PairKind, PairPoints<3>, PairPoints<3>);
+
+}  // namespace washfsi

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/contact/barrier.hpp"
+#include "washfsi/contact/cushion.hpp"
+
+namespace washfsi {
+
+/// What keeps cloths out of other things.
+enum class ContactKind {
+  none,     ///< water alone
+  cushion,  ///< a soft push from bodies and walls
+  barrier,  ///< between cloths, which never pass through each other, and from bodies and walls
+};
+const ChoiceNames<ContactKind>& names_of(ContactKind);
+
+/// All options of contact, prefix contact_.
+struct ContactOptions {
+  ContactKind kind = ContactKind::cushion;
+  double distance = 0;         ///< at which contact begins [m]; 0: as the kind has it
+  double pressure = 0;         ///< of the cushion, P0 [Pa]; 0: none
+  double stiffness = 1e4;      ///< of the barrier, kappa [Pa]
+  double friction = 0;         ///< coefficient between cloths, with the barrier
+  double verify_interval = 0;  ///< between counts of intersections [s]; 0: after each step
+
+  static ContactOptions from_options(Options& options);
+  /// What these ask for.
+  template <int Dim>
+  std::vector<MakeForce<Dim>> forces() const;
+};
+
+}  // namespace washfsi

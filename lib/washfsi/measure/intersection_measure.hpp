@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/machine/intersections.hpp"
+#include "washfsi/measure/measure.hpp"
+#include "washfsi/scheme/system.hpp"
+
+namespace washfsi {
+
+/// Counts how often cloths go through each other, after each step or in intervals (-contact_verify_interval). Where
+/// contact limits the cloths' motion there must be none; else they are only counted, if an interval is given.
+template <int Dim>
+class IntersectionMeasure {
+ public:
+  /// The system must outlive it.
+  explicit IntersectionMeasure(const System<Dim>& system);
+
+  void declare(QuantityList& quantities);
+  /// Before the first step, of a restarted run too. Collective. Errors: InputError if there is one that must not be.
+  void verify_start();
+  /// After a step of length dt. Collective. Errors: DivergedError if there is one that must not be.
+  void verify(double dt);
+
+ private:
+  bool is_forbidden() const { return system_.model.forces.limit_motion(); }
+  bool counts() const;
+
+  const System<Dim>& system_;
+  IntersectionCount<Dim> count_;
+};
+
+extern template class IntersectionMeasure<2>;
+extern template class IntersectionMeasure<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/cloth/forces.hpp"
+#include "washfsi/scheme/cloth_solver.hpp"
+#include "washfsi/scheme/model.hpp"
+
+namespace washfsi {
+
+/// The cloths' equations where something limits their motion, in a step from X with the mobility M, symmetric and
+/// positive, and the water's velocity U before the forces change:
+///   y = F(X + dt V) - F,     V = U + dt M y
+/// They are solved for y, since for V they have no potential without M^-1. With N = dt M
+///   phi(y) = 1/2 y.N y + E(X + dt V)/dt + F.V     has the gradient  N (y - F(X + dt V) + F)
+/// Newton's steps,  (1 + dt K N) dy = -(y - ...), by GMRES with the preconditioner 1 + dt^2 K D, D the row sums of M,
+/// are shortened to what is free, and further until phi falls.
+template <int Dim>
+class ForceEquation {
+ public:
+  /// The solver must outlive it.
+  explicit ForceEquation(ClothSolver<Dim>& solver) : solver_(solver) {}
+
+  struct Step {
+    Forces<Dim>& all;                     ///< on the cloths
+    double dt;                            ///< [s]
+    const Points<Dim>& start;             ///< X, from which the way must be free [m]
+    const Points<Dim>& water_velocities;  ///< U [m/s]
+    const Points<Dim>& forces;            ///< F, which the water has already [N]
+    Mat mobility;                         ///< M [1/kg]
+    const std::vector<double>& row_sums;  ///< D [1/kg]
+    double tolerance;                     ///< of the velocities' 2-norm [m/s]
+  };
+  /// V. `change` holds a guess of y, then y; the result is V. Adds the evaluations to `iterations`. Collective. Errors:
+  /// DivergedError.
+  Points<Dim> solve(const Step& step, Points<Dim>& change, double& iterations);
+
+ private:
+  Points<Dim> velocities(const Step& step, double share, const Points<Dim>& change) const;
+  bool is_free(const Step& step, const Points<Dim>& change);
+  void solve_at(const Step& step, double share, Points<Dim>& change, double& iterations);
+  ClothEquation<Dim> equation(const Step& step, double share);
+  void solve_by_shares(const Step& step, Points<Dim>& change, double& iterations);
+  double potential(const Step& step, double share, const Points<Dim>& change) const;
+  void assemble(const Step& step, const Points<Dim>& places, GeometricStiffness geometric, Mat matrix);
+  double dot(const Step& step, const Points<Dim>& a, const Points<Dim>& b) const;
+
+  ClothSolver<Dim>& solver_;
+  petsc::Matrix stiffness_;    ///< K where it was assembled last
+  std::vector<long> pattern_;  ///< of it
+};
+
+/// Stops unless the mobility's matrix is symmetric, where it has to be. Errors: InputError.
+template <int Dim>
+void check_symmetry(const Model<Dim>& model);
+
+extern template class ForceEquation<2>;
+extern template class ForceEquation<3>;
+
+}  // namespace washfsi

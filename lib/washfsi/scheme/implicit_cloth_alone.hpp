@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Cloth without fluid by backward Euler, for steps that are long for stiff cloth and hard contact. It takes energy out
+// and never puts any in. With the masses m of the markers, the drag c per undeformed area A, all forces F that depend
+// on places, and weight and loads G:
+//   1. markers   m (W - V^n)/dt + c A W = F(X^n + dt W) + G, the gradient of a potential, by Newton's method with steps
+//                that are shortened to what is free
+//   2. markers   X^(n+1) = X^n + dt W;  V^(n+1) = W
+// It damps by itself; -..._damping is not used.
+#pragma once
+
+#include "washfsi/scheme/cloth_solver.hpp"
+#include "washfsi/scheme/coupling_scheme.hpp"
+
+namespace washfsi {
+
+template <int Dim>
+class ImplicitClothAlone : public CouplingScheme<Dim> {
+ public:
+  /// Errors: InputError if a force has no Jacobian.
+  ImplicitClothAlone(const System<Dim>& system, const CouplingOptions& options);
+  double step_bound(const System<Dim>& system) const override;
+
+ private:
+  void take(System<Dim>& system, double dt) override;
+  ClothEquation<Dim> equation(System<Dim>& system, double dt) const;
+  double tolerance(const System<Dim>& system, double dt) const;
+
+  CouplingOptions options_;
+  ClothSolver<Dim> solver_;
+};
+
+}  // namespace washfsi

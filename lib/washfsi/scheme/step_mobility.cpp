@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/scheme/step_mobility.hpp"
+
+#include <algorithm>
+
+#include "washfsi/support/collective.hpp"
+
+namespace washfsi {
+
+// Within solids, where nothing moves a marker, the row sums have a floor.
+template <int Dim>
+void StepMobility<Dim>::find(const Model<Dim>& model, const Points<Dim>& places, double factor, bool with_matrix) {
+  const petsc::LogPart part("mobility");
+  constexpr double floor = 1e-3;
+  constexpr double own_share = 1e-2;  // in the machine as a cloth of permeance 1e-7 m/(s Pa), a hundredth of a towel's
+  row_sums_ = row_sum_mobility<Dim>(model.transfer, model.grid, model.boundary, model.liquid.density(),
+                                    model.fluid_fraction(), std::vector<double>(places.size(), 1.0));
+  double most = 0;
+  for (const double sum : row_sums_) most = std::max(most, sum);
+  most = largest(model.grid.comm(), most);
+  for (double& sum : row_sums_) sum = factor * std::max(sum, floor * most);
+  if (with_matrix)
+    matrix_.assemble(model.cloths.of_all_ranks(places), model.cloths.begin(), row_sums_,
+                     model.forces.limit_motion() ? own_share : 0);
+}
+
+template class StepMobility<2>;
+template class StepMobility<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,189 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Contact between cloths by the barrier: nothing passes, however cloths are pressed and on however many ranks."""
+
+import unittest
+
+import numpy as np
+
+from support import TIGHT, ProgramTest, read_columns, relative_difference, run
+
+# Two towels in water, some millimetres apart, pressed together.
+PRESSED = """
+-grid_cells 16,16,16
+-grid_upper 0.32,0.32,0.32
+-fluid_viscosity 0.5
+-cloths lower,upper
+-cloths_size 0.15
+-cloths_markers 6
+-cloths_ke 8e3
+-lower_center 0.16,0.16,0.16
+-lower_load 0,0,500
+-upper_center 0.17,0.155,0.164
+-upper_direction 0.9,0.3,0.01
+-upper_load 0,0,-500
+-contact_distance 0.006
+-time_step 1e-3
+-time_end 0.02
+-output_interval 1
+""".split()
+# A towel that falls onto one held by its corners, in a vacuum.
+DROPPED = """
+-grid_cells 12,12,12
+-grid_lower -0.5,-0.5,-0.5
+-grid_upper 0.5,0.5,0.5
+-fluid none
+-gravity 0,0,-9.81
+-cloths held,loose
+-cloths_ke 800
+-cloths_excess_mass 0.3
+-held_size 0.4
+-held_markers 11
+-held_hold corners
+-loose_size 0.2
+-loose_markers 6
+-loose_center 0.02,0.01,0.03
+-loose_direction 0.9,0.3,0.1
+-time_step 1e-3
+-time_end 0.2
+-output_interval 1
+""".split()
+# The same in the plane, in little water.
+FIBRES = """
+-grid_cells 16,16
+-grid_upper 0.32,0.32
+-fluid_density 10
+-fluid_viscosity 0.01
+-cloths held,loose
+-cloths_ke 80
+-cloths_excess_mass 0.3
+-held_size 0.24
+-held_markers 8
+-held_hold corners
+-held_center 0.16,0.16
+-loose_size 0.1
+-loose_markers 8
+-loose_center 0.165,0.22
+-loose_direction 0.3,1
+-loose_load 0,-200
+-time_end 0.1
+-output_interval 1
+""".split()
+# A small towel that is pulled over one that is too heavy to move, and pressed onto it.
+SLED = """
+-grid_cells 12,12,12
+-grid_lower -0.5,-0.5,-0.5
+-grid_upper 0.5,0.5,0.5
+-fluid none
+-cloths base,sled
+-cloths_ke 800
+-base_size 0.4
+-base_markers 14
+-base_excess_mass 1e5
+-sled_size 0.08
+-sled_markers 4
+-sled_excess_mass 1
+-sled_center -0.1,0.013,0.0037
+-sled_direction 0.9,0.3,0
+-contact barrier
+-contact_distance 0.004
+-time_step 5e-4
+-time_end 0.1
+-output_interval 1
+""".split()
+RUBS = ["-contact_friction", 0.4]
+PULL, PRESS, AREA = 45, 100, 0.08**2  # [N/m2], [N/m2], [m2]
+COUNT = ["-contact_verify_interval", 1e-9]
+NOT_PHYSICAL = {"step", "dt", "max_divergence"}
+
+
+class Contact(ProgramTest):
+    def history(self, ranks, *options, name="out"):
+        """Runs a case; returns the columns of its history."""
+        self.run_well(ranks, *options, "-output_dir", name)
+        return read_columns(self.folder / name / "history.csv")
+
+    def test_a_falling_towel_goes_through_another_without_the_barrier_only(self):
+        without = self.history(1, *DROPPED, "-contact", "none", *COUNT, "-time_step", 2e-4)
+        self.assertGreater(without["intersections"].max(), 10)
+        within = self.history(1, *DROPPED, "-contact", "barrier")
+        self.assertEqual(within["intersections"].max(), 0)
+        self.assertGreater(within["loose_center_z"][-1] - within["held_center_z"][-1], -0.02)
+        self.assertLess(without["loose_center_z"][-1], -0.1)
+
+    def test_fibres_do_not_pass_in_any_coupling(self):
+        without = self.history(1, *FIBRES, "-time_step", 1e-3, *COUNT)
+        self.assertGreater(without["intersections"].max(), 0)
+        for coupling, step in (("semi_implicit", 1e-3), ("implicit", 1e-3), ("explicit", 1e-4), ("midpoint", 1e-4)):
+            history = self.history(1, *FIBRES, "-contact", "barrier", "-coupling_scheme", coupling, "-time_step", step)
+            with self.subTest(coupling=coupling):
+                self.assertEqual(history["intersections"].max(), 0)
+        rows = self.history(1, *FIBRES, "-contact", "barrier", "-coupling_mobility", "row_sums", "-time_step", 1e-3)
+        self.assertEqual(rows["intersections"].max(), 0)
+
+    def test_an_explicit_step_beyond_its_bound_does_not_let_anything_pass(self):
+        history = self.history(1, *DROPPED, "-contact", "barrier", "-coupling_scheme", "explicit", "-time_step", 5e-4,
+                               "-time_end", 0.1)
+        self.assertEqual(history["intersections"].max(), 0)
+
+    def test_pressed_towels_are_the_same_on_one_two_and_three_ranks(self):
+        options = [*PRESSED, "-contact", "barrier", *TIGHT, "-coupling_tolerance", 1e-11]
+        expected = self.history(1, *options)
+        free = self.history(1, *PRESSED, "-contact", "none")
+        self.assertGreater(relative_difference(expected["lower_center_z"], free["lower_center_z"]), 1e-5)
+        self.assertEqual(expected["intersections"].max(), 0)
+        for ranks in (2, 3):
+            history = self.history(ranks, *options)
+            for name in expected.keys() - NOT_PHYSICAL:
+                with self.subTest(ranks=ranks, column=name):
+                    self.assertLess(relative_difference(history[name], expected[name]), 1e-6)
+
+    def test_restart_in_the_middle_equals_the_uninterrupted_run(self):
+        for case in (PRESSED, DROPPED):
+            options = [*case, "-contact", "barrier", "-time_end"]
+            end = float(case[case.index("-time_end") + 1])
+            straight = self.history(2, *options, end, name="straight")
+            self.history(2, *options, 0.5 * end, name="half")
+            restarted = self.history(2, *options, end, "-restart", "half/checkpoint.h5", name="half")
+            for name, values in straight.items():
+                with self.subTest(column=name):
+                    np.testing.assert_array_equal(restarted[name], values)
+
+    def test_cloths_that_intersect_at_the_start_are_refused(self):
+        outcome = run(1, *DROPPED, "-contact", "barrier", "-loose_center", "0.02,0.01,0", "-loose_direction", "0.3,0.2,1",
+                      folder=self.folder)
+        self.assertEqual(outcome.returncode, 2, outcome.stderr)
+        lines = outcome.stderr.strip().splitlines()
+        self.assertEqual(len(lines), 1, lines)
+        for words in ("-contact barrier", "held 1 goes through loose 1", "place the cloths apart"):
+            self.assertIn(words, lines[0])
+
+    def test_friction_is_that_of_coulomb(self):
+        late = slice(100, None)
+        history = self.history(1, *SLED, *RUBS, "-sled_load", f"{PULL},0,-{PRESS}")
+        time, place = history["time"], history["sled_center_x"]
+        acceleration = 2 * np.polyfit(time[late], place[late], 2)[0]
+        friction = (PULL - acceleration) / PRESS
+        print(f"coefficient {friction:.4f}")
+        self.assertLess(abs(friction - 0.4), 0.03 * 0.4)
+        speed = (place[-1] - place[-2]) / (time[-1] - time[-2])
+        work = np.sum(history["friction_power"][late] * history["dt"][late])
+        kinetic = 0.5 * AREA * (speed**2 - ((place[99] - place[98]) / (time[99] - time[98]))**2)
+        driven = PULL * AREA * (place[-1] - place[99])
+        print(f"driven {driven:.5g} J, friction {work:.5g} J, kinetic {kinetic:.5g} J")
+        self.assertLess(abs(driven - work - kinetic), 0.01 * driven)
+        self.assertGreaterEqual(history["friction_power"].min(), 0)
+        stuck = self.history(1, *SLED, *RUBS, "-sled_load", f"36,0,-{PRESS}")
+        creep = np.diff(stuck["sled_center_x"])[late] / np.diff(stuck["time"])[late]
+        print(f"creep {creep.max():.3g} m/s, sliding {speed:.3g} m/s")
+        self.assertLess(creep.max(), 0.01 * speed)
+
+    def test_energy_of_cloths_alone_never_grows(self):
+        history = self.history(1, *DROPPED, "-contact", "barrier")
+        height = {"held": 0.3 * 0.4**2, "loose": 0.3 * 0.2**2}  # times mass
+        energy = sum(history[f"{name}_elastic_energy"] + 9.81 * mass * history[f"{name}_center_z"]
+                     for name, mass in height.items())
+        self.assertLess(energy[-1], energy[0])
+
+
+if __name__ == "__main__":
+    unittest.main()
