@@ -6,6 +6,7 @@
 #include "washfsi/contact/cushion.hpp"
 #include "washfsi/contact/facets.hpp"
 #include "washfsi/support/errors.hpp"
+#include "washfsi/support/format_text.hpp"
 #include "washfsi/support/text.hpp"
 
 namespace washfsi {
@@ -18,7 +19,7 @@ double barrier_distance(const BarrierOptions& options, const Cloths<Dim>& cloths
   if (options.distance == 0) return std::isfinite(spacing) ? usual * spacing : 1;
   if (options.distance > most * spacing)
     throw InputError("-contact_distance " + to_text(options.distance) + ": must be at most half of the least spacing " +
-                     to_text(spacing) + " m of markers with -contact barrier");
+                     format_text("%.6g", spacing) + " m of markers with -contact barrier");
   return options.distance;
 }
 

@@ -9,6 +9,7 @@ import sys
 from washfsi.errors import ResultsError
 from washfsi.report.page import write_page
 from washfsi.report.picture import write_picture
+from washfsi.report.playback import COLOURS
 from washfsi.results import Results
 
 
@@ -25,10 +26,13 @@ def parse_arguments(description):
     picture.add_argument("--view", choices=("3d", "top", "front", "side"))
     picture.add_argument("--slice", choices=("x", "y", "z", "none"), help="axis that the slice lies across (default: z)")
     picture.add_argument("--height", type=float, help="place of the slice along it, from 0 to 1 (default: 0.3)")
-    picture.add_argument("--colour", help="of the cloths: stress, water_shear, relative_speed, stretch, shear_angle, number")
+    picture.add_argument("--colour", choices=(*COLOURS, "number"), help="of the cloths (default: stress)")
     options = parser.parse_args()
     if options.picture and len(options.folders) > 1:
         parser.error("--picture is of one run")
+    of_pictures = (options.time, options.view, options.slice, options.height, options.colour)
+    if not options.picture and any(given is not None for given in of_pictures):
+        parser.error("--time, --view, --slice, --height and --colour are of a --picture")
     return options
 
 
