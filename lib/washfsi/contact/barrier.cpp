@@ -57,16 +57,12 @@ void Barrier<Dim>::begin_step(const StepStart<Dim>& start) {
   begin_friction(all, start.dt);
 }
 
-// With what touches now.
+// With what touches now; in no time nothing slides.
 template <int Dim>
 void Barrier<Dim>::begin_friction(const Points<Dim>& all, double dt) {
   std::vector<Rub<Dim>> rubs;
-  if (options_.friction > 0)
-    for (const auto& pair : pairs_) {
-      const Gap<Dim> gap = gap_of<Dim>(pair.kind, pair.at(all));
-      if (gap.distance > 0 && gap.distance < distance_)
-        rubs.push_back({pair, gap, options_.friction * touch(pair, gap, pair.at(all)).push});
-    }
+  if (options_.friction > 0 && dt > 0)
+    for (const Touch& touch : touches_at(all)) rubs.push_back({*touch.pair, touch.gap, options_.friction * touch.push});
   friction_.begin(std::move(rubs), all, dt);
   rubs_.clear();
   seen_.clear();
@@ -149,15 +145,21 @@ typename Barrier<Dim>::Touch Barrier<Dim>::touch(const FacetPair<Dim>& pair, con
 
 // Facets that touch, as they do only where the places are not those of a cloth, have no barrier.
 template <int Dim>
-const std::vector<typename Barrier<Dim>::Touch>& Barrier<Dim>::touches(const Points<Dim>& positions) const {
-  if (!any_rank(around_.cloths.comm(), seen_ != positions)) return touches_;
-  const Points<Dim> all = around_.cloths.of_all_ranks(positions);
-  touches_.clear();
+std::vector<typename Barrier<Dim>::Touch> Barrier<Dim>::touches_at(const Points<Dim>& all) const {
+  std::vector<Touch> touches;
   for (const auto& pair : pairs_) {
     const PairPoints<Dim> places = pair.at(all);
     const Gap<Dim> gap = gap_of<Dim>(pair.kind, places);
-    if (gap.distance > 0 && gap.distance < distance_) touches_.push_back(touch(pair, gap, places));
+    if (gap.distance > 0 && gap.distance < distance_) touches.push_back(touch(pair, gap, places));
   }
+  return touches;
+}
+
+template <int Dim>
+const std::vector<typename Barrier<Dim>::Touch>& Barrier<Dim>::touches(const Points<Dim>& positions) const {
+  if (!any_rank(around_.cloths.comm(), seen_ != positions)) return touches_;
+  const Points<Dim> all = around_.cloths.of_all_ranks(positions);
+  touches_ = touches_at(all);
   rubs_ = friction_.forces(all);
   seen_ = positions;
   return touches_;

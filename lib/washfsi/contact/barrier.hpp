@@ -65,6 +65,7 @@ class Barrier : public MarkerForce<Dim> {
   void cover(const Points<Dim>& from, const Points<Dim>& motions);
   double least_reach() const { return distance_ / 8; }
   const std::vector<Touch>& touches(const Points<Dim>& positions) const;
+  std::vector<Touch> touches_at(const Points<Dim>& all) const;
   Touch touch(const FacetPair<Dim>& pair, const Gap<Dim>& gap, const PairPoints<Dim>& places) const;
   bool owns(std::size_t marker) const { return marker >= begin_ && marker < begin_ + around_.cloths.owned(); }
   PairPoints<Dim> motions_of(const FacetPair<Dim>& pair, const Points<Dim>& all) const;

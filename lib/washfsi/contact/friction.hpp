@@ -38,7 +38,6 @@ class Friction {
 
   /// A step of length dt from these places of all markers begins; dt = 0: nothing slides.
   void begin(std::vector<Rub<Dim>> rubs, const Points<Dim>& all, double dt);
-  bool empty() const { return rubs_.empty(); }
   /// What all pairs do at these places of all markers.
   std::vector<RubForce<Dim>> forces(const Points<Dim>& all) const;
   double dt() const { return dt_; }
