@@ -24,7 +24,8 @@ ImplicitCoupling<Dim>::ImplicitCoupling(const System<Dim>& system, const Couplin
   if (!system.model.forces.limit_motion()) return;
   check_symmetry(system.model);
   if (const MarkerForce<Dim>* force = system.model.forces.without_jacobian())
-    throw InputError(force->origin() + ": has no energy; with -contact barrier use -coupling_scheme explicit or midpoint");
+    throw InputError(force->origin() +
+                     ": has no energy; with -contact barrier use -coupling_scheme explicit or midpoint");
 }
 
 template <int Dim>
