@@ -21,7 +21,7 @@ NearSearch<Dim> search_among(const std::vector<Candidate<Dim>>& candidates, cons
   return NearSearch<Dim>(bounds, reach, hull(bounds));
 }
 
-/// The first half of `spread_evenly`.
+/// Takes the most crowded of some places away, one after the other (`spread_evenly`).
 template <int Dim>
 class Elimination {
  public:
@@ -36,33 +36,17 @@ class Elimination {
     }
   }
 
-  std::vector<Candidate<Dim>> run() {
-    crowding_.assign(candidates_.size(), 0.0);
-    too_near_.assign(candidates_.size(), 0);
-    std::priority_queue<std::pair<double, std::size_t>> queue;  // with entries that are out of date
-    for (std::size_t m = 0; m < candidates_.size(); ++m) {
-      for (const Pair& pair : pairs_[m]) add(m, pair, 1);
-      if (too_near_[m] > 0) queue.emplace(crowding_[m], m);
-    }
-    std::vector<char> gone(candidates_.size(), 0);
-    std::vector<std::size_t> order;  // of those that went
-    while (!queue.empty()) {
-      const auto [crowding, worst] = queue.top();
-      queue.pop();
-      if (gone[worst] || crowding != crowding_[worst] || too_near_[worst] == 0) continue;
-      gone[worst] = 1;
-      order.push_back(worst);
-      for (const Pair& pair : pairs_[worst]) {
-        if (gone[pair.other]) continue;
-        add(pair.other, {worst, pair.distance}, -1);
-        if (too_near_[pair.other] > 0) queue.emplace(crowding_[pair.other], pair.other);
-      }
-    }
-    fill_gaps(order, gone);
-    std::vector<Candidate<Dim>> left;
-    for (std::size_t m = 0; m < candidates_.size(); ++m)
-      if (!gone[m]) left.push_back(candidates_[m]);
-    return left;
+  // Until all are a spacing from each other; takes back what has room again.
+  std::vector<Candidate<Dim>> thinned() {
+    const std::vector<std::size_t> order = take_away([&](std::size_t place) { return too_near_[place] > 0; });
+    fill_gaps(order);
+    return left();
+  }
+
+  std::vector<Candidate<Dim>> reduced_to(std::size_t count) {
+    std::size_t many = candidates_.size();
+    (void)take_away([&](std::size_t) { return many > count && many-- > 0; });
+    return left();
   }
 
  private:
@@ -72,12 +56,46 @@ class Elimination {
     double distance;
   };
 
+  // The most crowded of what is left, one after the other, where `goes(place)`; returns them in their order.
+  template <class Goes>
+  std::vector<std::size_t> take_away(Goes&& goes) {
+    crowding_.assign(candidates_.size(), 0.0);
+    too_near_.assign(candidates_.size(), 0);
+    gone_.assign(candidates_.size(), 0);
+    std::priority_queue<std::pair<double, std::size_t>> queue;  // with entries that are out of date
+    for (std::size_t m = 0; m < candidates_.size(); ++m) {
+      for (const Pair& pair : pairs_[m]) add(m, pair, 1);
+      queue.emplace(crowding_[m], m);
+    }
+    std::vector<std::size_t> order;
+    while (!queue.empty()) {
+      const auto [crowding, worst] = queue.top();
+      queue.pop();
+      if (gone_[worst] || crowding != crowding_[worst] || !goes(worst)) continue;
+      gone_[worst] = 1;
+      order.push_back(worst);
+      for (const Pair& pair : pairs_[worst]) {
+        if (gone_[pair.other]) continue;
+        add(pair.other, {worst, pair.distance}, -1);
+        queue.emplace(crowding_[pair.other], pair.other);
+      }
+    }
+    return order;
+  }
+
   // Takes back, the last first, what no other is too near any more.
-  void fill_gaps(const std::vector<std::size_t>& order, std::vector<char>& gone) const {
+  void fill_gaps(const std::vector<std::size_t>& order) {
     for (auto place = order.rbegin(); place != order.rend(); ++place)
       if (std::none_of(pairs_[*place].begin(), pairs_[*place].end(),
-                       [&](const Pair& pair) { return pair.distance < 1 && !gone[pair.other]; }))
-        gone[*place] = 0;
+                       [&](const Pair& pair) { return pair.distance < 1 && !gone_[pair.other]; }))
+        gone_[*place] = 0;
+  }
+
+  std::vector<Candidate<Dim>> left() const {
+    std::vector<Candidate<Dim>> left;
+    for (std::size_t m = 0; m < candidates_.size(); ++m)
+      if (!gone_[m]) left.push_back(candidates_[m]);
+    return left;
   }
 
   double apart(std::size_t a, std::size_t b) const {
@@ -97,6 +115,7 @@ class Elimination {
   std::vector<std::vector<Pair>> pairs_;
   std::vector<double> crowding_;
   std::vector<int> too_near_;
+  std::vector<char> gone_;
 };
 
 // The nearest middle of each candidate; the number of middles where none is within two spacings.
@@ -151,36 +170,57 @@ std::vector<Candidate<Dim>> relaxed(std::vector<Candidate<Dim>> chosen, const st
   return chosen;
 }
 
+// The cell of each marker, after Lloyd's method with the cells' middles.
+template <int Dim>
+std::vector<std::size_t> equal_cells(const std::vector<Candidate<Dim>>& markers, std::vector<Candidate<Dim>> middles,
+                                     const Point<Dim>& spacing) {
+  constexpr int sweeps = 40;
+  std::vector<std::size_t> owners = nearest(markers, middles, spacing);
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    Points<Dim> sums(middles.size() + 1, Point<Dim>::Zero());  // the last of those that none is near
+    std::vector<double> counts(middles.size() + 1, 0.0);
+    for (std::size_t m = 0; m < markers.size(); ++m) {
+      sums[owners[m]] += markers[m].place;
+      ++counts[owners[m]];
+    }
+    for (std::size_t c = 0; c < middles.size(); ++c)
+      if (counts[c] > 0) middles[c].place = sums[c] / counts[c];
+    std::vector<std::size_t> next = nearest(markers, middles, spacing);
+    if (next == owners) break;
+    owners = std::move(next);
+  }
+  return owners;
+}
+
 }  // namespace
 
 template <int Dim>
 std::vector<Candidate<Dim>> spread_evenly(const std::vector<Candidate<Dim>>& candidates, const Point<Dim>& spacing) {
-  return relaxed<Dim>(Elimination<Dim>(candidates, spacing).run(), candidates, spacing);
+  return relaxed<Dim>(Elimination<Dim>(candidates, spacing).thinned(), candidates, spacing);
 }
 
 template <int Dim>
-MarkerPatches<Dim> gathered(std::vector<Candidate<Dim>> markers, const Point<Dim>& spacing) {
-  if (markers.empty()) return {};
+MarkerPatches<Dim> gathered(std::vector<Candidate<Dim>> markers, std::size_t count, const Point<Dim>& spacing) {
   for (auto& marker : markers) marker.sharpness = 0;
-  const auto middles = spread_evenly<Dim>(markers, spacing);
-  const std::vector<std::size_t> owners = nearest(markers, middles, spacing);
-  std::vector<std::vector<std::size_t>> of_middle(middles.size());
+  const std::vector<std::size_t> owners =
+      equal_cells(markers, Elimination<Dim>(markers, spacing).reduced_to(count), spacing);
+  std::vector<std::vector<std::size_t>> cells(count);
   for (std::size_t m = 0; m < markers.size(); ++m)
-    if (owners[m] < middles.size()) of_middle[owners[m]].push_back(m);
+    if (owners[m] < count) cells[owners[m]].push_back(m);
   MarkerPatches<Dim> patches;
-  for (const auto& of_one : of_middle) {
-    for (const std::size_t m : of_one) {
+  for (const auto& cell : cells) {
+    for (const std::size_t m : cell) {
       patches.markers.push_back(markers[m].place);
       patches.feet.push_back(markers[m].foot);
     }
-    if (!of_one.empty()) patches.starts.push_back(patches.markers.size());
+    if (!cell.empty()) patches.starts.push_back(patches.markers.size());
   }
   return patches;
 }
 
 template std::vector<Candidate<2>> spread_evenly<2>(const std::vector<Candidate<2>>&, const Point<2>&);
-template MarkerPatches<2> gathered<2>(std::vector<Candidate<2>>, const Point<2>&);
+template MarkerPatches<2> gathered<2>(std::vector<Candidate<2>>, std::size_t, const Point<2>&);
 template std::vector<Candidate<3>> spread_evenly<3>(const std::vector<Candidate<3>>&, const Point<3>&);
-template MarkerPatches<3> gathered<3>(std::vector<Candidate<3>>, const Point<3>&);
+template MarkerPatches<3> gathered<3>(std::vector<Candidate<3>>, std::size_t, const Point<3>&);
 
 }  // namespace washfsi

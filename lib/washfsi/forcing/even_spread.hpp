@@ -31,8 +31,9 @@ struct MarkerPatches {
 template <int Dim>
 std::vector<Candidate<Dim>> spread_evenly(const std::vector<Candidate<Dim>>& candidates, const Point<Dim>& spacing);
 
-/// Patches about evenly spread middles, a spacing from each other at least: each marker joins the nearest.
+/// Markers in so many cells of about equal size (Yuksel's method for their first middles, then Lloyd's), about a
+/// spacing across: each joins the nearest middle.
 template <int Dim>
-MarkerPatches<Dim> gathered(std::vector<Candidate<Dim>> markers, const Point<Dim>& spacing);
+MarkerPatches<Dim> gathered(std::vector<Candidate<Dim>> markers, std::size_t count, const Point<Dim>& spacing);
 
 }  // namespace washfsi

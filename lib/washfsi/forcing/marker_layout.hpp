@@ -12,7 +12,7 @@ namespace washfsi {
 template <int Dim>
 struct MarkerLayout {
   Point<Dim> cell;                                              ///< the grid's spacing [m]
-  double spacing = 1.0;                                         ///< least distance of two patches' middles [cells]
+  double spacing = 1.0;                                         ///< mean width of a patch [cells]
   KernelMoments moments;                                        ///< of the delta by which they act
   double held_depth = std::numeric_limits<double>::infinity();  ///< from which on bodies hold the water themselves [m]
 };

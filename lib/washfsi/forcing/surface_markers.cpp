@@ -57,8 +57,11 @@ MarkerPatches<Dim> markers_of_part(const Shape<Dim>& shape, const Bounds<Dim>& r
   std::sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
     return std::lexicographical_compare(a.place.begin(), a.place.end(), b.place.begin(), b.place.end());
   });
-  const Point<Dim> spacing = layout.spacing * layout.cell;
-  return gathered<Dim>(spread_evenly<Dim>(candidates, marker_spacing * layout.cell), spacing);
+  const auto markers = spread_evenly<Dim>(candidates, marker_spacing * layout.cell);
+  const double in_one = std::pow(std::max(1.0, layout.spacing / marker_spacing), Dim - 1);
+  const auto count = static_cast<std::size_t>(std::ceil(static_cast<double>(markers.size()) / in_one - 0.5));
+  return gathered<Dim>(markers, std::min(markers.size(), std::max<std::size_t>(count, 1)),
+                       layout.spacing * layout.cell);
 }
 
 // The box round a region as it is in the frame of a part.
