@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/scheme/marker_blocks.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
+
+#include <gtest/gtest.h>
 
 #include "support/random_points.hpp"
 #include "washfsi/coupling/marker_vectors.hpp"
