@@ -263,6 +263,40 @@ TYPED_TEST(BarrierTest, FrictionIsThatOfCoulombAndTheGradientOfItsEnergy) {
   }
 }
 
+// First at least as stiff along any direction, so that Newton's steps do not overshoot, then just as stiff.
+TYPED_TEST(BarrierTest, FrictionsStiffnessBecomesItsHessian) {
+  constexpr int Dim = TypeParam::value;
+  const Stack<Dim> stack;
+  for (const double slide : {2e-7, 9.5e-7, 1e-4}) {
+    const auto barrier = stack.barrier(stack.all, 0.4), smooth = stack.barrier(stack.all);
+    Points<Dim> moved = stack.all;
+    for (std::size_t m = moved.size() / 3; m < moved.size(); ++m) moved[m][0] += slide;
+    const Points<Dim> direction = random_points<Dim>(moved.size(), 15);
+    const auto forces = [&](double way) {
+      const Points<Dim> places = moved + way * direction;
+      return stack.forces(*barrier, places) - stack.forces(*smooth, places);
+    };
+    const auto rates = [&] {
+      Points<Dim> with(stack.cloths->owned(), Point<Dim>::Zero()), without = with;
+      barrier->add_force_rates(stack.own(moved), stack.own(direction), with);
+      smooth->add_force_rates(stack.own(moved), stack.own(direction), without);
+      return stack.cloths->of_all_ranks(with - without);
+    };
+    const auto dot = [](const Points<Dim>& a, const Points<Dim>& b) {
+      double sum = 0;
+      for (std::size_t m = 0; m < a.size(); ++m) sum += a[m].dot(b[m]);
+      return sum;
+    };
+    constexpr double e = 1e-10;
+    const Points<Dim> expected = 1 / (2 * e) * (forces(e) - forces(-e));
+    EXPECT_LE(dot(direction, rates()), dot(direction, expected));
+    // one that does not slide at all here has a kink there
+    for (const double way : {1e-8, 1e-11, 0.0}) barrier->linearise(stack.own(moved + way * direction));
+    const Points<Dim> error = rates() - expected;
+    EXPECT_LE(dot(error, error), 1e-6 * dot(expected, expected)) << slide;
+  }
+}
+
 TYPED_TEST(BarrierTest, RefusesADistanceThatACellHasNoRoomFor) {
   constexpr int Dim = TypeParam::value;
   const Stack<Dim> stack;

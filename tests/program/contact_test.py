@@ -108,6 +108,7 @@ class Contact(ProgramTest):
         within = self.history(1, *DROPPED, "-contact", "barrier")
         self.assertEqual(within["intersections"].max(), 0)
         self.assertGreater(within["loose_center_z"][-1] - within["held_center_z"][-1], -0.02)
+        self.assertGreater(within["friction_power"].max(), 0)
         self.assertLess(without["loose_center_z"][-1], -0.1)
 
     def test_fibres_do_not_pass_in_any_coupling(self):
@@ -178,7 +179,7 @@ class Contact(ProgramTest):
         self.assertLess(creep.max(), 0.01 * speed)
 
     def test_energy_of_cloths_alone_never_grows(self):
-        history = self.history(1, *DROPPED, "-contact", "barrier")
+        history = self.history(1, *DROPPED, "-contact", "barrier", "-contact_friction", 0)
         height = {"held": 0.3 * 0.4**2, "loose": 0.3 * 0.2**2}  # times mass
         energy = sum(history[f"{name}_elastic_energy"] + 9.81 * mass * history[f"{name}_center_z"]
                      for name, mass in height.items())

@@ -133,7 +133,10 @@ void Forces<Dim>::set_stiffness(const Points<Dim>& positions, GeometricStiffness
       for (int b = 0; b < Dim; ++b) values.push_back(factor * block(a, b));
   };
   for (const auto& force : forces_)
-    if (is_of_places(*force)) force->visit_stiffness(positions, geometric, list);
+    if (is_of_places(*force)) {
+      force->linearise(positions);
+      force->visit_stiffness(positions, geometric, list);
+    }
   WASH_PETSC(MatSetValuesCOO(matrix, values.data(), INSERT_VALUES));
 }
 

@@ -70,6 +70,9 @@ class MarkerForce {
   virtual void add_energy(const Points<Dim>&, std::span<double>) const {}
   /// Adds -K d: the rate of change of the force as the markers move along a direction d.
   virtual void add_force_rates(const Points<Dim>&, const Points<Dim>&, Points<Dim>&) const {}
+  /// Called before K is taken at new places, as Newton's method goes on: for a force that gives its K by what it knows
+  /// of the way there.
+  virtual void linearise(const Points<Dim>&) {}
   /// Gives the blocks of K in the rows of this rank's markers, always the same ones in the same order as long as
   /// `pattern` returns the same number; it need not be the same on all ranks. Best is one that depends on the blocks
   /// alone, so that a matrix that fits is not laid out anew.

@@ -224,6 +224,15 @@ void Barrier<Dim>::add_blocks(const FacetPair<Dim>& pair, const Gap<Dim>& gap, c
 }
 
 template <int Dim>
+void Barrier<Dim>::linearise(const Points<Dim>& positions) {
+  if (options_.friction == 0) return;
+  touches(positions);
+  const Points<Dim> all = around_.cloths.of_all_ranks(positions);
+  friction_.linearise(all);
+  rubs_ = friction_.forces(all);
+}
+
+template <int Dim>
 void Barrier<Dim>::visit_stiffness(const Points<Dim>& positions, GeometricStiffness,
                                    const AddMarkerBlock<Dim>& add) const {
   std::vector<StiffnessBlock<Dim>> blocks(columns_.size(), StiffnessBlock<Dim>::Zero());

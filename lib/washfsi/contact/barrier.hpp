@@ -29,6 +29,7 @@ class Barrier : public MarkerForce<Dim> {
   void add_force(const Points<Dim>& positions, const Points<Dim>& velocities, Points<Dim>& forces) const override;
   void add_energy(const Points<Dim>& positions, std::span<double> of_groups) const override;
   void add_force_rates(const Points<Dim>& positions, const Points<Dim>& direction, Points<Dim>& rates) const override;
+  void linearise(const Points<Dim>& positions) override;
   void visit_stiffness(const Points<Dim>& positions, GeometricStiffness geometric,
                        const AddMarkerBlock<Dim>& add) const override;
   long pattern() const override { return pattern_; }

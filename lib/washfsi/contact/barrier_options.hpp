@@ -9,7 +9,7 @@ namespace washfsi {
 struct BarrierOptions {
   double distance = 0;     ///< d^, at which it begins [m]; 0: 0.16 of the least spacing of markers
   double stiffness = 1e4;  ///< kappa [Pa]
-  double friction = 0;     ///< coefficient between cloths, in steps that are solved for
+  double friction = 0.4;   ///< coefficient between cloths, in steps that are solved for
 };
 
 /// d^ for these cloths [m]. Errors: InputError if it is too large for their lattices.

@@ -20,7 +20,7 @@ struct ContactOptions {
   double distance = 0;         ///< at which contact begins [m]; 0: as the kind has it
   double pressure = 0;         ///< of the cushion, P0 [Pa]; 0: none
   double stiffness = 1e4;      ///< of the barrier, kappa [Pa]
-  double friction = 0;         ///< coefficient between cloths, with the barrier
+  double friction = 0.4;       ///< coefficient between cloths, with the barrier
   double verify_interval = 0;  ///< between counts of intersections [s]; 0: after each step
 
   static ContactOptions from_options(Options& options);

@@ -9,7 +9,13 @@ namespace {
 // ranks. Sheets would fill its factors; as a preconditioner an incomplete one is as good.
 void set_preconditioner(const ClothSolverDefaults& defaults, bool only_preconditions, int dim) {
   if (petsc::option_given("cloth_", "-pc_type")) return;
-  if (only_preconditions && dim == 3) {
+  if (only_preconditions && defaults.corrected && dim == 3) {
+    petsc::set_default_option("-cloth_pc_type", "composite");
+    petsc::set_default_option("-cloth_pc_composite_type", "multiplicative");
+    petsc::set_default_option("-cloth_pc_composite_pcs", "bjacobi,shell");
+    petsc::set_default_option("-cloth_pc_use_amat", "true");
+    petsc::set_default_option("-cloth_sub_0_sub_pc_type", "ilu");
+  } else if (only_preconditions && dim == 3) {
     petsc::set_default_option("-cloth_pc_type", "bjacobi");
     petsc::set_default_option("-cloth_sub_pc_type", "ilu");
   } else {

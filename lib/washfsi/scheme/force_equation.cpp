@@ -49,6 +49,8 @@ void ForceEquation<Dim>::assemble(const Step& step, const Points<Dim>& places, G
   std::vector<double> factors;
   for (const double sum : step.row_sums) factors.push_back(step.dt * step.dt * sum);
   scale_columns_and_shift<Dim>(factors, 1, matrix);
+  if (blocks_are_old_ && step.is_packed) blocks_.factorise(places, stiffness_, step.mobility, step.dt * step.dt);
+  blocks_are_old_ = false;
 }
 
 template <int Dim>
@@ -72,6 +74,7 @@ ClothEquation<Dim> ForceEquation<Dim>::equation(const Step& step, double share) 
   equation.product = [=, this](const Points<Dim>& direction) {
     return direction + step.dt * step.dt * product<Dim>(stiffness_, product<Dim>(step.mobility, direction));
   };
+  if (step.is_packed) equation.correction = [this](const Points<Dim>& rest) { return blocks_.solve(rest); };
   equation.slope = [=, this](const Points<Dim>& residual, const Points<Dim>& direction) {
     return step.dt * dot(step, product<Dim>(step.mobility, residual), direction);
   };
@@ -86,6 +89,7 @@ void ForceEquation<Dim>::solve_at(const Step& step, double share, Points<Dim>& c
   double most = 0;
   for (const double sum : step.row_sums) most = std::max(most, sum);
   const double tolerance = step.tolerance / (step.dt * largest(step.all.comm(), most));
+  blocks_are_old_ = true;
   iterations += static_cast<double>(solver_.solve(equation(step, share), tolerance, change));
 }
 
@@ -123,6 +127,17 @@ void ForceEquation<Dim>::solve_by_shares(const Step& step, Points<Dim>& change, 
 }
 
 template <int Dim>
+bool is_packed(const Model<Dim>& model) {
+  constexpr double many = 3;
+  double cells_per_marker = 1 / static_cast<double>(std::max<PetscInt>(model.cloths.marker_count(), 1)), reached = 1;
+  for (int d = 0; d < Dim; ++d) {
+    cells_per_marker *= static_cast<double>(model.grid.cells()[d]);
+    reached *= 2 * model.transfer.delta().spread_width;
+  }
+  return Dim == 3 && model.forces.limit_motion() && reached > many * cells_per_marker;
+}
+
+template <int Dim>
 void check_symmetry(const Model<Dim>& model) {
   const DeltaOptions& delta = model.transfer.delta();
   if (model.forces.limit_motion() && delta.spread_width != delta.interpolate_width)
@@ -133,6 +148,8 @@ void check_symmetry(const Model<Dim>& model) {
 
 template void check_symmetry<2>(const Model<2>&);
 template void check_symmetry<3>(const Model<3>&);
+template bool is_packed<2>(const Model<2>&);
+template bool is_packed<3>(const Model<3>&);
 template class ForceEquation<2>;
 template class ForceEquation<3>;
 

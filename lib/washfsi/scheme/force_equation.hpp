@@ -3,6 +3,7 @@
 
 #include "washfsi/cloth/forces.hpp"
 #include "washfsi/scheme/cloth_solver.hpp"
+#include "washfsi/scheme/marker_blocks.hpp"
 #include "washfsi/scheme/model.hpp"
 
 namespace washfsi {
@@ -13,7 +14,8 @@ namespace washfsi {
 /// They are solved for y, since for V they have no potential without M^-1. With N = dt M
 ///   phi(y) = 1/2 y.N y + E(X + dt V)/dt + F.V     has the gradient  N (y - F(X + dt V) + F)
 /// Newton's steps,  (1 + dt K N) dy = -(y - ...), by GMRES with the preconditioner 1 + dt^2 K D, D the row sums of M,
-/// are shortened to what is free, and further until phi falls.
+/// and for what that leaves the exact solution of groups of near markers (scheme/marker_blocks.hpp). They are shortened
+/// to what is free, and further until phi falls.
 template <int Dim>
 class ForceEquation {
  public:
@@ -28,6 +30,7 @@ class ForceEquation {
     const Points<Dim>& forces;            ///< F, which the water has already [N]
     Mat mobility;                         ///< M [1/kg]
     const std::vector<double>& row_sums;  ///< D [1/kg]
+    bool is_packed;                       ///< whether the preconditioner is corrected
     double tolerance;                     ///< of the velocities' 2-norm [m/s]
   };
   /// V. `change` holds a guess of y, then y; the result is V. Adds the evaluations to `iterations`. Collective. Errors:
@@ -47,7 +50,14 @@ class ForceEquation {
   ClothSolver<Dim>& solver_;
   petsc::Matrix stiffness_;    ///< K where it was assembled last
   std::vector<long> pattern_;  ///< of it
+  MarkerBlocks<Dim> blocks_;   ///< where a solution was begun
+  bool blocks_are_old_ = true;
 };
+
+/// Whether so many markers move one water that their equations need a correction of the preconditioner: if they were
+/// evenly spread over the box, each would be within reach of as many others.
+template <int Dim>
+bool is_packed(const Model<Dim>& model);
 
 /// Stops unless the mobility's matrix is symmetric, where it has to be. Errors: InputError.
 template <int Dim>

@@ -17,8 +17,9 @@ template <int Dim>
 ImplicitCoupling<Dim>::ImplicitCoupling(const System<Dim>& system, const CouplingOptions& options)
     : options_(options),
       solver_(system.model.forces, system.state.positions,
-              system.model.forces.limit_motion() ? ClothSolverDefaults{SNESNEWTONLS, false, true}
-                                                 : ClothSolverDefaults{SNESQN, false}),
+              system.model.forces.limit_motion()
+                  ? ClothSolverDefaults{SNESNEWTONLS, false, true, is_packed(system.model)}
+                  : ClothSolverDefaults{SNESQN, false}),
       force_equation_(solver_),
       mobility_(system.model) {
   if (!system.model.forces.limit_motion()) return;
@@ -104,7 +105,7 @@ Points<Dim> ImplicitCoupling<Dim>::solve_by_sweeps(System<Dim>& system, double d
     Points<Dim> change(velocities.size(), Point<Dim>::Zero());
     velocities =
         force_equation_.solve({model.forces, dt, state.positions, reached, model.forces.of_places(step.pushed_at),
-                               mobility_.matrix(), mobility_.row_sums(), 0.1 * enough},
+                               mobility_.matrix(), mobility_.row_sums(), is_packed(model), 0.1 * enough},
                               change, step.cloth_iterations);
   }
   throw DivergedError("cloth: its equations could not be solved in " + std::to_string(most_sweeps) +

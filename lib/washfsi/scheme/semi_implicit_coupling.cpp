@@ -35,7 +35,8 @@ template <int Dim>
 SemiImplicitCoupling<Dim>::SemiImplicitCoupling(const System<Dim>& system, const CouplingOptions& options)
     : options_(options),
       solver_(system.model.forces, system.state.positions,
-              {SNESNEWTONLS, options.mobility == Mobility::row_sums, options.mobility == Mobility::matrix}),
+              {SNESNEWTONLS, options.mobility == Mobility::row_sums, options.mobility == Mobility::matrix,
+               is_packed(system.model)}),
       force_equation_(solver_),
       mobility_(system.model) {
   if (const MarkerForce<Dim>* force = system.model.forces.without_jacobian())
@@ -86,7 +87,7 @@ Points<Dim> SemiImplicitCoupling<Dim>::move_by_forces(System<Dim>& system, doubl
                                                       const Points<Dim>& free_velocities, const Points<Dim>& forces,
                                                       double tolerance) {
   return force_equation_.solve({system.model.forces, dt, system.state.positions, free_velocities, forces,
-                                mobility_.matrix(), mobility_.row_sums(), tolerance},
+                                mobility_.matrix(), mobility_.row_sums(), is_packed(system.model), tolerance},
                                change_, system.step.cloth_iterations);
 }
 

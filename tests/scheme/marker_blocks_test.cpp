@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/scheme/marker_blocks.hpp"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "support/random_points.hpp"
+#include "washfsi/coupling/marker_vectors.hpp"
+
+namespace washfsi::test {
+namespace {
+
+// A matrix over the coordinates of all markers with entries near its diagonal, on every rank its own part.
+template <int Dim>
+petsc::Matrix band_matrix(PetscInt own_markers, double diagonal) {
+  petsc::Matrix matrix;
+  const PetscInt rows = own_markers * Dim;
+  WASH_PETSC(MatCreateAIJ(PETSC_COMM_WORLD, rows, rows, PETSC_DETERMINE, PETSC_DETERMINE, 5, nullptr, 5, nullptr,
+                          matrix.put()));
+  PetscInt begin = 0, end = 0, all = 0;
+  WASH_PETSC(MatGetOwnershipRange(matrix, &begin, &end));
+  WASH_PETSC(MatGetSize(matrix, &all, nullptr));
+  for (PetscInt i = begin; i < end; ++i)
+    for (PetscInt j = std::max<PetscInt>(begin, i - 2); j <= std::min(end - 1, i + 2); ++j)
+      WASH_PETSC(
+          MatSetValue(matrix, i, j, i == j ? diagonal : 1.0 / static_cast<double>(3 + i % 5 + j % 5), INSERT_VALUES));
+  WASH_PETSC(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
+  WASH_PETSC(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
+  return matrix;
+}
+
+// What one block solves is exact: the product gives the right side again.
+TEST(MarkerBlocks, SolveTheEquationsOfNearMarkersExactly) {
+  constexpr std::size_t markers = 20;
+  constexpr double s = 0.7;
+  const petsc::Matrix k = band_matrix<3>(markers, 3), m = band_matrix<3>(markers, 2);
+  MarkerBlocks<3> blocks;
+  blocks.factorise(random_points<3>(markers, 3), k, m, s);
+  const Points<3> right = random_points<3>(markers, 4), solved = blocks.solve(right);
+  const Points<3> again = solved + s * product<3>(k, product<3>(m, solved));
+  for (std::size_t i = 0; i < markers; ++i) EXPECT_LE((again[i] - right[i]).norm(), 1e-12);
+}
+
+// More markers than a block holds: each is in one of them, and those that do not touch others are exact all the same.
+TEST(MarkerBlocks, TakeEachMarkerOnce) {
+  constexpr std::size_t markers = 500;
+  const petsc::Matrix k = band_matrix<3>(markers, 0), m = band_matrix<3>(markers, 2);
+  MarkerBlocks<3> blocks;
+  blocks.factorise(random_points<3>(markers, 3), k, m, 0);
+  const Points<3> right = random_points<3>(markers, 4), solved = blocks.solve(right);
+  for (std::size_t i = 0; i < markers; ++i) EXPECT_EQ(solved[i], right[i]);
+}
+
+}  // namespace
+}  // namespace washfsi::test
