@@ -34,10 +34,10 @@ mathjax_options = {"defer": "defer"}
 
 # The navigation: what README.md lists in words.
 CONTENTS = {
-    "Use it": ["user-guide", "gallery/README", "report", "python"],
+    "Use it": ["install", "user-guide", "gallery/README", "report", "python", "trust", "licences"],
     "Look up": ["options", "quantities", "method", "durability", "performance"],
     "How accurate": ["verification"],
-    "Take part": ["development", "/CONTRIBUTING", "/CHANGELOG"],
+    "Take part": ["development", "release", "/CONTRIBUTING", "/CHANGELOG"],
 }
 
 
@@ -47,9 +47,12 @@ def toctree(title, pages):
     return "\n".join(["", "```{toctree}", ":hidden:", f":caption: {title}" if title else ":maxdepth: 1", *places, "```", ""])
 
 
-def below(folder):
-    """Returns the pages of a folder of docs/, but its first."""
-    return [f"{folder}/{path.stem}" for path in sorted((ROOT / "docs" / folder).glob("*.md")) if path.stem != "README"]
+def below(first):
+    """Returns the pages that the first page of some links, in its order."""
+    path = ROOT / "docs" / f"{first}.md"
+    links = re.findall(r"\]\(([\w/.]+)\.md[)#]", path.read_text(encoding="utf-8"))
+    pages = dict.fromkeys((path.parent / link).resolve().relative_to(ROOT / "docs") for link in links if not link.startswith(".."))
+    return [str(page) for page in pages if page.parts[0] in ("gallery", "verification")]
 
 
 def complete(_app, name, source):
@@ -58,7 +61,7 @@ def complete(_app, name, source):
     if name == "README":
         text += "".join(toctree(*entry) for entry in CONTENTS.items())
     if name == "docs/gallery/README":
-        text += toctree("", below("gallery"))
+        text += toctree("", below("gallery/README"))
     if name == "docs/verification":
         data = sorted((ROOT / "tests" / "verification" / "reference").glob("*/README.md"))
         text += toctree("", below("verification") + [f"/{path.relative_to(ROOT).with_suffix('')}" for path in data])
