@@ -27,6 +27,19 @@ class Documents(ProgramTest):
                    and not any(name.replace("NAME", group, 1) in known for group in groups)]
         self.assertEqual(unknown, [])
 
+    def test_every_case_has_a_page_with_what_it_found(self):
+        gallery = SOURCE / "docs" / "gallery"
+        listed = (gallery / "README.md").read_text(encoding="utf-8")
+        studies = [path.name for path in (SOURCE / "inputs").iterdir() if path.is_dir() and (gallery / f"{path.name}.md").is_file()
+                   and any(path.glob("*.opts"))]
+        for name in [*(path.stem for path in (SOURCE / "inputs").glob("*.opts")), *studies]:
+            with self.subTest(name):
+                page = (gallery / f"{name}.md").read_text(encoding="utf-8")
+                self.assertIn(f"({name}.md)", listed)
+                self.assertTrue((gallery / f"{name}.png").is_file())
+                block = re.search(r"<!-- run -->\n(.*?)<!-- end -->", page, re.S)
+                self.assertTrue(block and block.group(1).strip(), "scripts/gallery writes it")
+
 
 if __name__ == "__main__":
     unittest.main()

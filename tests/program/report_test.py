@@ -21,6 +21,7 @@ from washfsi import Results  # noqa: E402
 from washfsi.report.comparison import comparison_of  # noqa: E402
 from washfsi.report.curves import energy_balance, kept  # noqa: E402
 from washfsi.report.figures import cycle_figures  # noqa: E402
+from washfsi.report.flow import taken, thinned  # noqa: E402
 from washfsi.report.page import COUNT, colour_scales, page_of, write_page  # noqa: E402
 from washfsi.report.solids import light_surface, rigid_motion  # noqa: E402
 from washfsi.report.words import words_of  # noqa: E402
@@ -30,7 +31,7 @@ MACHINE = ["-options_file", SOURCE / "inputs" / "wash.opts", "-grid_cells", "12,
            "-output_interval", 0.025]
 PLANE = ["-options_file", WASH, "-grid_cells", "32,32", "-long_markers", 8, "-short_markers", 6, "-time_end", 0.02,
          "-output_interval", 0.01]
-EVIL = "a</script><img src=x onerror=alert(1)>&"
+EVIL = "a</script><!--<script><img src=x onerror=alert(1)>&"
 PREFIX = {"G": 1e9, "M": 1e6, "k": 1e3, "m": 1e-3, "µ": 1e-6}
 NORMAL_DIGITS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 # What dichromats see of linear red, green and blue (Viénot, Brettel and Mollon 1999; the third by Brettel's half planes in one).
@@ -154,6 +155,14 @@ class Contents(ProgramTest):
         self.assertTrue(low < 0.06 and high > 0.94, (low, high))
         self.assertLess(abs(area / (2 * np.pi * (high - low)) - 1), 0.01)
         self.assertLess(np.abs(np.hypot(points[:, 0], points[:, 1]) - 1).max(), 0.02)
+
+    def test_flow_of_any_grid_is_thinned_to_fit(self):
+        for cells, room in (((33, 33, 33), 1e7), ((256, 64, 256), 2e6), ((208, 208, 10), 1e6), ((512, 512), 1e6), ((2000, 3, 3), 100)):
+            coarser, apart = thinned(cells, 40, 3, room)
+            lines = taken(cells, coarser)
+            self.assertLessEqual(np.prod([len(line) for line in lines]) * -(-40 // apart) * 3, room)
+            for line, count in zip(lines, cells):
+                self.assertTrue(len(line) and line[-1] < count)
 
     def test_words_tell_the_case(self):
         told = {part["about"]: part["text"] for part in words_of(self.results)}
@@ -344,6 +353,20 @@ class InBrowser(ProgramTest):
         drawn = self.page.run("return report.page.charts.charts.map(({chart}) => chart.getDatasetMeta(0).data.length);")
         self.assertGreater(min(drawn), 1)
 
+    def test_a_drag_takes_a_stretch_of_time_and_a_click_a_time(self):
+        self.look("three/report.html")
+        where = "document.querySelector('#curves canvas').scrollIntoView({block: 'center'}); return report.page.playback.time;"
+        before = self.page.run(where)
+        canvas = self.page.driver.find_element("css selector", "#curves canvas")
+        browser.webdriver.ActionChains(self.page.driver).move_to_element_with_offset(canvas, -60, 0).click_and_hold() \
+            .move_by_offset(80, 5).release().perform()
+        stretch = self.page.run("return report.page.charts.window;")
+        self.assertLess(0, stretch[0])
+        self.assertLess(stretch[1], 0.3)
+        self.assertEqual(self.page.run(where), before)
+        browser.webdriver.ActionChains(self.page.driver).move_to_element_with_offset(canvas, -90, 0).click().perform()
+        self.assertNotAlmostEqual(self.page.run(where), before, 3)
+
     def test_tracks_and_what_the_bodies_sweep(self):
         self.open("three/report.html")
         tracks = read_columns(ROOT / "three" / "tracks.csv")
@@ -421,6 +444,20 @@ class InBrowser(ProgramTest):
         self.assertLess(rows.mean(), half)
         outcome = report(ROOT / "three", ROOT / "two", "--picture", self.folder / "both.png")
         self.assertEqual(outcome.returncode, 2)
+        outcome = report(ROOT / "plane", "--picture", path, "--height", "0.5", "--slice", "z", "--colour", "stretch")
+        self.assertEqual(outcome.returncode, 0, outcome.stderr)  # a plane has no slice to move
+        self.assertGreater(len(np.unique(imread(path).reshape(-1, imread(path).shape[-1]), axis=0)), 40)
+
+    def test_movies_show_all_times(self):
+        path = self.folder / "movie.mp4"
+        outcome = report(ROOT / "three", "--movie", path, "--slice", "none")
+        self.assertEqual(outcome.returncode, 0, outcome.stderr)
+        subprocess.run(["ffmpeg", "-loglevel", "error", "-i", path, self.folder / "%d.png"], check=True)
+        frames = sorted(self.folder.glob("*.png"), key=lambda frame: int(frame.stem))
+        self.assertEqual(len(frames), 25)  # 0.3 s, four times slower, 20 a second, and both ends
+        first, middle, last = (imread(frames[number])[100:, :, :3] for number in (0, 12, 24))  # without the time
+        self.assertGreater((np.abs(first - middle) > 0.1).mean(), 0.003)
+        self.assertGreater((np.abs(middle - last) > 0.1).mean(), 0.003)
 
     def test_shows_the_plane(self):
         self.open("plane/report.html")

@@ -7,6 +7,7 @@ import pathlib
 import sys
 
 from washfsi.errors import ResultsError
+from washfsi.report.movie import write_movie
 from washfsi.report.page import write_page
 from washfsi.report.picture import write_picture
 from washfsi.report.playback import COLOURS
@@ -20,26 +21,32 @@ def parse_arguments(description):
                         help="output folder of a run, or of a -check")
     parser.add_argument("--output", metavar="FILE.html", type=pathlib.Path,
                         help="the report (default: report.html in OUT, or where the folders OUT are)")
-    picture = parser.add_argument_group("a picture of the playback instead, by chromium")
-    picture.add_argument("--picture", metavar="FILE.png", type=pathlib.Path, help="of one run")
+    picture = parser.add_argument_group("a picture or a movie of the playback instead, by chromium")
+    kinds = picture.add_mutually_exclusive_group()
+    kinds.add_argument("--picture", metavar="FILE.png", type=pathlib.Path, help="of one run")
+    kinds.add_argument("--movie", metavar="FILE.mp4", type=pathlib.Path, help="of one run, four times slower, by ffmpeg")
     picture.add_argument("--time", type=float, help="[s] (default: at three quarters of the run)")
     picture.add_argument("--view", choices=("3d", "top", "front", "side"))
     picture.add_argument("--slice", choices=("x", "y", "z", "none"), help="axis that the slice lies across (default: z)")
     picture.add_argument("--height", type=float, help="place of the slice along it, from 0 to 1 (default: 0.3)")
     picture.add_argument("--colour", choices=(*COLOURS, "number"), help="of the cloths (default: stress)")
     options = parser.parse_args()
-    if options.picture and len(options.folders) > 1:
-        parser.error("--picture is of one run")
+    still = options.picture or options.movie
+    if still and len(options.folders) > 1:
+        parser.error("--picture and --movie are of one run")
     of_pictures = (options.time, options.view, options.slice, options.height, options.colour)
-    if not options.picture and any(given is not None for given in of_pictures):
-        parser.error("--time, --view, --slice, --height and --colour are of a --picture")
+    if not still and any(given is not None for given in of_pictures):
+        parser.error("--time, --view, --slice, --height and --colour are of a --picture or a --movie")
+    if still and options.output:
+        parser.error("--output is of a report")
+    if options.movie and options.time is not None:
+        parser.error("a --movie shows all times")
     return options
 
 
 def asked_of(options):
     """Returns what the page is asked to show in a picture."""
-    across = {"x": 0, "y": 1, "z": 2, "none": "none", None: None}[options.slice]
-    return {"time": options.time, "view": options.view, "slice": across, "height": options.height, "colour": options.colour}
+    return {name: getattr(options, name) for name in ("time", "view", "slice", "height", "colour")}
 
 
 def usual_output(folders):
@@ -54,9 +61,11 @@ def main(description):
     options = parse_arguments(description)
     try:
         runs = [Results(folder) for folder in options.folders]
-        path = options.picture or options.output or usual_output(options.folders)
+        path = options.picture or options.movie or options.output or usual_output(options.folders)
         if options.picture:
             write_picture(runs[0], path, asked_of(options))
+        elif options.movie:
+            write_movie(runs[0], path, asked_of(options))
         else:
             write_page(runs, path)
     except ResultsError as error:

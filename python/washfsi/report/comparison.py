@@ -34,6 +34,8 @@ def figures_for(run, group):
     found = {}
     for figure in (run["cycles"] or {"figures": []})["figures"]:
         best = value_of(figure) | {"first": figure["mean"] is None}
+        if best["value"] is None:  # no number
+            continue
         key = (figure["rest"], figure["unit"])
         if figure["rest"] == "work":
             before = found.get(key)
@@ -85,13 +87,16 @@ def verdicts(runs, groups):
     for group in groups:
         samples = samples_of(runs, group)
         for name in HEADLINES:
+            if name == "work" and group != groups[0]:  # that of all bodies is said once
+                continue
             values, unit = {}, ""
             for design, seeds in samples.items():
                 found = [(unit, figure) for figures in seeds for (key, unit), figure in figures.items() if key == name]
                 if found and not any(figure["first"] for _, figure in found):
                     values[design], unit = [figure["value"] for _, figure in found], found[0][0]
             if len(values) > 1:
-                title = name.replace("_", " ") if len(groups) < 2 else f"{group}, {name.replace('_', ' ')}"
+                title = name.replace("_", " ")
+                title = title if len(groups) < 2 or name == "work" else f"{group}, {title}"
                 told.append(sentence(title, values, unit))
     return told
 

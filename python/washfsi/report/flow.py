@@ -22,21 +22,23 @@ def fields_of(dim):
     return ["vorticity", "speed", "pressure"] if dim == 2 else ["speed", "pressure"]
 
 
+def taken(cells, coarser):
+    """Returns the numbers of the cells along each axis that are taken, x first: those in the middle of each lot, one at least."""
+    return [np.arange(min(coarser, count) // 2, count, coarser) for count in cells]
+
+
 def thinned(cells, frames, fields, room):
     """Returns every how many cells and frames are taken for all to fit into some bytes: cells are spared first while
-    there are many, at least 24 along each axis."""
+    there are many, at least 24 along each axis, then frames down to one, then cells again."""
     coarser, apart = 1, 1
-    while np.prod(np.array(cells) // coarser) * -(-frames // apart) * fields > room:
-        if min(cells) // (coarser + 1) >= 24:
+    while np.prod([len(line) for line in taken(cells, coarser)]) * -(-frames // apart) * fields > room:
+        if min(cells) // (coarser + 1) >= 24 or apart >= frames:
             coarser += 1
         else:
             apart += 1
+        if coarser > max(cells):
+            break
     return coarser, apart
-
-
-def taken(cells, coarser):
-    """Returns the numbers of the cells along each axis that are taken, x first: those in the middle of each lot."""
-    return [np.arange(coarser // 2, count, coarser) for count in cells]
 
 
 def limits(samples, solid, signed):

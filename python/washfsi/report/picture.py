@@ -16,40 +16,54 @@ SIZE = 1200, 760  # [px]
 COLOURS = 255  # of the file, which keeps it small
 PATIENCE = 10000, 60000  # [ms] of the page's clock, one try after the other
 LEAST_COLOURS = 40  # of a picture that shows something
+AXES = {"x": 0, "y": 1, "z": 2, "none": "none"}  # what a slice lies across, as the page names it
 FLAGS = ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--hide-scrollbars", "--use-gl=angle",
          "--use-angle=swiftshader-webgl", "--force-device-scale-factor=1", "--no-first-run", "--disable-sync",
          "--disable-background-networking", "--disable-component-update", "--disable-extensions"]
 
 
 def write_picture_page(results, path, asked):
-    """Writes the page that shows the playback alone; returns its address. `asked` has time, view, slice, height and colour."""
+    """Writes the page that shows the playback alone; returns its address. `asked` has some of time [s], view, slice (x, y, z,
+    none), height and colour; for a movie times [s], with commas between."""
     path.write_text(page_of([results]).replace("<body>", '<body class="picture">', 1), encoding="utf-8")
-    words = {name: value for name, value in asked.items() if value is not None}
+    words = {name: AXES[value] if name == "slice" else value for name, value in asked.items() if value is not None}
     return f"{path.as_uri()}#{urllib.parse.urlencode(words)}"
 
 
-def take_picture(chromium, folder, address, patience):
+def find_chromium():
+    """Returns the browser that makes the pictures."""
+    chromium = shutil.which("chromium")
+    if not chromium:
+        raise ResultsError("there is no program chromium, which makes the pictures; Debian's package is chromium")
+    return chromium
+
+
+def browse(folder, address, patience, *words):
+    """Opens an address in a browser, with its profile and what it says in a folder; returns what it prints."""
+    printed = folder / "printed"
+    with open(folder / "log", "wb") as said, open(printed, "wb") as out:  # no pipes: helpers of the browser keep them open for seconds
+        subprocess.run([find_chromium(), *FLAGS, f"--user-data-dir={folder}/profile", f"--window-size={SIZE[0]},{SIZE[1]}",
+                        f"--virtual-time-budget={patience}", *words, address], stdout=out, stderr=said, check=False)
+    return printed.read_text(encoding="utf-8", errors="replace")
+
+
+def take_picture(folder, address, patience):
     """Returns what a browser shows at an address, None when that is nothing: the page was not ready."""
-    shot, log = folder / "shot.png", folder / "log"
-    with open(log, "wb") as said:  # no pipe: helpers of the browser keep it open for seconds
-        subprocess.run([chromium, *FLAGS, f"--user-data-dir={folder}/profile", f"--window-size={SIZE[0]},{SIZE[1]}",
-                        f"--virtual-time-budget={patience}", f"--screenshot={shot}", address],
-                       stdout=subprocess.DEVNULL, stderr=said, check=False)
+    shot = folder / "shot.png"
+    browse(folder, address, patience, f"--screenshot={shot}")
     if not shot.is_file():
-        raise ResultsError(f"chromium has made no picture: {' '.join(log.read_text().splitlines()[-1:])}")
+        raise ResultsError(f"chromium has made no picture: {' '.join((folder / 'log').read_text().splitlines()[-1:])}")
     picture = Image.open(shot).convert("RGB")
     return picture if len(picture.getcolors(SIZE[0] * SIZE[1])) > LEAST_COLOURS else None
 
 
 def write_picture(results, path, asked):
     """Writes a picture of the playback of a run (PNG)."""
-    chromium = shutil.which("chromium")
-    if not chromium:
-        raise ResultsError("there is no program chromium, which makes the pictures; Debian's package is chromium")
+    find_chromium()
     with tempfile.TemporaryDirectory(prefix="washfsi_", ignore_cleanup_errors=True) as name:
         folder = pathlib.Path(name)
         address = write_picture_page(results, folder / "page.html", asked)
-        picture = next(filter(None, (take_picture(chromium, folder, address, patience) for patience in PATIENCE)), None)
+        picture = next(filter(None, (take_picture(folder, address, patience) for patience in PATIENCE)), None)
         if picture is None:
             raise ResultsError("chromium shows no playback: the machine is too busy, or has no WebGL")
         try:

@@ -36,7 +36,7 @@ def packed_colours(data, units, pack):
     made = []
     for name, title in COLOURS.items():
         if name in data[0].data:
-            values = np.array([frame[name] for frame in data])
+            values = np.nan_to_num([frame[name] for frame in data])
             high = float(np.percentile(np.abs(values), PERCENTILE))
             high = high if high > NOISE.get(units[name], 0.0) else 1.0
             made.append({"name": name, "title": title, "unit": units[name], "limit": high,

@@ -7,6 +7,7 @@ import pathlib
 import signal
 import sys
 
+from washfsi.running import find_program
 from washfsi.study.runs import ROOT, runs_of
 from washfsi.study.scheduler import Scheduler
 from washfsi.study.tables import HEADLINES, cases_of, groups_of, samples_of, write_tables
@@ -27,7 +28,7 @@ def make_parser(description):
     parser.add_argument("--jobs", type=int, help="runs at the same time (default: cores / ranks)")
     parser.add_argument("--ranks", type=int, help="processes of each run (default: 1 with several jobs, else 2)")
     parser.add_argument("--action", choices=ACTIONS, default="relative_speed", help="washing action of study.png")
-    parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build" / "bin" / "washfsi")
+    parser.add_argument("--program", type=pathlib.Path, help="the program (default: that of the build or of the installation)")
     parser.add_argument("--table", action="store_true", help="run nothing, only look at what there is")
     return parser
 
@@ -37,8 +38,11 @@ def parse_arguments(words, description):
     cut = words.index("--") if "--" in words else len(words)
     parser = make_parser(description)
     options = parser.parse_args(words[:cut])
-    if not options.table and not options.program.is_file():
-        parser.error(f"no program {options.program}; scripts/build makes it")
+    if not options.table:
+        try:
+            options.program = find_program(options.program)
+        except FileNotFoundError as error:
+            parser.error(str(error))
     for name in ("seeds", "jobs", "ranks"):
         if getattr(options, name) is not None and getattr(options, name) < 1:
             parser.error(f"--{name} must be 1 or more")
@@ -133,7 +137,7 @@ def run_all(runs, options):
         else:
             waiting.append(run)
     jobs, ranks = jobs_and_ranks(options, len(waiting))
-    scheduler = Scheduler(options.program.resolve(), ranks, jobs, lambda: report(runs, options, last=False))
+    scheduler = Scheduler(options.program, ranks, jobs, lambda: report(runs, options, last=False))
     try:
         return 0 if scheduler.work(waiting) else 1
     except KeyboardInterrupt:

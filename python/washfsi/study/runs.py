@@ -9,7 +9,9 @@ from washfsi.errors import ResultsError
 from washfsi.results import Results
 from washfsi.running import HERE
 
-ROOT = HERE.parents[2]  # where runs start, so that names of files in cases are relative to it
+# Where runs start, and names of files in the options for every run are relative to: the source's root, or, of what is
+# installed, the folder in which the command is called.
+ROOT = HERE.parents[2] if (HERE.parents[2] / "CMakeLists.txt").is_file() else pathlib.Path.cwd()
 
 
 @dataclass

@@ -106,26 +106,33 @@ class TimeCharts {
   listen(chart, canvas, frame) {
     const shade = frame.querySelector(".selection");
     let from = null;
+    let dragged = false; // the click that follows a drag is none
     const place = (event) => event.clientX - canvas.getBoundingClientRect().left;
     canvas.addEventListener("pointerdown", (event) => {
-      from = event.pointerType === "mouse" ? place(event) : null;
+      dragged = false;
+      if (event.pointerType !== "mouse") return;
+      from = place(event);
+      canvas.setPointerCapture(event.pointerId); // also beyond its edge
     });
     canvas.addEventListener("pointermove", (event) => {
       if (from !== null) shadeBetween(shade, from, place(event));
     });
-    window.addEventListener("pointerup", (event) => {
-      if (from !== null) this.release(chart, from, place(event));
+    canvas.addEventListener("pointerup", (event) => {
+      if (from !== null) dragged = this.release(chart, from, place(event));
       from = null;
       shadeBetween(shade, 0, 0);
     });
-    canvas.addEventListener("click", (event) => this.chosen(chart.scales.x.getValueForPixel(place(event))));
+    canvas.addEventListener("click", (event) => {
+      if (!dragged) this.chosen(chart.scales.x.getValueForPixel(place(event)));
+    });
     canvas.addEventListener("dblclick", () => this.zoom(null));
   }
 
-  /** Ends a drag. */
+  /** Ends a drag; returns whether it was one. */
   release(chart, from, to) {
-    if (Math.abs(to - from) < LEAST_DRAG) return;
+    if (Math.abs(to - from) < LEAST_DRAG) return false;
     this.zoom([Math.min(from, to), Math.max(from, to)].map((pixel) => chart.scales.x.getValueForPixel(pixel)));
+    return true;
   }
 
   /** Shows a stretch of time in all plots; null shows all. */

@@ -119,6 +119,11 @@ function comparisonRow(row) {
   );
 }
 
+/** Returns the name of a curve among those of all panels. */
+function curveTitle(panel, curve) {
+  return [panel.title, curve.label].filter(Boolean).join(": ");
+}
+
 /** The comparison, with its charts. */
 class Comparison {
   constructor(data, packs, chosen) {
@@ -189,15 +194,14 @@ class Comparison {
     const found = new Map();
     for (const run of this.data.runs) {
       for (const panel of run.curves)
-        for (const curve of panel.curves) found.set([panel.title, curve.label].filter(Boolean).join(": "), panel);
+        for (const curve of panel.curves) found.set(curveTitle(panel, curve), panel);
     }
     return found;
   }
 
   chooser() {
     const titles = [...this.comparable().keys()];
-    const usual = titles.find((title) => title.startsWith("Power")) ?? titles[0];
-    this.title = titles.filter((title) => title.startsWith("Power")).pop() ?? usual;
+    this.title = titles.filter((title) => title.startsWith("Power")).pop() ?? titles[0];
     const made = choice(
       "compared",
       "curve",
@@ -219,7 +223,7 @@ class Comparison {
     const curves = this.data.runs.flatMap((run, place) =>
       run.curves.flatMap((other) =>
         other.curves
-          .filter((curve) => [other.title, curve.label].filter(Boolean).join(": ") === this.title)
+          .filter((curve) => curveTitle(other, curve) === this.title)
           .map((curve) => ({
             label: run.name,
             time: this.packs[place](curve.time),

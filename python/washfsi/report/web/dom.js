@@ -13,12 +13,12 @@ function element(tag, attributes = {}, ...children) {
   return made;
 }
 
-/** Returns a section with a title; the contents list it, by another name if one is given. */
+/** Returns a section with a title, by which the contents list it. */
 function section(id, title, ...children) {
   return element("section", { id, "aria-label": title }, element("h2", {}, title), ...children);
 }
 
-/** Returns a table in a frame that scrolls sideways when it is too wide. */
+/** Returns a table in a frame that scrolls sideways when it is too wide, by the keyboard too. */
 function table(heads, rows) {
   const head = element(
     "tr",
@@ -27,7 +27,7 @@ function table(heads, rows) {
   );
   return element(
     "div",
-    { class: "wide" },
+    { class: "wide", tabindex: 0 },
     element("table", {}, element("thead", {}, head), element("tbody", {}, rows)),
   );
 }

@@ -3,20 +3,36 @@
 
 /** Sets the playback as the page's address asks: #time=1.2&view=top&slice=none&height=0.2&colour=number. */
 function setPlayback(playback, asked) {
-  if (asked.has("slice")) playback.axis = asked.get("slice");
-  if (asked.has("height")) playback.height.value = asked.get("height");
-  if (playback.slice && playback.axis) playback.cut();
-  if (asked.has("colour")) playback.cloths.by = asked.get("colour");
+  if (playback.height) {
+    // a slice that can be moved: there is a flow, in space
+    if (asked.has("slice")) playback.axis = asked.get("slice");
+    if (asked.has("height")) playback.height.value = asked.get("height");
+    playback.cut();
+  }
+  if (asked.has("colour") && playback.cloths) playback.cloths.by = asked.get("colour");
   if (asked.has("view")) playback.view.look(asked.get("view"));
   if (asked.has("time")) playback.time = Number(asked.get("time"));
   playback.refresh();
+}
+
+/** Puts the playback at each of some times into the page, as the images of a movie. */
+function addFrames({ playback }, times) {
+  const { renderer, scene, camera } = playback.view;
+  for (const time of times) {
+    playback.time = time;
+    playback.refresh();
+    renderer.render(scene, camera);
+    document.body.append(element("img", { class: "frame", src: renderer.domElement.toDataURL("image/jpeg", 0.95), alt: "" }));
+  }
 }
 
 /** Shows nothing but the playback, as a still image: what is drawn in space is lost when the browser takes its time. */
 async function showPicture(report, address) {
   const { view } = report.page.playback;
   view.resize();
-  setPlayback(report.page.playback, new URLSearchParams(address.slice(1)));
+  const asked = new URLSearchParams(address.slice(1));
+  setPlayback(report.page.playback, asked);
+  if (asked.has("times")) addFrames(report.page, asked.get("times").split(",").map(Number));
   view.renderer.render(view.scene, view.camera);
   const still = element("img", { src: view.renderer.domElement.toDataURL(), alt: "playback" });
   await still.decode();

@@ -78,7 +78,7 @@ class Playback {
       "aria-label": "time",
       oninput: (event) => this.go(Number(event.target.value)),
     });
-    this.clock = element("output", { id: "clock", for: "time" });
+    this.clock = element("output", { id: "clock", for: "time", "aria-live": "off" });
     this.bars = element("div", { class: "bars" });
     this.tip = element("output", { class: "tip" });
     this.stage.append(this.bars, this.tip, this.zoomButtons());
@@ -93,12 +93,13 @@ class Playback {
   }
 
   zoomButtons() {
-    return element(
-      "div",
-      { class: "zoom" },
-      element("button", { type: "button", title: "nearer", onclick: () => this.view.zoom(1.25) }, "+"),
-      element("button", { type: "button", title: "farther", onclick: () => this.view.zoom(0.8) }, "−"),
-    );
+    const button = (name, sign, factor) =>
+      element(
+        "button",
+        { type: "button", title: name, "aria-label": name, onclick: () => this.view.zoom(factor) },
+        sign,
+      );
+    return element("div", { class: "zoom" }, button("nearer", "+", 1.25), button("farther", "−", 0.8));
   }
 
   settings() {

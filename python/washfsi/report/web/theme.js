@@ -23,16 +23,19 @@ function tellTheme() {
   themeListeners.forEach((listener) => listener());
 }
 
-/** Lets the button change the theme. */
+/** Lets the button change the theme; from then on the system does not. */
 function startTheme(button) {
   const dark = window.matchMedia("(prefers-color-scheme: dark)");
   const root = document.documentElement;
   root.dataset.theme = dark.matches ? "dark" : "light";
+  let chosen = false;
   dark.addEventListener("change", () => {
+    if (chosen) return;
     root.dataset.theme = dark.matches ? "dark" : "light";
     tellTheme();
   });
   button.addEventListener("click", () => {
+    chosen = true;
     root.dataset.theme = root.dataset.theme === "dark" ? "light" : "dark";
     tellTheme();
   });
