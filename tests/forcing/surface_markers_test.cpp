@@ -68,6 +68,22 @@ TEST(SurfaceMarkers, AreInPatchesThatCoverTheSurface) {
   }
 }
 
+// Unequal patches make the torque of a small blade a matter of chance.
+TEST(SurfaceMarkers, OfASmallBladeAreInPatchesOfLikeSize) {
+  constexpr double cell = 0.1;
+  const Cuboid<3> blade(Point<3>(4, 0.32, 3.2) * cell);
+  const MarkerPatches<3> patches =
+      surface_markers<3>(blade, Bounds<3>::round(Point<3>::Zero(), Point<3>::Constant(1)), layout(cell));
+  std::size_t least = patches.markers.size(), most = 0;
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    const std::size_t size = patches.starts[p + 1] - patches.starts[p];
+    least = std::min(least, size);
+    most = std::max(most, size);
+  }
+  EXPECT_NEAR(static_cast<double>(patches.size()), 0.54 * 0.54 * static_cast<double>(patches.markers.size()), 1);
+  EXPECT_LE(most, 2 * least);
+}
+
 TEST(SurfaceMarkers, DoNotDependOnTheRegion) {
   const Sphere<3> ball(0.5);
   const Point<3> margin = Point<3>::Constant(1);
