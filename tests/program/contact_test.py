@@ -90,6 +90,26 @@ SLED = """
 -time_end 0.1
 -output_interval 1
 """.split()
+# A sheet, too heavy to move, across a channel in the plane.
+CHANNEL = """
+-grid_cells 32,16
+-grid_upper 0.64,0.32
+-bc_x_lower inflow
+-bc_x_upper outflow
+-bc_y_lower slip
+-bc_y_upper slip
+-fluid_viscosity 0.01
+-cloths sheet
+-sheet_size 0.32
+-sheet_markers 33
+-sheet_center 0.32,0.16
+-sheet_direction 0,1
+-sheet_hold middle
+-sheet_ke 1e4
+-sheet_excess_mass 1e7
+-time_step 2e-3
+-output_interval 1
+""".split()
 RUBS = ["-contact_friction", 0.4]
 PULL, PRESS, AREA = 45, 100, 0.08**2  # [N/m2], [N/m2], [m2]
 COUNT = ["-contact_verify_interval", 1e-9]
@@ -177,6 +197,56 @@ class Contact(ProgramTest):
         creep = np.diff(stuck["sled_center_x"])[late] / np.diff(stuck["time"])[late]
         print(f"creep {creep.max():.3g} m/s, sliding {speed:.3g} m/s")
         self.assertLess(creep.max(), 0.01 * speed)
+
+    def test_water_goes_through_a_permeable_sheet_by_darcys_law(self):
+        lighter = ("-contact", "barrier", "-sheet_excess_mass", 1e4)
+        for permeance, inflow, scheme, end in ((1e-6, 1e-3, "semi_implicit", 0.1), (1e-5, 1e-2, "semi_implicit", 0.1),
+                                               (1e-4, 1e-2, "semi_implicit", 0.1), (1e-3, 1e-2, "semi_implicit", 0.1),
+                                               (1e-4, 1e-2, "implicit", 0.02)):
+            history = self.history(1, *CHANNEL, "-sheet_permeance", permeance, "-bc_x_lower_velocity", f"{inflow},0",
+                                   "-time_end", end, "-coupling_scheme", scheme, *(lighter if scheme == "implicit" else ()))
+            speed = np.diff(history["sheet_center_x"])[-1] / np.diff(history["time"])[-1]
+            through = permeance * history["sheet_water_force_x"][-1] / 0.32
+            print(f"{scheme}, permeance {permeance:g}: {through / (inflow - speed):.5f} of Darcy's flow")
+            with self.subTest(permeance=permeance, scheme=scheme):
+                self.assertLess(speed, 0.2 * inflow)
+                self.assertLess(abs(through - (inflow - speed)), 0.03 * inflow)
+                power = (inflow - speed)**2 / permeance * 0.32
+                self.assertLess(abs(history["seepage_power"][-1] - power), 0.03 * power)
+                self.assertGreaterEqual(history["seepage_power"].min(), 0)
+
+    def test_permeable_towels_carry_the_load_that_presses_them_and_part(self):
+        options = [*PRESSED, "-contact", "barrier", "-cloths_permeance", 1e-4, "-upper_direction", "1,0,0",
+                   "-upper_center", "0.16,0.16,0.168"]
+        pressed = self.history(1, *options, "-time_end", 0.08)
+        late = pressed["time"] > 0.04
+        force = pressed["lower_contact_force"][late].mean()
+        print(f"contact force {force:.4f} N of {500 * 0.15**2} N")
+        self.assertLess(abs(force - 500 * 0.15**2), 0.02 * 500 * 0.15**2)
+        self.assertEqual(pressed["intersections"].max(), 0)
+        parted = self.history(1, *options, "-lower_load", "0,0,-500", "-upper_load", "0,0,500", "-restart",
+                              "out/checkpoint.h5", "-time_end", 0.28)
+        gap = (parted["upper_center_z"] - parted["lower_center_z"])[parted["time"] >= 0.08]
+        print(f"gap {gap[0]:.4g} m when the loads are reversed, {gap[-1]:.4g} m 0.2 s later")
+        self.assertEqual(parted["lower_contact_force"][-1], 0)
+        self.assertGreater(gap[-1], 0.02)
+        tight = self.history(1, *options, "-cloths_permeance", 0, "-time_end", 0.08)
+        film = tight["upper_center_z"] - tight["lower_center_z"]
+        print(f"tight: gap {film[-1]:.4g} m")
+        self.assertGreater(film[-1], 0.006)
+
+    def test_permeable_towels_are_the_same_on_two_ranks(self):
+        options = [*PRESSED, "-contact", "barrier", "-cloths_permeance", 1e-5, *TIGHT, "-coupling_tolerance", 1e-11]
+        expected, history = self.history(1, *options), self.history(2, *options)
+        for name in expected.keys() - NOT_PHYSICAL:
+            with self.subTest(column=name):
+                self.assertLess(relative_difference(history[name], expected[name]), 1e-6)
+
+    def test_permeable_cloth_is_refused_where_it_is_not_solved_for(self):
+        for extra in (("-coupling_scheme", "explicit"), ("-coupling_mobility", "row_sums")):
+            outcome = run(1, *CHANNEL, "-sheet_permeance", 1e-4, "-time_end", 1, *extra, folder=self.folder)
+            self.assertEqual(outcome.returncode, 2, outcome.stderr)
+            self.assertIn("-sheet_permeance", outcome.stderr)
 
     def test_energy_of_cloths_alone_never_grows(self):
         history = self.history(1, *DROPPED, "-contact", "barrier", "-contact_friction", 0)

@@ -33,6 +33,7 @@ struct ClothGroup {
   /// Physical length along s and r [m] = parts of the lattice times spacing; in the plane the unit depth along r.
   std::array<double, 2> size{0.25, 1};
   double excess_mass = 0.093;  ///< over the water displaced, rho_s [kg/m2]
+  double permeance = 0;        ///< speed of water through it over the jump of pressure [m/(s Pa)]; 0: tight
   ElasticModel model = ElasticModel::energy;
   ClothShape shape = ClothShape::flat;  ///< at the start; an ellipse is a ring
   Sheet sheet;

@@ -33,12 +33,14 @@ template <int Dim>
 struct NamedScheme {
   std::string name;
   bool takes_inertia;  ///< whether the cloths may carry their own mass
+  bool takes_seepage;  ///< whether they may let water through
   std::function<std::unique_ptr<CouplingScheme<Dim>>(const System<Dim>&, const CouplingOptions&)> make;
 };
 
 template <int Dim, class Scheme>
 NamedScheme<Dim> named(const char* name) {
-  return {name, Scheme::takes_inertia, [](const System<Dim>& system, const CouplingOptions& options) {
+  return {name, Scheme::takes_inertia, Scheme::takes_seepage,
+          [](const System<Dim>& system, const CouplingOptions& options) {
             if constexpr (std::is_default_constructible_v<Scheme>)
               return std::make_unique<Scheme>();
             else
@@ -138,6 +140,11 @@ std::unique_ptr<CouplingScheme<Dim>> make_coupling_scheme(const CouplingOptions&
   if (system.model.mass_carrier == MassCarrier::cloth && !scheme.takes_inertia)
     throw InputError("-cloth_inertia cloth: not with -" + options.scheme_option + " " + options.scheme +
                      ", which needs water");
+  for (const auto& group : system.model.cloths.groups())
+    if (group.permeance > 0 && (!scheme.takes_seepage || options.mobility == Mobility::row_sums))
+      throw InputError("-" + group.name +
+                       "_permeance: needs -coupling_scheme semi_implicit or implicit, with "
+                       "-coupling_mobility matrix");
   return scheme.make(system, options);
 }
 

@@ -48,6 +48,8 @@ class CouplingScheme {
  public:
   /// Whether the cloths may carry their own mass; schemes that let them redeclare it.
   static constexpr bool takes_inertia = false;
+  /// Whether the cloths may let water through; likewise.
+  static constexpr bool takes_seepage = false;
 
   CouplingScheme() = default;
   CouplingScheme(const CouplingScheme&) = delete;

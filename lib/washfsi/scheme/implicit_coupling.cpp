@@ -21,6 +21,7 @@ ImplicitCoupling<Dim>::ImplicitCoupling(const System<Dim>& system, const Couplin
                   ? ClothSolverDefaults{SNESNEWTONLS, false, true, is_packed(system.model)}
                   : ClothSolverDefaults{SNESQN, false}),
       force_equation_(solver_),
+      seepage_(system.model.cloths),
       mobility_(system.model) {
   if (!system.model.forces.limit_motion()) return;
   check_symmetry(system.model);
@@ -46,7 +47,8 @@ Points<Dim> ImplicitCoupling<Dim>::fluid_step(System<Dim>& system, double dt, co
                    model.forces.constant());
   model.fluid.restore_pressure();
   move_water(system, dt);
-  return marker_velocities(model, model.fluid.next_velocity(), state.clock.time + dt);
+  const Points<Dim> water = marker_velocities(model, model.fluid.next_velocity(), state.clock.time + dt);
+  return seepage_.present() ? water + seepage_.velocities(step.given) : water;
 }
 
 template <int Dim>
@@ -102,6 +104,7 @@ Points<Dim> ImplicitCoupling<Dim>::solve_by_sweeps(System<Dim>& system, double d
     const double enough = tolerance(system);
     if (norm(model.grid.comm(), velocities - reached) <= enough) return velocities;
     mobility_.find(model, step.pushed_at, weight() * options_.mobility_factor, true);
+    seepage_.add_to(mobility_.matrix(), weight() / dt);
     Points<Dim> change(velocities.size(), Point<Dim>::Zero());
     velocities =
         force_equation_.solve({model.forces, dt, state.positions, reached, model.forces.of_places(step.pushed_at),
@@ -119,10 +122,12 @@ void ImplicitCoupling<Dim>::take(System<Dim>& system, double dt) {
   begin_step(system, state.positions, state.clock.time + dt, dt,
              is_trapezoidal() ? trapezoidal_difference(system, dt) : backward_difference(system, dt));
   hold_bodies(system, state.clock.time + dt);
+  seepage_.begin_step(state.positions);
   model.fluid.keep_pressure();
   Points<Dim> last;
   const Points<Dim> velocities =
       model.forces.limit_motion() ? solve_by_sweeps(system, dt, last) : solve(system, dt, last);
+  if (seepage_.present()) system.step.seepage_power = seepage_.power(system.step.given);
   model.fluid.finish();
   state.positions += dt * velocities;
   state.velocities = last;

@@ -15,6 +15,7 @@
 #include "washfsi/scheme/cloth_solver.hpp"
 #include "washfsi/scheme/coupling_scheme.hpp"
 #include "washfsi/scheme/force_equation.hpp"
+#include "washfsi/scheme/seepage.hpp"
 #include "washfsi/scheme/step_mobility.hpp"
 
 namespace washfsi {
@@ -23,6 +24,7 @@ template <int Dim>
 class ImplicitCoupling : public CouplingScheme<Dim> {
  public:
   static constexpr bool takes_inertia = true;
+  static constexpr bool takes_seepage = true;
 
   ImplicitCoupling(const System<Dim>& system, const CouplingOptions& options);
   double step_bound(const System<Dim>& system) const override;
@@ -39,6 +41,7 @@ class ImplicitCoupling : public CouplingScheme<Dim> {
   CouplingOptions options_;
   ClothSolver<Dim> solver_;
   ForceEquation<Dim> force_equation_;
+  Seepage<Dim> seepage_;
   StepMobility<Dim> mobility_;
 };
 

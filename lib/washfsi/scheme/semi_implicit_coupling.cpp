@@ -38,7 +38,8 @@ SemiImplicitCoupling<Dim>::SemiImplicitCoupling(const System<Dim>& system, const
               {SNESNEWTONLS, options.mobility == Mobility::row_sums, options.mobility == Mobility::matrix,
                is_packed(system.model)}),
       force_equation_(solver_),
-      mobility_(system.model) {
+      mobility_(system.model),
+      seepage_(system.model.cloths) {
   if (const MarkerForce<Dim>* force = system.model.forces.without_jacobian())
     throw InputError(force->origin() + ": has no Jacobian; use -coupling_scheme explicit or midpoint");
   if (options.mobility == Mobility::matrix) check_symmetry(system.model);
@@ -69,6 +70,12 @@ Points<Dim> SemiImplicitCoupling<Dim>::water_velocities(const System<Dim>& syste
   WASH_PETSC(VecAXPY(mean, weights_.start, fluid.velocity()));
   WASH_PETSC(VecAXPY(mean, weights_.before, fluid.velocity_before()));
   return marker_velocities(model, mean, state.clock.time + 0.5 * dt);
+}
+
+template <int Dim>
+Points<Dim> SemiImplicitCoupling<Dim>::reached_velocities(const System<Dim>& system, double dt) const {
+  const Points<Dim> water = water_velocities(system, dt);
+  return seepage_.present() ? water + seepage_.velocities(system.step.given) : water;
 }
 
 template <int Dim>
@@ -187,7 +194,7 @@ void SemiImplicitCoupling<Dim>::sweep(System<Dim>& system, double dt, Points<Dim
     WASH_PETSC(VecAXPY(step.force, 1.0, increment));
     forces = moved;
     change_.assign(change_.size(), Point<Dim>::Zero());
-    interpolated = water_velocities(system, dt);
+    interpolated = reached_velocities(system, dt);
     step.cloth_slip = slip(model.grid.comm(), interpolated);
     if (step.cloth_slip <= options_.slip_tolerance) break;
   }
@@ -223,7 +230,10 @@ void SemiImplicitCoupling<Dim>::take(System<Dim>& system, double dt) {
   change_ = at_start - (state.clock.step > 0 ? state.forces_before : at_start);  // as in the last step
   mobility_.find(model, places, options_.mobility_factor * weights_.end * weights_.end,
                  options_.mobility == Mobility::matrix);
-  sweep(system, dt, forces, water_velocities(system, dt));
+  seepage_.begin_step(state.positions);
+  seepage_.add_to(mobility_.matrix(), weights_.end / dt);
+  sweep(system, dt, forces, reached_velocities(system, dt));
+  if (seepage_.present()) step.seepage_power = seepage_.power(step.given);
   state.velocities = options_.order == 1 ? velocities_ : extrapolated(system, dt, velocities_);
   state.forces_before = at_start;
   model.fluid.finish();

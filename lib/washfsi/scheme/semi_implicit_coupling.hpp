@@ -9,7 +9,8 @@
 //   1. spread      S, J, rho at X^n + dt/2 V^n;  f = S (a F + b F^n + c F^(n-1) + weight, loads);  F = F^n + I^n/a at
 //   first
 //   2. fluid       u, p by the fractional step with f
-//   3. markers     U = J [H (a u + b u^n + c u^(n-1)) + (1-H) u_solid]
+//   3. markers     U = J [H (a u + b u^n + c u^(n-1)) + (1-H) u_solid];  permeable ones + B f (scheme/seepage.hpp), and
+//                  M + a B/dt below
 //   4. mobility    M = factor times a^2 J H S / rho, a sparse matrix that bounds the true mobility of the markers, that
 //                  of cloths lying on each other included; or, D, its row sums, a diagonal. Stable for any step if
 //                  factor
@@ -28,6 +29,7 @@
 #include "washfsi/scheme/cloth_solver.hpp"
 #include "washfsi/scheme/coupling_scheme.hpp"
 #include "washfsi/scheme/force_equation.hpp"
+#include "washfsi/scheme/seepage.hpp"
 #include "washfsi/scheme/step_mobility.hpp"
 
 namespace washfsi {
@@ -41,6 +43,7 @@ template <int Dim>
 class SemiImplicitCoupling : public CouplingScheme<Dim> {
  public:
   static constexpr bool takes_inertia = true;
+  static constexpr bool takes_seepage = true;
 
   SemiImplicitCoupling(const System<Dim>& system, const CouplingOptions& options);
   double step_bound(const System<Dim>& system) const override;
@@ -48,8 +51,9 @@ class SemiImplicitCoupling : public CouplingScheme<Dim> {
  private:
   void take(System<Dim>& system, double dt) override;
   void weigh(const System<Dim>& system, double dt);
-  /// The water's mean velocity at the markers.
+  /// The water's mean velocity at the markers; with what seeps through them, theirs.
   Points<Dim> water_velocities(const System<Dim>& system, double dt) const;
+  Points<Dim> reached_velocities(const System<Dim>& system, double dt) const;
   void begin_motion(System<Dim>& system, double dt) const;
   void sweep(System<Dim>& system, double dt, Points<Dim> forces, Points<Dim> interpolated);
   /// V from U and F. Collective. Errors: DivergedError.
@@ -67,8 +71,9 @@ class SemiImplicitCoupling : public CouplingScheme<Dim> {
   ClothSolver<Dim> solver_;
   ForceEquation<Dim> force_equation_;
   StepMobility<Dim> mobility_;  ///< M, D of the step under way
-  Points<Dim> velocities_;      ///< W
-  Points<Dim> change_;          ///< guess of how the forces change in the step under way
+  Seepage<Dim> seepage_;
+  Points<Dim> velocities_;  ///< W
+  Points<Dim> change_;      ///< guess of how the forces change in the step under way
 };
 
 }  // namespace washfsi

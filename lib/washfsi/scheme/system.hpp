@@ -24,6 +24,7 @@ struct StepRecord {
   Points<Dim> pushed_at;                          ///< places at which the forces on the cloths were evaluated last [m]
   Points<Dim> given;                              ///< force of each of this rank's markers on the water [N]
   Point<Dim> wall_reaction = Point<Dim>::Zero();  ///< part of the cloth's force that walls took [N]
+  double seepage_power = 0;                       ///< lost to water that goes through cloth [W; W/m in the plane]
   double cloth_slip = 0;                          ///< rms difference of cloth and water over the rms speed of cloth
   double cloth_iterations = 0;                    ///< evaluations of the cloths' equations in all steps so far
 };

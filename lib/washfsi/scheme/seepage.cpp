@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/scheme/seepage.hpp"
+
+#include "washfsi/support/collective.hpp"
+
+namespace washfsi {
+
+template <int Dim>
+Seepage<Dim>::Seepage(const Cloths<Dim>& cloths) : cloths_(cloths) {
+  for (const auto& group : cloths.groups()) present_ = present_ || group.permeance > 0;
+  for (std::size_t m = 0; m < cloths.owned(); ++m)
+    rates_.push_back(cloths.group_of(m).permeance / cloths.marker_areas()[m]);
+  normals_.assign(cloths.owned(), Point<Dim>::Zero());
+}
+
+template <int Dim>
+void Seepage<Dim>::begin_step(const Points<Dim>& positions) {
+  if (present_) normals_ = cloths_.normals(positions);
+}
+
+template <int Dim>
+Points<Dim> Seepage<Dim>::velocities(const Points<Dim>& forces) const {
+  Points<Dim> result;
+  for (std::size_t m = 0; m < forces.size(); ++m)
+    result.push_back(rates_[m] * normals_[m].dot(forces[m]) * normals_[m]);
+  return result;
+}
+
+template <int Dim>
+double Seepage<Dim>::power(const Points<Dim>& forces) const {
+  double sum = 0;
+  for (std::size_t m = 0; m < forces.size(); ++m) {
+    const double across = normals_[m].dot(forces[m]);
+    sum += rates_[m] * across * across;
+  }
+  return ordered_sum(cloths_.comm(), sum);
+}
+
+template <int Dim>
+void Seepage<Dim>::add_to(Mat mobility, double factor) const {
+  if (!present_) return;
+  petsc::Matrix own;
+  const auto rows = static_cast<PetscInt>(Dim * rates_.size());
+  WASH_PETSC(
+      MatCreateAIJ(cloths_.comm(), rows, rows, PETSC_DETERMINE, PETSC_DETERMINE, Dim, nullptr, 0, nullptr, own.put()));
+  for (std::size_t m = 0; m < rates_.size(); ++m) {
+    const StiffnessBlock<Dim> block = factor * rates_[m] * normals_[m] * normals_[m].transpose();
+    for (PetscInt a = 0; a < Dim; ++a)
+      for (PetscInt b = 0; b < Dim; ++b) {
+        const PetscInt first = cloths_.number_of(m) * Dim;
+        WASH_PETSC(MatSetValue(own, first + a, first + b, block(a, b), INSERT_VALUES));
+      }
+  }
+  WASH_PETSC(MatAssemblyBegin(own, MAT_FINAL_ASSEMBLY));
+  WASH_PETSC(MatAssemblyEnd(own, MAT_FINAL_ASSEMBLY));
+  WASH_PETSC(MatAXPY(mobility, 1, own, DIFFERENT_NONZERO_PATTERN));
+}
+
+template class Seepage<2>;
+template class Seepage<3>;
+
+}  // namespace washfsi
