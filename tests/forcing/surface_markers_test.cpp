@@ -80,7 +80,8 @@ TEST(SurfaceMarkers, OfASmallBladeAreInPatchesOfLikeSize) {
     least = std::min(least, size);
     most = std::max(most, size);
   }
-  EXPECT_NEAR(static_cast<double>(patches.size()), 0.54 * 0.54 * static_cast<double>(patches.markers.size()), 1);
+  const double in_one = std::pow(layout(cell).spacing / 0.54, 2);
+  EXPECT_NEAR(static_cast<double>(patches.size()), static_cast<double>(patches.markers.size()) / in_one, 0.5);
   EXPECT_LE(most, 2 * least);
 }
 
