@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Each mistake of a user ends with one line that says what is wrong, and with the exit status promised for it."""
 
+import concurrent.futures
 import json
 import re
 import subprocess
@@ -11,6 +12,7 @@ import h5py
 from support import CAVITY, EXPLICIT_WASH, SHEET, WASH, ProgramTest, read_columns, run
 
 SECONDS = 30  # after which a run is taken to hang
+AT_ONCE = 4   # runs that are refused at the start: they mostly wait
 WRONG_INPUT, DIVERGED, CANNOT_WRITE = 2, 3, 4
 CASE = ["-options_file", WASH, "-time_end", 0.01, "-output_dir", "out"]
 
@@ -162,7 +164,10 @@ def ranks_for(number):
 class WrongInputs(ProgramTest):
     def assert_refused(self, status, words, *options, ranks=2, launcher=()):
         """Runs the program, which must end with a status and with one line of ours that holds some words."""
-        outcome = run(ranks, *options, folder=self.folder, seconds=SECONDS, launcher=launcher)
+        self.assert_one_line(run(ranks, *options, folder=self.folder, seconds=SECONDS, launcher=launcher), status, words)
+
+    def assert_one_line(self, outcome, status, words):
+        """Asserts that a run ended with a status and with one line of ours that holds some words."""
         self.assertEqual(outcome.returncode, status, outcome.stderr)
         for sign in FOREIGN:
             self.assertNotIn(sign, outcome.stdout + outcome.stderr)
@@ -172,17 +177,26 @@ class WrongInputs(ProgramTest):
         for word in words:
             self.assertIn(word, lines[0])
 
-    def test_wrong_options(self):
-        for number, (what, options, words) in enumerate(WRONG_OPTIONS):
+    def refuse_each(self, case, mistakes):
+        """Runs a case with each of the mistakes, in a folder of its own; each must be refused before it writes results."""
+        with concurrent.futures.ThreadPoolExecutor(AT_ONCE) as pool:
+            runs = [pool.submit(self.try_mistake, case, options, number) for number, (_, options, _) in enumerate(mistakes)]
+        for started, (what, _, words) in zip(runs, mistakes):
             with self.subTest(what):
-                out = self.folder / what.replace(" ", "_")
-                self.assert_refused(WRONG_INPUT, words, *CASE, "-output_dir", out, *options, ranks=ranks_for(number))
-                self.assertFalse(out.exists(), "it wrote results")
+                folder, outcome = started.result()
+                self.assert_one_line(outcome, WRONG_INPUT, words)
+                self.assertFalse((folder / "out").exists(), "it wrote results")
+
+    def try_mistake(self, case, options, number):
+        folder = self.folder / str(number)
+        folder.mkdir()
+        return folder, run(ranks_for(number), *case, *options, folder=folder, seconds=SECONDS)
+
+    def test_wrong_options(self):
+        self.refuse_each(CASE, WRONG_OPTIONS)
 
     def test_wrong_options_of_sheets(self):
-        for number, (what, options, words) in enumerate(WRONG_OPTIONS_OF_SHEETS):
-            with self.subTest(what):
-                self.assert_refused(WRONG_INPUT, words, "-options_file", SHEET, *options, ranks=ranks_for(number))
+        self.refuse_each(["-options_file", SHEET, "-output_dir", "out"], WRONG_OPTIONS_OF_SHEETS)
 
     def test_options_files_with_garbage(self):
         for what, text, words in (("itself", "-options_file self.opts", ["line 1", "includes itself"]),
