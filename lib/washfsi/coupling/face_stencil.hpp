@@ -11,6 +11,8 @@ namespace washfsi {
 template <int Dim>
 class FaceStencil {
  public:
+  /// Of no marker.
+  FaceStencil() = default;
   FaceStencil(const Grid<Dim>& grid, const AxisDelta& delta, const Point<Dim>& position) {
     for (int d = 0; d < Dim; ++d) {
       const double place = (position[d] - grid.lower()[d]) / grid.spacing()[d];

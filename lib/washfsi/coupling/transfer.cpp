@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "washfsi/grid/interpolate.hpp"
 #include "washfsi/support/collective.hpp"
@@ -32,18 +33,19 @@ void Transfer<Dim>::locate(const Points<Dim>& positions) {
   const petsc::LogPart part("spread");
   check_inside(positions);
   exchange_.update(positions);
-  here_ = exchange_.to_cells(positions);
+  const Points<Dim> before = std::exchange(here_, exchange_.to_cells(positions));
   for (auto& position : here_) position = grid_.folded(position);
-  find_stencils();
+  find_stencils(before);
 }
 
+// Those of markers at rest, of which a drum may have most, are kept.
 template <int Dim>
-void Transfer<Dim>::find_stencils() {
+void Transfer<Dim>::find_stencils(const Points<Dim>& before) {
   const auto fill = [&](std::vector<FaceStencil<Dim>>& stencils, double width) {
     const AxisDelta delta(delta_.kernel, width);
-    stencils.clear();
-    stencils.reserve(here_.size());
-    for (const auto& position : here_) stencils.emplace_back(grid_, delta, position);
+    stencils.resize(here_.size());
+    for (std::size_t m = 0; m < here_.size(); ++m)
+      if (m >= before.size() || here_[m] != before[m]) stencils[m] = FaceStencil<Dim>(grid_, delta, here_[m]);
   };
   fill(spread_stencils_, delta_.spread_width);
   if (delta_.interpolate_width != delta_.spread_width) fill(interpolate_stencils_, delta_.interpolate_width);

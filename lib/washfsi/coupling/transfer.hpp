@@ -47,7 +47,7 @@ class Transfer {
   Points<Dim> interpolate_from_sides(Vec local_velocity) const;
 
  private:
-  void find_stencils();
+  void find_stencils(const Points<Dim>& before);
   template <class Matters>
   Points<Dim> interpolate_where(const Matters& matters, Vec local_velocity) const;
   void add_to_local(const Points<Dim>& values, Vec local) const;

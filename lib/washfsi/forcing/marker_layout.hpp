@@ -11,9 +11,9 @@ namespace washfsi {
 /// How markers are laid on a surface.
 template <int Dim>
 struct MarkerLayout {
-  Point<Dim> cell;                                              ///< the grid's spacing [m]
-  double spacing = 1.0;                                         ///< mean width of a patch [cells]
-  KernelMoments moments;                                        ///< of the delta by which they act
+  Point<Dim> cell;        ///< the grid's spacing [m]
+  double spacing = 1.0;   ///< mean width of a patch on a sheet [cells]; solids have wider ones
+  KernelMoments moments;  ///< of the delta by which they act
   double held_depth = std::numeric_limits<double>::infinity();  ///< from which on bodies hold the water themselves [m]
 };
 

@@ -15,6 +15,7 @@ namespace {
 template <int Dim>
 constexpr double seeds_a_cell = Dim == 2 ? 8 : 3;
 constexpr double marker_spacing = 0.54;  // least distance of markers [cells]
+constexpr double wider_on_solids = 1.3;  // what closes round a solid is held as well by wider patches
 
 /// Cells of which each seeds one place of the surface; laid from the shape's origin, so that its markers do not depend
 /// on where it is.
@@ -41,6 +42,12 @@ class SeedCells {
   Box<Dim> box_{};
 };
 
+// Markers in the middle of a sheet are on no face of it.
+template <int Dim>
+bool has_sheets(const std::vector<Candidate<Dim>>& markers) {
+  return std::any_of(markers.begin(), markers.end(), [](const auto& marker) { return marker.place == marker.foot; });
+}
+
 template <int Dim>
 MarkerPatches<Dim> markers_of_part(const Shape<Dim>& shape, const Bounds<Dim>& region,
                                    const MarkerLayout<Dim>& layout) {
@@ -58,10 +65,10 @@ MarkerPatches<Dim> markers_of_part(const Shape<Dim>& shape, const Bounds<Dim>& r
     return std::lexicographical_compare(a.place.begin(), a.place.end(), b.place.begin(), b.place.end());
   });
   const auto markers = spread_evenly<Dim>(candidates, marker_spacing * layout.cell);
-  const double in_one = std::pow(std::max(1.0, layout.spacing / marker_spacing), Dim - 1);
+  const double width = layout.spacing * (has_sheets<Dim>(markers) ? 1 : wider_on_solids);
+  const double in_one = std::pow(std::max(1.0, width / marker_spacing), Dim - 1);
   const auto count = static_cast<std::size_t>(std::ceil(static_cast<double>(markers.size()) / in_one - 0.5));
-  return gathered<Dim>(markers, std::min(markers.size(), std::max<std::size_t>(count, 1)),
-                       layout.spacing * layout.cell);
+  return gathered<Dim>(markers, std::min(markers.size(), std::max<std::size_t>(count, 1)), width * layout.cell);
 }
 
 // The box round a region as it is in the frame of a part.
