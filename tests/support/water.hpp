@@ -17,7 +17,7 @@ struct Water {
         force(grid.face_vector()) {}
 
   void advance(double dt, const Constraint<Dim>& constraint = {}, WallForces* walls = nullptr) {
-    liquid.update_viscosity(fluid.velocity(), clock.time);
+    liquid.update_viscosity({fluid.velocity(), clock.time});
     fluid.advance(clock.next(dt), {liquid.fields(), force, constraint, walls});
     clock.advance(dt);
   }

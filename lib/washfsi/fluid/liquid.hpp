@@ -27,6 +27,13 @@ class ViscosityModel {
 template <int Dim>
 using ViscosityModels = std::vector<std::shared_ptr<const ViscosityModel<Dim>>>;
 
+/// The flow that a step begins with.
+struct StepFlow {
+  Vec velocity = nullptr;     ///< [m/s]
+  double time = 0;            ///< [s]
+  Vec fluid_share = nullptr;  ///< the share of each face that lies in fluid; none: all of it
+};
+
 /// What the fluid's equations need of a liquid.
 struct LiquidFields {
   Vec density = nullptr;  ///< on faces [kg/m3]
@@ -50,12 +57,26 @@ class Liquid {
   void reset_density();
 
   const Viscosity& viscosity() const { return viscosity_; }
-  /// Lets the models work on the flow at a time. Collective.
-  void update_viscosity(Vec velocity, double time);
+  /// Lets the models work on the flow. What they add counts by the share of fluid round a cell: water in a body moves
+  /// rigidly, and has no eddies. Collective.
+  void update_viscosity(const StepFlow& flow);
+
+  /// Only what the models add, for those who look at it before the first step. Collective.
+  void let_models_add(const StepFlow& flow);
+  bool has_models() const { return !models_.empty(); }
+  /// Calls visit(viscosity) with what the models add in each of this rank's cells [Pa s], x fastest; there must be
+  /// some.
+  template <class Visit>
+  void visit_added_viscosity(Visit&& visit) const {
+    const ConstCellView<Dim> mu(grid_.cell_dm(), global_viscosity_);
+    for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) { visit(mu(cell) - pure_viscosity_); });
+  }
 
   LiquidFields fields() const { return {density_, viscosity_}; }
 
  private:
+  void weigh_added(Vec fluid_share);
+
   const Grid<Dim>& grid_;
   const Boundary<Dim>& boundary_;
   double pure_density_, pure_viscosity_;
