@@ -117,8 +117,9 @@ class RestartOfSheets(ProgramTest):
     def test_restart_agrees_with_the_straight_run(self):
         self.assert_restart_agrees()
 
-    def test_restart_agrees_with_an_eddy_viscosity(self):
-        history = self.assert_restart_agrees("-turbulence", "vreman")
+    def test_restart_agrees_with_models_of_turbulence(self):
+        history = self.assert_restart_agrees("-turbulence", "vreman", "-wall_model", "equilibrium", "-fluid_viscosity", 5e-3)
+        self.assertGreater(history["wall_y_plus_max"][-1], 5)
         self.assertTrue(np.all(history["eddy_viscosity_mean"][1:] > 0))
         with h5py.File(self.folder / "half" / "flow.h5") as file:
             frame = max(file["frames"].values(), key=lambda one: one.attrs["time"])

@@ -5,7 +5,7 @@ namespace washfsi {
 
 template <int Dim>
 Liquid<Dim>::Liquid(const Grid<Dim>& grid, const Boundary<Dim>& boundary, double density, double viscosity,
-                    ViscosityModels<Dim> models)
+                    ViscosityModels<Dim> models, WallTreatment walls)
     : grid_(grid),
       boundary_(boundary),
       pure_density_(density),
@@ -14,7 +14,8 @@ Liquid<Dim>::Liquid(const Grid<Dim>& grid, const Boundary<Dim>& boundary, double
       density_(grid.face_vector()),
       viscosity_{viscosity} {
   reset_density();
-  if (models_.empty()) return;
+  if (walls != WallTreatment::none) walls_ = std::make_unique<WallModel<Dim>>(grid, boundary);
+  if (models_.empty() && !walls_) return;
   global_viscosity_ = grid.cell_vector();
   WASH_PETSC(VecSet(global_viscosity_, viscosity));
   WASH_PETSC(DMCreateLocalVector(grid.cell_dm(), local_viscosity_.put()));
@@ -29,11 +30,22 @@ void Liquid<Dim>::reset_density() {
 
 template <int Dim>
 void Liquid<Dim>::update_viscosity(const StepFlow& flow) {
-  if (models_.empty()) return;
+  if (!viscosity_.in_cells) return;
   const petsc::LogPart part("viscosity");
   let_models_add(flow);
   WASH_PETSC(DMGlobalToLocal(grid_.cell_dm(), global_viscosity_, INSERT_VALUES, local_viscosity_));
   boundary_.fill_cells(local_viscosity_);
+  if (walls_) let_walls_follow(flow);
+}
+
+template <int Dim>
+void Liquid<Dim>::let_walls_follow(const StepFlow& flow) {
+  if (walls_time_ != flow.time) {
+    const GhostedVelocity<Dim> local(boundary_, grid_.face_dm(), flow.velocity, flow.time);
+    walls_->observe(ConstFaceView<Dim>(grid_.face_dm(), local), flow.last_step, pure());
+    walls_time_ = flow.time;
+  }
+  walls_->set_ghosts(local_viscosity_);
 }
 
 template <int Dim>

@@ -7,8 +7,20 @@
 
 namespace washfsi {
 
+// Whether walls are worth a look, which eddies are too.
+template <int Dim>
+bool EddyMeasure<Dim>::models_walls() const {
+  const Liquid<Dim>& liquid = system_.model.liquid;
+  return liquid.pure_viscosity() > 0 && (liquid.has_models() || liquid.walls());
+}
+
 template <int Dim>
 void EddyMeasure<Dim>::declare(QuantityList& quantities) {
+  if (models_walls())
+    quantities.add(
+        {"wall_y_plus_max", "-",
+         "largest y+ of the middle of a cell beside no-slip sides of the box, by Reichardt's law at the next",
+         [this] { return y_plus_; }, Accumulation::largest, "/max_wall_y_plus"});
   if (!system_.model.liquid.has_models()) return;
   quantities.add({"eddy_viscosity_mean", "Pa s", "mean over the box of what `-turbulence` added in the step",
                   [this] { return mean_; }});
@@ -17,8 +29,11 @@ void EddyMeasure<Dim>::declare(QuantityList& quantities) {
 }
 
 template <int Dim>
-void EddyMeasure<Dim>::observe(const Observation<Dim>&) {
+void EddyMeasure<Dim>::observe(const Observation<Dim>& seen) {
   const Model<Dim>& model = system_.model;
+  if (models_walls())
+    y_plus_ =
+        largest_y_plus<Dim>(model.grid, model.boundary, {model.grid.face_dm(), seen.velocity}, model.liquid.pure());
   if (!model.liquid.has_models()) return;
   double sum = 0;
   largest_ = 0;

@@ -5,7 +5,7 @@
 
 namespace washfsi {
 
-/// The viscosity that models of the liquid add, where there are some.
+/// The viscosity that models of the liquid add, and how thick the cells beside walls are, where either is modelled.
 template <int Dim>
 class EddyMeasure : public Measure<Dim> {
  public:
@@ -17,7 +17,10 @@ class EddyMeasure : public Measure<Dim> {
 
  private:
   const System<Dim>& system_;
+  bool models_walls() const;
+
   double mean_ = 0, largest_ = 0;  ///< [Pa s]
+  double y_plus_ = 0;
 };
 
 extern template class EddyMeasure<2>;
