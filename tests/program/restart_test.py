@@ -117,6 +117,14 @@ class RestartOfSheets(ProgramTest):
     def test_restart_agrees_with_the_straight_run(self):
         self.assert_restart_agrees()
 
+    def test_restart_agrees_with_models_of_turbulence(self):
+        history = self.assert_restart_agrees("-turbulence", "vreman", "-wall_model", "equilibrium", "-fluid_viscosity", 5e-3)
+        self.assertGreater(history["wall_y_plus_max"][-1], 5)
+        self.assertTrue(np.all(history["eddy_viscosity_mean"][1:] > 0))
+        with h5py.File(self.folder / "half" / "flow.h5") as file:
+            frame = max(file["frames"].values(), key=lambda one: one.attrs["time"])
+            self.assertAlmostEqual(float(np.max(frame["eddy_viscosity"])) / history["eddy_viscosity_max"][-1], 1, places=5)
+
     def test_restart_agrees_where_steps_have_a_longest_length_too(self):
         longest, courant = 0.008, 0.145
         history = self.assert_restart_agrees("-time_step", longest, "-time_cfl", courant)

@@ -19,6 +19,11 @@ CASE = ["-options_file", WASH, "-time_end", 0.01, "-output_dir", "out"]
 # what is wrong, the options, and the words that the message must hold
 WRONG_OPTIONS = [
     ("negative viscosity", ["-fluid_viscosity", "-1"], ["-fluid_viscosity -1"]),
+    ("eddies in the plane", ["-turbulence", "sigma"], ["-turbulence sigma", "three dimensions"]),
+    ("unknown eddies", ["-turbulence", "smagorinsky"], ["-turbulence smagorinsky", "vreman", "sigma", "wale"]),
+    ("negative constant of eddies", ["-turbulence", "wale", "-turbulence_constant", "-1"], ["-turbulence_constant -1"]),
+    ("unknown wall model", ["-wall_model", "log"], ["-wall_model log", "none", "equilibrium"]),
+    ("wall model without viscosity", ["-wall_model", "equilibrium", "-fluid_viscosity", "0"], ["-wall_model", "-fluid_viscosity"]),
     ("zero cells", ["-grid_cells", "0,64"], ["-grid_cells", " 0"]),
     ("misspelt option", ["-fluid_viscosty", "1"], ["-fluid_viscosty 1", "-fluid_viscosity"]),
     ("misspelt option of a body", ["-drum_radios", "0.3"], ["-drum_radios 0.3", "-drum_radius"]),

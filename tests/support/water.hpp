@@ -12,12 +12,12 @@ struct Water {
   Water(const Grid<Dim>& of_grid, Boundary<Dim>& of_boundary, const FluidOptions<Dim>& options = {})
       : grid(of_grid),
         boundary(of_boundary),
-        liquid(grid, boundary, options.density, options.viscosity, options.viscosity_models),
+        liquid(grid, boundary, options.density, options.viscosity, options.viscosity_models, options.wall_model),
         fluid(grid, boundary, options),
         force(grid.face_vector()) {}
 
   void advance(double dt, const Constraint<Dim>& constraint = {}, WallForces* walls = nullptr) {
-    liquid.update_viscosity(fluid.velocity(), clock.time);
+    liquid.update_viscosity({fluid.velocity(), clock.time, nullptr, fluid.last_step()});
     fluid.advance(clock.next(dt), {liquid.fields(), force, constraint, walls});
     clock.advance(dt);
   }

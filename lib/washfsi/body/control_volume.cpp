@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "washfsi/body/subdivide.hpp"
+#include "washfsi/grid/velocity_gradient.hpp"
 
 namespace washfsi {
 
@@ -16,12 +17,6 @@ constexpr double width_in_cells = 16;
 double smooth_step(double x) {
   const double y = std::clamp(2 * x - 0.5, 0.0, 1.0);
   return 1 - y * y * y * (10 - y * (15 - 6 * y));
-}
-
-/// A component of the velocity in the middle of a cell.
-template <int Dim>
-double cell_velocity(const ConstFaceView<Dim>& u, const Index<Dim>& cell, int component) {
-  return 0.5 * (u(cell, component) + u(shifted<Dim>(cell, component, 1), component));
 }
 
 /// Central difference in the middle of a cell of values in the middle of cells.
@@ -112,19 +107,14 @@ void ControlVolumes<Dim>::add_stress(const Step& step, const Form& viscosity, Ve
   const ConstCellView<Dim> w(grid_.cell_dm(), weight), p(grid_.cell_dm(), step.pressure);
   const ConstFaceView<Dim> u(grid_.face_dm(), local_velocity), rho(grid_.face_dm(), step.density);
   const Point<Dim> h = grid_.spacing();
+  const Spacing<Dim> spacing(h);
   for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) {
     Point<Dim> slope;
     for (int d = 0; d < Dim; ++d) slope[d] = central_difference<Dim>(w, cell, d, h[d]);
     if (slope.isZero(0)) return;
     Point<Dim> velocity;
     for (int c = 0; c < Dim; ++c) velocity[c] = cell_velocity<Dim>(u, cell, c);
-    Eigen::Matrix<double, Dim, Dim> rate;  // rate(c, d) = du_c/dx_d, within one layer of ghosts
-    for (int d = 0; d < Dim; ++d)
-      for (int c = 0; c < Dim; ++c) {
-        const auto component = [&](const Index<Dim>& at) { return cell_velocity<Dim>(u, at, c); };
-        rate(c, d) = c == d ? (u(shifted<Dim>(cell, d, 1), d) - u(cell, d)) / h[d]
-                            : central_difference<Dim>(component, cell, d, h[d]);
-      }
+    const Gradient<Dim> rate = velocity_gradient<Dim>(u, cell, spacing);
     const Point<Dim> viscous = viscosity.scale * viscosity.in_cell(cell) * (rate + rate.transpose()) * slope;
     const Point<Dim> carried = rho(cell, 0) * velocity.dot(slope) * velocity;
     load.add(grid_.cell_center(cell) - center, grid_.cell_volume() * (carried + p(cell) * slope - viscous));

@@ -5,7 +5,7 @@ namespace washfsi {
 
 template <int Dim>
 Liquid<Dim>::Liquid(const Grid<Dim>& grid, const Boundary<Dim>& boundary, double density, double viscosity,
-                    ViscosityModels<Dim> models)
+                    ViscosityModels<Dim> models, WallTreatment walls)
     : grid_(grid),
       boundary_(boundary),
       pure_density_(density),
@@ -14,8 +14,10 @@ Liquid<Dim>::Liquid(const Grid<Dim>& grid, const Boundary<Dim>& boundary, double
       density_(grid.face_vector()),
       viscosity_{viscosity} {
   reset_density();
-  if (models_.empty()) return;
+  if (walls != WallTreatment::none) walls_ = std::make_unique<WallModel<Dim>>(grid, boundary);
+  if (models_.empty() && !walls_) return;
   global_viscosity_ = grid.cell_vector();
+  WASH_PETSC(VecSet(global_viscosity_, viscosity));
   WASH_PETSC(DMCreateLocalVector(grid.cell_dm(), local_viscosity_.put()));
   WASH_PETSC(VecSet(local_viscosity_, viscosity));
   viscosity_.in_cells = local_viscosity_;
@@ -27,18 +29,51 @@ void Liquid<Dim>::reset_density() {
 }
 
 template <int Dim>
-void Liquid<Dim>::update_viscosity(Vec velocity, double time) {
-  if (models_.empty()) return;
+void Liquid<Dim>::update_viscosity(const StepFlow& flow) {
+  if (!viscosity_.in_cells) return;
   const petsc::LogPart part("viscosity");
+  let_models_add(flow);
+  WASH_PETSC(DMGlobalToLocal(grid_.cell_dm(), global_viscosity_, INSERT_VALUES, local_viscosity_));
+  boundary_.fill_cells(local_viscosity_);
+  if (walls_) let_walls_follow(flow);
+}
+
+template <int Dim>
+void Liquid<Dim>::let_walls_follow(const StepFlow& flow) {
+  if (walls_time_ != flow.time) {
+    const GhostedVelocity<Dim> local(boundary_, grid_.face_dm(), flow.velocity, flow.time);
+    walls_->observe(ConstFaceView<Dim>(grid_.face_dm(), local), flow.last_step, pure());
+    walls_time_ = flow.time;
+  }
+  walls_->set_ghosts(local_viscosity_);
+}
+
+template <int Dim>
+void Liquid<Dim>::let_models_add(const StepFlow& flow) {
+  if (models_.empty()) return;
   WASH_PETSC(VecSet(global_viscosity_, pure_viscosity_));
   {
-    const GhostedVelocity<Dim> local(boundary_, grid_.face_dm(), velocity, time);
+    const GhostedVelocity<Dim> local(boundary_, grid_.face_dm(), flow.velocity, flow.time);
     const ConstFaceView<Dim> u(grid_.face_dm(), local);
     const CellView<Dim> mu(grid_.cell_dm(), global_viscosity_);
     for (const auto& model : models_) model->add(grid_, u, pure_density_, mu);
   }
-  WASH_PETSC(DMGlobalToLocal(grid_.cell_dm(), global_viscosity_, INSERT_VALUES, local_viscosity_));
-  boundary_.fill_cells(local_viscosity_);
+  if (flow.fluid_share) weigh_added(flow.fluid_share);
+}
+
+// By the mean of a cell's faces. Those in the sides of the box count as the fluid beside them.
+template <int Dim>
+void Liquid<Dim>::weigh_added(Vec fluid_share) {
+  const petsc::LocalVector local(grid_.face_dm());
+  WASH_PETSC(VecSet(local, 1.0));
+  WASH_PETSC(DMGlobalToLocal(grid_.face_dm(), fluid_share, INSERT_VALUES, local));
+  const ConstFaceView<Dim> share(grid_.face_dm(), local);
+  const CellView<Dim> mu(grid_.cell_dm(), global_viscosity_);
+  for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) {
+    double sum = 0;
+    for (int d = 0; d < Dim; ++d) sum += share(cell, d) + share(shifted<Dim>(cell, d, 1), d);
+    mu(cell) = pure_viscosity_ + sum / (2 * Dim) * (mu(cell) - pure_viscosity_);
+  });
 }
 
 template class Liquid<2>;

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "washfsi/fluid/wall_model.hpp"
 #include "washfsi/grid/viscous_stress.hpp"
 
 namespace washfsi {
@@ -27,6 +29,14 @@ class ViscosityModel {
 template <int Dim>
 using ViscosityModels = std::vector<std::shared_ptr<const ViscosityModel<Dim>>>;
 
+/// The flow that a step begins with.
+struct StepFlow {
+  Vec velocity = nullptr;     ///< [m/s]
+  double time = 0;            ///< [s]
+  Vec fluid_share = nullptr;  ///< the share of each face that lies in fluid; none: all of it
+  double last_step = 0;       ///< the length of the step before [s]; 0: there was none
+};
+
 /// What the fluid's equations need of a liquid.
 struct LiquidFields {
   Vec density = nullptr;  ///< on faces [kg/m3]
@@ -39,7 +49,7 @@ class Liquid {
  public:
   /// Everywhere of this density [kg/m3], and of this viscosity [Pa s] and what the models add to it.
   Liquid(const Grid<Dim>& grid, const Boundary<Dim>& boundary, double density, double viscosity,
-         ViscosityModels<Dim> models = {});
+         ViscosityModels<Dim> models = {}, WallTreatment walls = WallTreatment::none);
 
   double pure_density() const { return pure_density_; }      ///< of the liquid without what is in it [kg/m3]
   double pure_viscosity() const { return pure_viscosity_; }  ///< without what the models add [Pa s]
@@ -50,16 +60,36 @@ class Liquid {
   void reset_density();
 
   const Viscosity& viscosity() const { return viscosity_; }
-  /// Lets the models work on the flow at a time. Collective.
-  void update_viscosity(Vec velocity, double time);
+  /// Lets the models work on the flow, and the walls' friction follow it. What they add counts by the share of fluid
+  /// round a cell: water in a body moves rigidly, and has no eddies. May be repeated for the same time. Collective.
+  void update_viscosity(const StepFlow& flow);
+
+  /// Only what the models add, for those who look at it before the first step. Collective.
+  void let_models_add(const StepFlow& flow);
+  /// Of the walls' friction; null if it has none.
+  WallModel<Dim>* walls() const { return walls_.get(); }
+  PureLiquid pure() const { return {pure_density_, pure_viscosity_}; }
+  bool has_models() const { return !models_.empty(); }
+  /// Calls visit(viscosity) with what the models add in each of this rank's cells [Pa s], x fastest; there must be
+  /// some.
+  template <class Visit>
+  void visit_added_viscosity(Visit&& visit) const {
+    const ConstCellView<Dim> mu(grid_.cell_dm(), global_viscosity_);
+    for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) { visit(mu(cell) - pure_viscosity_); });
+  }
 
   LiquidFields fields() const { return {density_, viscosity_}; }
 
  private:
+  void weigh_added(Vec fluid_share);
+  void let_walls_follow(const StepFlow& flow);
+
   const Grid<Dim>& grid_;
   const Boundary<Dim>& boundary_;
   double pure_density_, pure_viscosity_;
   ViscosityModels<Dim> models_;
+  std::unique_ptr<WallModel<Dim>> walls_;
+  std::optional<double> walls_time_;  ///< of the flow that they observed last [s]
   petsc::Vector density_, global_viscosity_, local_viscosity_;
   Viscosity viscosity_;
 };

@@ -2,6 +2,7 @@
 #include "washfsi/fluid/options.hpp"
 
 #include "washfsi/fluid/viscosity_models.hpp"
+#include "washfsi/support/errors.hpp"
 
 namespace washfsi {
 
@@ -28,6 +29,14 @@ FluidOptions<Dim> FluidOptions<Dim>::from_options(Options& options) {
                "divergence left after a step over (largest speed)/h");
   });
   fluid.viscosity_models = viscosity_models_from_options<Dim>(options);
+  options.block("", "Walls of the box", [&](OptionBlock& block) {
+    block.choice(
+        "wall_model", fluid.wall_model,
+        "friction of no-slip sides of the box, not of bodies; equilibrium: by the law of a turbulent wall layer, "
+        "for layers thinner than a cell");
+  });
+  if (fluid.wall_model != WallTreatment::none && fluid.viscosity == 0)
+    throw InputError("-wall_model " + name_of(fluid.wall_model) + ": needs a -fluid_viscosity > 0");
   return fluid;
 }
 

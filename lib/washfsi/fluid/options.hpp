@@ -16,6 +16,7 @@ struct FluidOptions {
   double density = 1000;    ///< [kg/m3]
   double viscosity = 1e-3;  ///< dynamic [Pa s]
   ViscosityModels<Dim> viscosity_models;
+  WallTreatment wall_model = WallTreatment::none;
   Advection advection = Advection::central;
   bool projection = true;            ///< false: the cloth tests of thesis 3.5.1, where u = u*
   double momentum_tolerance = 1e-7;  ///< rms residual of the momentum rows, as a part of the largest speed

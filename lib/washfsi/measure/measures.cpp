@@ -5,6 +5,7 @@
 
 #include "washfsi/measure/cloth_force_measure.hpp"
 #include "washfsi/measure/contact_measure.hpp"
+#include "washfsi/measure/eddy_measure.hpp"
 #include "washfsi/measure/seepage_measure.hpp"
 
 namespace washfsi {
@@ -18,6 +19,7 @@ std::vector<std::unique_ptr<Measure<Dim>>> further_measures(const System<Dim>& s
   measures.push_back(std::make_unique<ClothForceMeasure<Dim>>(system));
   measures.push_back(std::make_unique<ContactMeasure<Dim>>(system));
   measures.push_back(std::make_unique<SeepageMeasure<Dim>>(system));
+  measures.push_back(std::make_unique<EddyMeasure<Dim>>(system));
   return measures;
 }
 

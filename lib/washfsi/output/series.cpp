@@ -102,9 +102,10 @@ FlowSeries<Dim>::FlowSeries(const Grid<Dim>& grid, const Boundary<Dim>& boundary
 }
 
 template <int Dim>
-void FlowSeries<Dim>::write(double time, long step, Vec velocity, Vec pressure) {
+void FlowSeries<Dim>::write(double time, long step, Vec velocity, Vec pressure, const std::vector<CellField>& further) {
   const petsc::LogPart part("output");
-  const std::vector<CellField> fields = fields_of(grid_, boundary_, velocity, pressure, time);
+  std::vector<CellField> fields = fields_of(grid_, boundary_, velocity, pressure, time);
+  fields.insert(fields.end(), further.begin(), further.end());
   frames_.add(
       time, step,
       [&](Hdf5File& file) {

@@ -17,8 +17,8 @@ class FlowSeries {
  public:
   FlowSeries(const Grid<Dim>& grid, const Boundary<Dim>& boundary, const std::string& folder, long restart_step);
   bool is_new() const { return frames_.is_new(); }
-  /// Collective.
-  void write(double time, long step, Vec velocity, Vec pressure);
+  /// With further fields of cells, the same in each frame. Collective.
+  void write(double time, long step, Vec velocity, Vec pressure, const std::vector<CellField>& further = {});
 
  private:
   const Grid<Dim>& grid_;

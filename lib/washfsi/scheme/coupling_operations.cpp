@@ -59,7 +59,8 @@ void hold_bodies(System<Dim>& system, double time) {
 template <int Dim>
 void predict_and_project(System<Dim>& system, double dt) {
   auto& [model, state, step] = system;
-  model.liquid.update_viscosity(model.fluid.velocity(), state.clock.time);
+  model.liquid.update_viscosity(
+      {model.fluid.velocity(), state.clock.time, model.fluid_share(), model.fluid.last_step()});
   model.fluid.predict(state.clock.next(dt),
                       {model.liquid.fields(), step.force, model.mask.constraint(), model.walls.get()});
   model.fluid.project();

@@ -13,7 +13,7 @@ namespace washfsi {
 
 namespace {
 
-constexpr double format = 5;  ///< of the file; another number for any other content
+constexpr double format = 6;  ///< of the file; another number for any other content
 
 // The numbers that a state has besides its fields, in the order in which they are kept; as attributes for readers.
 constexpr std::array number_names{"step",
@@ -118,6 +118,26 @@ void read_wall_forces(Hdf5File& file, SurfaceForcing<Dim>& walls) {
   walls.kept() = read_points<Dim>(file, wall_forces, slab_of_patches(walls));
 }
 
+// What the law of the walls' friction has filtered of the flow so far.
+template <int Dim>
+void write_wall_model(Hdf5File& file, const System<Dim>& system) {
+  const Model<Dim>& model = system.model;
+  file.set_attribute("/", "wall_model", model.liquid.walls() ? 1.0 : 0.0);
+  if (!model.liquid.walls()) return;
+  for (const auto& [name, vector] : model.liquid.walls()->face_state())
+    write_vector(file, "/fluid/" + name, field_slab(model.grid, Dim), vector);
+}
+
+// After a run without it begins with the flow as it is.
+template <int Dim>
+void read_wall_model(Hdf5File& file, System<Dim>& system) {
+  WallModel<Dim>* walls = system.model.liquid.walls();
+  if (!walls || file.attribute("/", "wall_model") == 0) return;
+  for (const auto& [name, vector] : walls->face_state())
+    read_vector(file, "/fluid/" + name, field_slab(system.model.grid, Dim), vector);
+  walls->go_on();
+}
+
 // What some coupling schemes need of the step before.
 template <class SomeState>
 auto motion_before(SomeState& state) {
@@ -158,6 +178,7 @@ void write_checkpoint(const std::string& folder, const System<Dim>& system, Meas
     write_vector(file, "/fluid/" + name, field_slab(system.model.grid, Dim), vector);
   for (const auto& [name, vector] : system.model.fluid.cell_state())
     write_vector(file, "/fluid/" + name, field_slab(system.model.grid, 1), vector);
+  write_wall_model(file, system);
   write_outflow(file, system);
   if (system.model.cloths.marker_count() > 0) {
     file.write_sealed("/cloth/position", slab_of_markers(system.model.cloths, Dim),
@@ -218,6 +239,7 @@ RunState read_checkpoint(const std::string& path, System<Dim>& system, Measures<
       read_vector(file, "/fluid/" + name, field_slab(system.model.grid, Dim), vector);
     for (const auto& [name, vector] : system.model.fluid.cell_state())
       read_vector(file, "/fluid/" + name, field_slab(system.model.grid, 1), vector);
+    read_wall_model(file, system);
     read_outflow(file, system);
     if (system.model.cloths.marker_count() > 0) {
       const Slab slab = slab_of_markers(system.model.cloths, Dim);

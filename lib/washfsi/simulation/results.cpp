@@ -119,12 +119,26 @@ void Results<Dim>::open_history(long restart_step) {
                     restart_step < 0 ? -1 : cycles.completed());
 }
 
+namespace {
+
+// Of cells, beside velocity and pressure.
+template <int Dim>
+std::vector<CellField> further_fields(const Model<Dim>& model) {
+  if (!model.liquid.has_models()) return {};
+  CellField added{"eddy_viscosity", "Pa s", 1, {}};
+  model.liquid.visit_added_viscosity([&](double viscosity) { added.values.push_back(viscosity); });
+  return {added};
+}
+
+}  // namespace
+
 template <int Dim>
 void Results<Dim>::write_frame(long step) {
   if (step == last_frame_) return;
   last_frame_ = step;
   const double time = system_.state.clock.time;
-  flow_.write(time, step, system_.model.fluid.velocity(), system_.model.fluid.pressure());
+  flow_.write(time, step, system_.model.fluid.velocity(), system_.model.fluid.pressure(),
+              further_fields(system_.model));
   if (bodies_) bodies_->write(time, step);
   if (surfaces_) surfaces_->write(time, step);
   if (cloth_) cloth_->write(time, step, system_.state.positions, system_.state.velocities, measures_.cloth().fields());

@@ -77,6 +77,16 @@ void add_steps(const QuantityList& quantities, double dt, Findings& findings) {
                              "water is made or lost; smaller -pressure_tolerance"));
 }
 
+// Measured where eddies are modelled. With a law beneath the first cell no y+ is too large.
+template <int Dim>
+void add_walls(const Liquid<Dim>& liquid, const QuantityList& quantities, Findings& findings) {
+  const double plus = quantities.summary_value("/max_wall_y_plus");
+  if (plus == 0 || liquid.walls()) return;
+  findings.push_back(
+      at_most("y+ at the sides", plus, {5}, format_text("at most %.3g in the first cell", plus),
+              "friction of the box's sides is not resolved; more -grid_cells, or -wall_model equilibrium"));
+}
+
 template <int Dim>
 void add_cloth(const Model<Dim>& model, const QuantityList& quantities, const std::string& name, Findings& findings) {
   const std::string pointer = "/cloths/" + name;
@@ -111,6 +121,7 @@ Findings end_findings(const System<Dim>& system, const Measures<Dim>& measures) 
   Findings findings;
   if (model.has_fluid) {
     add_energy(model, measures.whole_run(), findings);
+    add_walls(model.liquid, quantities, findings);
     const Clock& clock = system.state.clock;
     add_steps(quantities, clock.time / static_cast<double>(std::max(1L, clock.step)), findings);
   }

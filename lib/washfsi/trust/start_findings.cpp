@@ -40,6 +40,14 @@ void add_water(const Model<Dim>& model, Findings& findings) {
                              "flow, torque and stress are those of a thick liquid; water is -fluid_viscosity 1e-3"));
 }
 
+// A law stands for the layers at the box's sides, not for those on bodies.
+template <int Dim>
+void add_wall_model(const Model<Dim>& model, Findings& findings) {
+  if (model.bodies.empty()) return;
+  findings.push_back({"wall model", "of the box's sides, not of bodies", Verdict::warn, Finding::none, Finding::none,
+                      "friction of bodies is that of the grid; see y+ without -wall_model"});
+}
+
 template <int Dim>
 void add_flow(const Model<Dim>& model, const FlowScales& scales, Findings& findings) {
   if (!model.has_fluid || scales.speed == 0) return;
@@ -50,16 +58,24 @@ void add_flow(const Model<Dim>& model, const FlowScales& scales, Findings& findi
                                   scales.length_of.c_str()),
                       Verdict::ok, scales.reynolds, Finding::none, "", Telling::always});
   const double cell = scales.speed * h / nu, layer = 5 * scales.length / (root * h);
-  findings.push_back(at_most("cell Reynolds number", cell, {100},
-                             format_text("%.3g, of the widest side of a cell", cell),
-                             "eddies smaller than a cell have no model here; more -grid_cells, or -advection upwind"));
+  if (!model.liquid.has_models())
+    findings.push_back(
+        at_most("cell Reynolds number", cell, {100}, format_text("%.3g, of the widest side of a cell", cell),
+                "eddies smaller than a cell have no model; more -grid_cells, in space -turbulence sigma, or "
+                "-advection upwind"));
+  if (model.liquid.walls()) {
+    add_wall_model(model, findings);
+    return;
+  }
   findings.push_back(at_least("boundary layer", layer, {4}, format_text("%.2g cells", layer),
                               "friction and shear at walls are not resolved; more -grid_cells"));
   // Blasius' laminar plate; beyond 5e5 Prandtl's turbulent one
   const double friction = scales.reynolds < 5e5 ? 0.664 / root : 0.058 / std::pow(scales.reynolds, 0.2);
   const double plus = 0.5 * h * scales.speed * std::sqrt(0.5 * friction) / nu;
-  findings.push_back(at_most("y+ of the first cell", plus, {5}, format_text("%.2g, as of a flat plate", plus),
-                             "the viscous layer at walls lies within one cell; more -grid_cells"));
+  findings.push_back(
+      at_most("y+ of the first cell", plus, {5}, format_text("%.2g, as of a flat plate", plus),
+              "the viscous layer at walls lies within one cell; more -grid_cells, or -wall_model equilibrium "
+              "for the box's sides"));
 }
 
 // ---- bodies ----

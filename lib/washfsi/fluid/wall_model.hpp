@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "washfsi/grid/boundary.hpp"
+#include "washfsi/support/options.hpp"
+
+namespace washfsi {
+
+/// How the friction of the box's walls follows from the flow: from the difference to the first cell, or by the law of a
+/// turbulent wall layer in equilibrium.
+enum class WallTreatment { none, equilibrium };
+const ChoiceNames<WallTreatment>& names_of(WallTreatment);
+
+/// What the liquid is, for the law.
+struct PureLiquid {
+  double density, viscosity;  ///< [kg/m3, Pa s]
+};
+
+/// The friction of walls whose layers are thinner than a cell. With u the velocity relative to the wall, h the spacing
+/// across it:
+///   1. u1, u2     at the middles of the first and the second cell, filtered over T = y2/(0.41 u_tau):
+///                 u += dt/(T + dt) (u_now - u)
+///   2. u_tau      of Reichardt's law at y2 = 1.5 h for |u2|: not at the first cell, whose velocity is itself an
+///   outcome of
+///                 the wall's stress (Kawai and Larsson, Phys. Fluids 24 (2012) 015105)
+///   3. mu_wall    = rho u_tau^2 (h/2)/|u1|: with it the discrete friction mu_wall u/(h/2) has the mean rho u_tau^2.
+///                 |u1| is taken as |u2|/3 at least, mu_wall as the liquid's viscosity at least, as where profiles bend
+///                 the way of a wall layer's
+///   4. the viscosity of the ghosts beyond the side such that its mean with the cell's is mu_wall.
+/// So the implicit solve, the loads and the dissipation all have that friction. Where y2+ <= 5 the layer is resolved,
+/// and nothing is changed. The filter's time is that of Yang, Park and Moin (Phys. Rev. Fluids 2 (2017) 104601).
+template <int Dim>
+class WallModel {
+ public:
+  WallModel(const Grid<Dim>& grid, const Boundary<Dim>& boundary);
+
+  /// Steps 1 to 3, of a velocity [m/s] with one layer of ghosts, filled, dt [s] after the one before.
+  void observe(const ConstFaceView<Dim>& velocity, double dt, const PureLiquid& liquid);
+  /// Step 4, of the viscosity in cells, local, its ghosts filled. Collective.
+  void set_ghosts(Vec local_viscosity) const;
+
+  /// u1 and u2, which go on from step to step: in the first and the second cell from each side; in component `axis` of
+  /// vector k the tangential velocity along axis + 1 + k.
+  std::vector<std::pair<std::string, Vec>> face_state() const;
+  /// They hold a run's earlier flow; else the next flow is taken as it is.
+  void go_on() { begun_ = true; }
+
+ private:
+  using Tangential = Eigen::Matrix<double, Dim - 1, 1>;
+  void observe_cell(const ConstFaceView<Dim>& u, const Index<Dim>& cell, int axis, int inwards, double dt,
+                    const PureLiquid& liquid);
+  Tangential filter(const Index<Dim>& cell, int axis, const Tangential& now, double weight);
+
+  const Grid<Dim>& grid_;
+  const Boundary<Dim>& boundary_;
+  std::array<petsc::Vector, Dim - 1> filtered_;
+  petsc::Vector wall_viscosity_;  ///< in the first cell from a side across component's axis; 0 where nothing is changed
+  bool begun_ = false;
+};
+
+/// The largest y+ of the middles of the cells beside the box's no-slip walls, by the law at the second cells; the
+/// velocity has one layer of ghosts, filled. 0 without such walls. Collective.
+template <int Dim>
+double largest_y_plus(const Grid<Dim>& grid, const Boundary<Dim>& boundary, const ConstFaceView<Dim>& velocity,
+                      const PureLiquid& liquid);
+
+extern template class WallModel<2>;
+extern template class WallModel<3>;
+
+}  // namespace washfsi

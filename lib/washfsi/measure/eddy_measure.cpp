@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/measure/eddy_measure.hpp"
+
+#include <algorithm>
+
+#include "washfsi/support/collective.hpp"
+
+namespace washfsi {
+
+// Whether walls are worth a look, which eddies are too.
+template <int Dim>
+bool EddyMeasure<Dim>::models_walls() const {
+  const Liquid<Dim>& liquid = system_.model.liquid;
+  return liquid.pure_viscosity() > 0 && (liquid.has_models() || liquid.walls());
+}
+
+template <int Dim>
+void EddyMeasure<Dim>::declare(QuantityList& quantities) {
+  if (models_walls())
+    quantities.add(
+        {"wall_y_plus_max", "-",
+         "largest y+ of the middle of a cell beside no-slip sides of the box, by Reichardt's law at the next",
+         [this] { return y_plus_; }, Accumulation::largest, "/max_wall_y_plus"});
+  if (!system_.model.liquid.has_models()) return;
+  quantities.add({"eddy_viscosity_mean", "Pa s", "mean over the box of what `-turbulence` added in the step",
+                  [this] { return mean_; }});
+  quantities.add({"eddy_viscosity_max", "Pa s", "the largest of a cell", [this] { return largest_; },
+                  Accumulation::largest, "/max_eddy_viscosity"});
+}
+
+template <int Dim>
+void EddyMeasure<Dim>::observe(const Observation<Dim>& seen) {
+  const Model<Dim>& model = system_.model;
+  if (models_walls())
+    y_plus_ =
+        largest_y_plus<Dim>(model.grid, model.boundary, {model.grid.face_dm(), seen.velocity}, model.liquid.pure());
+  if (!model.liquid.has_models()) return;
+  double sum = 0;
+  largest_ = 0;
+  model.liquid.visit_added_viscosity([&](double viscosity) {
+    sum += viscosity;
+    largest_ = std::max(largest_, viscosity);
+  });
+  mean_ = ordered_sum(model.grid.comm(), sum) / model.grid.cell_count();
+  largest_ = largest(model.grid.comm(), largest_);
+}
+
+template class EddyMeasure<2>;
+template class EddyMeasure<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/measure/measure.hpp"
+
+namespace washfsi {
+
+/// The viscosity that models of the liquid add, and how thick the cells beside walls are, where either is modelled.
+template <int Dim>
+class EddyMeasure : public Measure<Dim> {
+ public:
+  /// The system must outlive it.
+  explicit EddyMeasure(const System<Dim>& system) : system_(system) {}
+
+  void declare(QuantityList& quantities) override;
+  void observe(const Observation<Dim>& seen) override;
+
+ private:
+  const System<Dim>& system_;
+  bool models_walls() const;
+
+  double mean_ = 0, largest_ = 0;  ///< [Pa s]
+  double y_plus_ = 0;
+};
+
+extern template class EddyMeasure<2>;
+extern template class EddyMeasure<3>;
+
+}  // namespace washfsi
