@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "washfsi/body/subdivide.hpp"
+#include "washfsi/grid/cell_velocity.hpp"
 
 namespace washfsi {
 
@@ -16,12 +17,6 @@ constexpr double width_in_cells = 16;
 double smooth_step(double x) {
   const double y = std::clamp(2 * x - 0.5, 0.0, 1.0);
   return 1 - y * y * y * (10 - y * (15 - 6 * y));
-}
-
-/// A component of the velocity in the middle of a cell.
-template <int Dim>
-double cell_velocity(const ConstFaceView<Dim>& u, const Index<Dim>& cell, int component) {
-  return 0.5 * (u(cell, component) + u(shifted<Dim>(cell, component, 1), component));
 }
 
 /// Central difference in the middle of a cell of values in the middle of cells.
@@ -144,7 +139,7 @@ void ControlVolumes<Dim>::add_inertia(const Step& step, Vec weight, const RigidM
     const double share = 0.5 * (w(face) + w(shifted<Dim>(face, c, -1)));
     if (share == 0) return;
     const Point<Dim> place = grid_.face_center(face, c);
-    double inertia = f(face, c) - rho(face, c) * (after(face, c) - before(face, c)) / step.dt;
+    double inertia = f(face, c) - step.mean_gradient[c] - rho(face, c) * (after(face, c) - before(face, c)) / step.dt;
     inertia *= share;
     if (share == 1 && fraction(face, c) < 1)
       inertia += (1 - fraction(face, c)) * rho(face, c) * motion.acceleration(place, middle)[c];
