@@ -72,6 +72,11 @@ class Results:
         return self._table("cycles")
 
     @functools.cached_property
+    def statistics(self):
+        """Returns means and stresses of the flow over the axis that is left, as a table."""
+        return self._table("statistics")
+
+    @functools.cached_property
     def markers(self):
         """Returns the markers at the end as a table, with the names of their groups."""
         return self._table("cloth_final")

@@ -21,7 +21,8 @@ ARROWS = {
     "output": {"grid", "cloth", "body"},
     "forcing": {"fluid", "body", "coupling"},
     "scheme": {"forcing", "contact"},
-    "measure": {"scheme", "machine", "output"},
+    "statistics": {"output"},
+    "measure": {"scheme", "machine", "statistics"},
     "trust": {"measure"},
     "simulation": {"trust"},
 }

@@ -134,7 +134,7 @@ void ControlVolumes<Dim>::add_inertia(const Step& step, Vec weight, const RigidM
     const double share = 0.5 * (w(face) + w(shifted<Dim>(face, c, -1)));
     if (share == 0) return;
     const Point<Dim> place = grid_.face_center(face, c);
-    double inertia = f(face, c) - rho(face, c) * (after(face, c) - before(face, c)) / step.dt;
+    double inertia = f(face, c) - step.mean_gradient[c] - rho(face, c) * (after(face, c) - before(face, c)) / step.dt;
     inertia *= share;
     if (share == 1 && fraction(face, c) < 1)
       inertia += (1 - fraction(face, c)) * rho(face, c) * motion.acceleration(place, middle)[c];

@@ -25,6 +25,8 @@ class ControlVolumes {
     Vec fluid_fraction;                       ///< H
     Viscosity viscosity;
     double time, dt;  ///< the step's end and length [s]
+    /// Of the pressure beyond `pressure`, whose force is not in `force` [Pa/m].
+    Point<Dim> mean_gradient = Point<Dim>::Zero();
   };
   /// One load per body. Collective.
   Loads<Dim> loads(const Step& step);

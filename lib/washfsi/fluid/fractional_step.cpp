@@ -20,6 +20,7 @@ FractionalStep<Dim>::FractionalStep(const Grid<Dim>& grid, Boundary<Dim>& bounda
       flow_dm_(departs_from_central() || boundary.has_outflow() ? grid.wide_face_dm() : grid.face_dm()),
       momentum_(grid, boundary, options.momentum_tolerance),
       poisson_(grid, options.density),
+      driving_(grid, options.driving),
       velocity_(grid.face_vector()),
       velocity_before_(grid.face_vector()),
       intermediate_(grid.face_vector()),
@@ -76,6 +77,7 @@ void FractionalStep<Dim>::predict(const TimeStep& step, const StepFields<Dim>& f
   if (fields.constraint.fluid_fraction) momentum_.constraint_force(rhs_, step.end(), intermediate_, constraint_force_);
   poisson_.set_density(fields.liquid.density,
                        fields.constraint.in_projection ? fields.constraint.fluid_fraction : nullptr);
+  driving_.keep_bulk(step.dt, fields.liquid.density, fields.constraint.fluid_fraction, intermediate_);
   if (fields.walls) fields.walls->push(intermediate_);
 }
 
@@ -101,9 +103,11 @@ void FractionalStep<Dim>::sum_explicit_terms(const Form& viscosity, Vec local_u,
   const ConstFaceView<Dim> rho(grid_.face_dm(), fields_.liquid.density);
   const ConstFaceView<Dim> now(grid_.face_dm(), advection_), before(grid_.face_dm(), advection_before_);
   const ConstCellView<Dim> p(grid_.cell_dm(), local_p);
+  const Point<Dim> mean_gradient = driving_.begin();
   const FaceView<Dim> b(grid_.face_dm(), rhs_);
   grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
-    const double stress = half_viscosity * viscosity.force(u, face, c) - gradient<Dim>(p, face, c, h);
+    const double stress =
+        half_viscosity * viscosity.force(u, face, c) - gradient<Dim>(p, face, c, h) - mean_gradient[c];
     const double advected = weight * now(face, c) + weight_before * before(face, c);
     b(face, c) = u(face, c) + dt * ((stress + f(face, c)) / rho(face, c) - advected);
   });
@@ -250,6 +254,7 @@ void FractionalStep<Dim>::finish() {
   velocity_before_ = std::exchange(velocity_, std::exchange(intermediate_, std::move(velocity_before_)));
   std::swap(advection_before_, advection_);
   if (fields_.walls) fields_.walls->accept();
+  driving_.accept(!has_history_);
   has_history_ = true;
   dt_before_ = step_.dt;
   boundary_.accept_outflow();

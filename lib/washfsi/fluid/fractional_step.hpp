@@ -3,8 +3,9 @@
 // The fractional step of Brown, Cortez and Minion (2001), thesis (2.2-20, 2.2-21), with variable density:
 //   1. explicit terms  b  = u^n + dt [ -3/2 (u.grad u)^n + 1/2 (u.grad u)^(n-1)      (1 + r/2, r/2 for steps of ratio
 //   r)
-//                                      - (1/rho) grad p^(n-1/2) + (mu / 2 rho) lap u^n + f/rho ]
+//                                      - (1/rho) grad p^(n-1/2) + (mu / 2 rho) lap u^n + (f - G)/rho ]
 //   2. predict         u* - (mu dt / 2 rho) lap u* = b,    u* = u_b on the boundary, u* = u_solid in solids
+//      a bulk velocity that is kept corrects G and u* (`driving.hpp`)
 //   3. project         div( (1/rho) grad q ) = div u* / dt,    u^(n+1) = u* - (dt/rho) grad q
 //                      p^(n+1/2) = p^(n-1/2) + q - (mu/2) div u*
 //      walls that hold the water by forces add them in 1, mend u* after 2, and hold the projected velocity
@@ -92,6 +93,10 @@ class FractionalStep {
   std::vector<std::pair<std::string, Vec>> face_state() const;
   std::vector<std::pair<std::string, Vec>> cell_state() const;
 
+  /// What drives the water along periodic axes.
+  const Driving<Dim>& driving() const { return driving_; }
+  Driving<Dim>& driving() { return driving_; }
+
   const SolverCounts& counts() const { return counts_; }
   void set_counts(const SolverCounts& counts) { counts_ = counts; }
 
@@ -115,6 +120,7 @@ class FractionalStep {
   DM flow_dm_;  ///< with the ghosts that advection and open sides need
   MomentumSolver<Dim> momentum_;
   PressureSolver<Dim> poisson_;
+  Driving<Dim> driving_;
 
   petsc::Vector velocity_, velocity_before_;    ///< u^n, u^(n-1)
   petsc::Vector intermediate_;                  ///< u*, then u^(n+1)

@@ -28,6 +28,7 @@ FluidOptions<Dim> FluidOptions<Dim>::from_options(Options& options) {
     block.real("pressure_tolerance", fluid.pressure_tolerance, "-", tolerance,
                "divergence left after a step over (largest speed)/h");
   });
+  fluid.driving = DrivingOptions<Dim>::from_options(options);
   fluid.viscosity_models = viscosity_models_from_options<Dim>(options);
   options.block("", "Walls of the box", [&](OptionBlock& block) {
     block.choice(

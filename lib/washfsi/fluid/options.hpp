@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "washfsi/fluid/driving.hpp"
 #include "washfsi/fluid/liquid.hpp"
 #include "washfsi/support/options.hpp"
 
@@ -17,6 +18,7 @@ struct FluidOptions {
   double viscosity = 1e-3;  ///< dynamic [Pa s]
   ViscosityModels<Dim> viscosity_models;
   WallTreatment wall_model = WallTreatment::none;
+  DrivingOptions<Dim> driving;
   Advection advection = Advection::central;
   bool projection = true;            ///< false: the cloth tests of thesis 3.5.1, where u = u*
   double momentum_tolerance = 1e-7;  ///< rms residual of the momentum rows, as a part of the largest speed

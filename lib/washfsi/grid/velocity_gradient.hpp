@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Velocities and their gradients in the middle of cells, within one layer of ghosts.
+// Gradients of the velocity in the middle of cells, within one layer of ghosts.
 #pragma once
 
+#include "washfsi/grid/cell_velocity.hpp"
 #include "washfsi/grid/stencils.hpp"
 
 namespace washfsi {
 
 template <int Dim>
 using Gradient = Eigen::Matrix<double, Dim, Dim>;
-
-/// A component of the velocity in the middle of a cell.
-template <int Dim, class Velocity>
-[[gnu::always_inline]] inline double cell_velocity(const Velocity& u, const Index<Dim>& cell, int component) {
-  return 0.5 * (u(cell, component) + u(shifted<Dim>(cell, component, 1), component));
-}
 
 /// du_c/dx_d in row c and column d [1/s]: across the cell along the diagonal, else central differences of what is in
 /// the middle of the cells on either side.

@@ -68,7 +68,7 @@ void BodyMeasure<Dim>::observe(const Observation<Dim>& seen) {
   if (control_volumes_)
     balance_loads_ = control_volumes_->loads({fluid.velocity_before(), fluid.velocity(), fluid.pressure(), density,
                                               system_.step.force, model.mask.fluid_share(), model.liquid.viscosity(),
-                                              time, seen.dt});
+                                              time, seen.dt, fluid.driving().gradient()});
   for (std::size_t b = 0; b < loads_.size(); ++b)
     for (Load<Dim>* load : {&loads_[b], &balance_loads_[b]}) *load += seen.contact.bodies[b];
   mask_dissipation_ = model.mask.dissipation(fluid.velocity_before(), density, seen.dt);

@@ -5,6 +5,7 @@
 
 #include "washfsi/measure/cloth_force_measure.hpp"
 #include "washfsi/measure/contact_measure.hpp"
+#include "washfsi/measure/driving_measure.hpp"
 #include "washfsi/measure/eddy_measure.hpp"
 #include "washfsi/measure/seepage_measure.hpp"
 
@@ -19,6 +20,7 @@ std::vector<std::unique_ptr<Measure<Dim>>> further_measures(const System<Dim>& s
   measures.push_back(std::make_unique<ClothForceMeasure<Dim>>(system));
   measures.push_back(std::make_unique<ContactMeasure<Dim>>(system));
   measures.push_back(std::make_unique<SeepageMeasure<Dim>>(system));
+  measures.push_back(std::make_unique<DrivingMeasure<Dim>>(system));
   measures.push_back(std::make_unique<EddyMeasure<Dim>>(system));
   return measures;
 }
@@ -44,6 +46,7 @@ MeasureOptions MeasureOptions::from_options(Options& options, const Point<Dim>& 
     block.real("cycle_time", measure.cycle_time, "s", non_negative,
                "of the cycles in cycles.csv; 0: the period of the first body that moves periodically");
   });
+  measure.statistics = StatisticsOptions::from_options(options);
   if constexpr (Dim == 3) measure.machine = MachineAxis::from_options(options, lower, upper);
   return measure;
 }
@@ -66,6 +69,10 @@ Measures<Dim>::Measures(const System<Dim>& system, const MeasureOptions& options
   intersections_.declare(quantities_);
   for (const auto& measure : further_) measure->declare(quantities_);
   quantities_.keep("unmeasured_time", {&unmeasured_time_, 1});
+  if (options.statistics.take) {
+    statistics_ = std::make_unique<FlowStatistics<Dim>>(system.model.grid, options.statistics);
+    quantities_.keep("statistics", statistics_->kept(), QuantityList::IfOthers::begin_anew);
+  }
   cycles_.emplace(quantities_, options.cycle_time > 0 ? options.cycle_time : first_period(system.model.bodies),
                   "cycle");
   whole_run_.emplace(quantities_, Cycles::whole_run, "run");
@@ -95,6 +102,7 @@ void Measures<Dim>::observe_start(double dt) {
   for (const auto& measure : further_) measure->observe_start(seen);
   if (system_.state.clock.step == 0) quantities_.accumulate();  // else as the checkpoint has them
   for (auto* cycles : {&cycles_, &whole_run_}) (*cycles)->begin(system_.state.clock.time);
+  if (statistics_) statistics_->begin();
 }
 
 template <int Dim>
@@ -122,6 +130,7 @@ void Measures<Dim>::observe(double dt, bool all) {
     coupling_.observe(seen);
     for (const auto& measure : further_) measure->observe(seen);
   }
+  if (statistics_) statistics_->observe(system_.state.clock.time, dt, {velocity, model.fluid.pressure()});
   quantities_.accumulate();
   for (auto* cycles : {&cycles_, &whole_run_}) (*cycles)->observe(system_.state.clock.time, seen.interval);
 }

@@ -11,6 +11,7 @@
 #include "washfsi/measure/flow_measure.hpp"
 #include "washfsi/measure/intersection_measure.hpp"
 #include "washfsi/measure/wall_measure.hpp"
+#include "washfsi/statistics/flow_statistics.hpp"
 
 namespace washfsi {
 
@@ -19,6 +20,7 @@ struct MeasureOptions {
   bool balance_loads = false;  ///< loads on bodies by the balance of momentum too
   double cycle_time = 0;       ///< [s]; 0: the period of the first body that moves periodically
   MachineAxis machine;         ///< in space
+  StatisticsOptions statistics;
 
   /// In a box with these corners [m].
   template <int Dim>
@@ -53,6 +55,8 @@ class Measures {
   Cycles& cycles() { return *cycles_; }
   const Cycles& cycles() const { return *cycles_; }
   const FlowDiagnostics<Dim>& flow() const { return flow_.flow(); }
+  /// Of the flow; null if none are taken.
+  const FlowStatistics<Dim>* statistics() const { return statistics_.get(); }
   ClothMeasure<Dim>& cloth() { return cloth_; }
   const ClothMeasure<Dim>& cloth() const { return cloth_; }
 
@@ -67,6 +71,7 @@ class Measures {
   CouplingMeasure<Dim> coupling_;
   IntersectionMeasure<Dim> intersections_;
   std::vector<std::unique_ptr<Measure<Dim>>> further_;
+  std::unique_ptr<FlowStatistics<Dim>> statistics_;
   QuantityList quantities_;
   std::optional<Cycles> cycles_, whole_run_;
   double unmeasured_time_ = 0;  ///< since all was taken last [s]

@@ -138,18 +138,39 @@ void read_wall_model(Hdf5File& file, System<Dim>& system) {
   walls->go_on();
 }
 
+// A short array that all ranks hold; rank 0 writes it.
+Slab shared_slab(MPI_Comm comm, std::size_t size, bool writing) {
+  const bool silent = writing && rank_of(comm) != 0;
+  return {{size}, {0}, {silent ? hsize_t{0} : size}};
+}
+
+constexpr const char* driving_guess = "/driving";
+
+// The mean pressure gradient from which the next step's is found.
+template <int Dim>
+void write_driving(Hdf5File& file, const System<Dim>& system) {
+  const auto kept = system.model.fluid.driving().kept();
+  if (!system.model.fluid.driving().is_there()) return;
+  file.write_sealed(driving_guess, shared_slab(system.model.grid.comm(), Dim, true), {kept.begin(), kept.end()});
+}
+
+// What is driven otherwise than before finds it by itself.
+template <int Dim>
+void read_driving(Hdf5File& file, System<Dim>& system) {
+  Driving<Dim>& driving = system.model.fluid.driving();
+  if (!driving.is_there() || !file.has(driving_guess)) return;
+  const std::vector<double> kept =
+      file.read_sealed(driving_guess, shared_slab(system.model.grid.comm(), Dim, false), Hdf5File::Readers::whole);
+  for (int d = 0; d < Dim; ++d)
+    if (driving.keeps_bulk(d)) driving.kept()[static_cast<std::size_t>(d)] = kept[static_cast<std::size_t>(d)];
+}
+
 // What some coupling schemes need of the step before.
 template <class SomeState>
 auto motion_before(SomeState& state) {
   return std::array{std::pair{std::string("velocity_before"), &state.velocities_before},
                     std::pair{std::string("mean_velocity"), &state.mean_velocities},
                     std::pair{std::string("force_before"), &state.forces_before}};
-}
-
-// A short array that all ranks hold; rank 0 writes it.
-Slab shared_slab(MPI_Comm comm, std::size_t size, bool writing) {
-  const bool silent = writing && rank_of(comm) != 0;
-  return {{size}, {0}, {silent ? hsize_t{0} : size}};
 }
 
 }  // namespace
@@ -191,6 +212,7 @@ void write_checkpoint(const std::string& folder, const System<Dim>& system, Meas
                       measures.cloth().time_integrals());
   }
   write_wall_forces(file, system);
+  write_driving(file, system);
   const std::vector<double> letters(state.options.begin(), state.options.end());
   file.write_sealed("/options", shared_slab(comm, letters.size(), true), letters);
   const std::vector<double> same = identity(system);
@@ -216,7 +238,8 @@ void read_totals(MPI_Comm comm, Hdf5File& file, Measures<Dim>& measures) {
     quantities.set_taken(file.read_sealed("/measured", shared_slab(comm, taken, false), Hdf5File::Readers::whole));
   for (const auto& [name, kept, others] : quantities.kept()) {
     const std::string path = "/totals/" + name;
-    if (others == QuantityList::IfOthers::begin_anew && file.shape(path).at(0) != kept.size()) continue;
+    if (others == QuantityList::IfOthers::begin_anew && (!file.has(path) || file.shape(path).at(0) != kept.size()))
+      continue;
     std::ranges::copy(file.read_sealed(path, shared_slab(comm, kept.size(), false), Hdf5File::Readers::whole),
                       kept.begin());
   }
@@ -258,6 +281,7 @@ RunState read_checkpoint(const std::string& path, System<Dim>& system, Measures<
     system.model.boundary.set_outflow_time(system.state.clock.time);
     system.model.mask.update(system.state.clock.time);
     hold_walls(system.model, system.state.clock.time);
+    read_driving(file, system);
     if (system.model.walls) read_wall_forces(file, *system.model.walls);
     system.model.fluid.set_last_step(read[5]);
     system.model.fluid.set_counts({.momentum = read[6], .pressure = read[7]});

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "washfsi/simulation/channel_start.hpp"
 #include "washfsi/support/errors.hpp"
 
 namespace washfsi {
@@ -28,6 +29,20 @@ VelocityAt<Dim> taylor_green(const Model<Dim>& model, const InitialFlowOptions<D
     const Point<Dim> angle = wave.cwiseProduct(place - lower);
     if (c == 0) return -std::cos(angle[0]) * std::sin(angle[1]);
     if (c == 1) return wave[0] / wave[1] * std::sin(angle[0]) * std::cos(angle[1]);
+    return 0.0;
+  };
+}
+
+template <int Dim>
+VelocityAt<Dim> taylor_green_3d(const Model<Dim>& model, const InitialFlowOptions<Dim>& options) {
+  const double speed = options.velocity[0] != 0 ? options.velocity[0] : 1;
+  const Point<Dim> lower = model.grid.lower();
+  const Point<Dim> wave = 2 * std::numbers::pi * (model.grid.upper() - lower).cwiseInverse();
+  return [speed, lower, wave](const Point<Dim>& place, int c) {
+    const Point<Dim> angle = wave.cwiseProduct(place - lower);
+    const double along = Dim == 3 ? std::cos(angle[Dim - 1]) : 1;
+    if (c == 0) return speed * std::sin(angle[0]) * std::cos(angle[1]) * along;
+    if (c == 1) return -speed * wave[0] / wave[1] * std::cos(angle[0]) * std::sin(angle[1]) * along;
     return 0.0;
   };
 }
@@ -97,6 +112,11 @@ VelocityAt<Dim> rotation(const Model<Dim>& model, const InitialFlowOptions<Dim>&
 }
 
 template <int Dim>
+VelocityAt<Dim> channel(const Model<Dim>& model, const InitialFlowOptions<Dim>& options) {
+  return channel_start<Dim>(model.grid, options.velocity, options.channel);
+}
+
+template <int Dim>
 struct NamedFlow {
   const char* name;
   VelocityAt<Dim> (*velocity)(const Model<Dim>&, const InitialFlowOptions<Dim>&);
@@ -105,11 +125,10 @@ struct NamedFlow {
 // Every flow that there is.
 template <int Dim>
 const std::vector<NamedFlow<Dim>>& initial_flows() {
-  static const std::vector<NamedFlow<Dim>> flows{{"rest", rest},
-                                                 {"taylor_green", taylor_green},
-                                                 {"couette", couette},
-                                                 {"uniform", uniform},
-                                                 {"rotation", rotation}};
+  static const std::vector<NamedFlow<Dim>> flows{
+      {"rest", rest},        {"taylor_green", taylor_green}, {"taylor_green_3d", taylor_green_3d},
+      {"channel", channel},  {"couette", couette},           {"uniform", uniform},
+      {"rotation", rotation}};
   return flows;
 }
 
@@ -123,11 +142,14 @@ InitialFlowOptions<Dim> InitialFlowOptions<Dim>::from_options(Options& options) 
   options.block("", "Flow at the start", [&](OptionBlock& block) {
     block.choice("fluid_initial", initial.kind, names,
                  "velocity at the start; couette: steady flow between a turning drum and a turning cylinder in it;"
-                 " rotation: turning with a drum");
-    block.template point<Dim>("fluid_initial_velocity", initial.velocity, "m/s", "velocity of -fluid_initial uniform");
+                 " rotation: turning with a drum; channel: between walls, with random vortices");
+    block.template point<Dim>("fluid_initial_velocity", initial.velocity, "m/s",
+                              "velocity of -fluid_initial uniform; mean velocity of channel; its x amplitude of "
+                              "taylor_green_3d, where 0 stands for 1 m/s");
     block.text("fluid_initial_body", initial.body,
                "body with which the water turns, of -fluid_initial rotation; unless given the drum that turns");
   });
+  initial.channel = ChannelStartOptions::from_options(options);
   return initial;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "washfsi/scheme/model.hpp"
+#include "washfsi/simulation/channel_start.hpp"
 
 namespace washfsi {
 
@@ -9,8 +10,9 @@ namespace washfsi {
 template <int Dim>
 struct InitialFlowOptions {
   std::string kind = "rest";                 ///< one of those in `initial_flow.cpp`
-  Point<Dim> velocity = Point<Dim>::Zero();  ///< of the uniform flow [m/s]
+  Point<Dim> velocity = Point<Dim>::Zero();  ///< of the uniform flow, or scale of others [m/s]
   std::string body;                          ///< with which the water turns; empty: the drum
+  ChannelStartOptions channel;
 
   static InitialFlowOptions from_options(Options& options);
 };
@@ -19,6 +21,8 @@ struct InitialFlowOptions {
 ///   rest
 ///   uniform       a velocity that is the same everywhere
 ///   taylor_green  one wave of vortices in the x,y plane: u = (-cos kx sin ly, (k/l) sin kx cos ly)
+///   taylor_green_3d  vortices that break up: u = V sin kx cos ly cos mz, v = -V (k/l) cos kx sin ly cos mz, w = 0
+///   channel       along two walls, disturbed: see `channel_start.hpp`
 ///   rotation      turning with a body as if it were solid: u = omega e_z x (x - x_body)
 ///   couette       steady circular flow between a turning drum and a turning cylinder in it: u = (A r + B/r) e_theta
 ///   (4.3-1)

@@ -101,6 +101,12 @@ void Hdf5File::write(const std::string& dataset, const Slab& slab, const std::ve
   write(dataset, slab, H5T_NATIVE_LLONG, values.data());
 }
 
+bool Hdf5File::has(const std::string& dataset) {
+  const htri_t found = H5Lexists(file_, dataset.c_str(), H5P_DEFAULT);
+  agree(found >= 0, "cannot be searched for " + dataset);
+  return found > 0;
+}
+
 std::vector<hsize_t> Hdf5File::shape(const std::string& dataset) {
   const Identifier set(H5Dopen2(file_, dataset.c_str(), H5P_DEFAULT), H5Dclose);
   agree(set >= 0, "has no dataset " + dataset);

@@ -35,6 +35,8 @@ class Hdf5File {
   void write_sealed(const std::string& dataset, const Slab& slab, const std::vector<double>& values);
   enum class Readers { parts, whole };  ///< whether each rank reads its part, or all of them the same
   std::vector<double> read_sealed(const std::string& dataset, const Slab& slab, Readers readers = Readers::parts);
+  /// Whether there is a dataset, in a group that there is.
+  bool has(const std::string& dataset);
   /// Whole shape of a dataset.
   std::vector<hsize_t> shape(const std::string& dataset);
 

@@ -13,6 +13,7 @@ from washfsi.plot.movie import make_movie
 from washfsi.plot.perspective import draw_perspective
 from washfsi.plot.scene import choose_frames, read_scene, vorticity_limit
 from washfsi.plot.snapshot import draw_snapshot
+from washfsi.plot.statistics import draw_statistics
 from washfsi.plot.style import save
 from washfsi.plot.tracks import draw_tracks
 from washfsi.results import Results
@@ -59,6 +60,8 @@ def plot(options):
         tracks = draw_tracks(results)
         if tracks:
             save(tracks, results.folder / "tracks.png")
+    if (results.folder / "statistics.csv").is_file():
+        save(draw_statistics(results.statistics, results.case), results.folder / "statistics.png")
     if options.movie:
         make_movie(results, options.movie)
 
