@@ -158,8 +158,7 @@ TEST(WallModel, FiltersOnceAStep) {
   EXPECT_EQ(friction(), once);
   liquid.update_viscosity({flow.water.fluid.velocity(), 0.02, nullptr, 0.01});
   const auto later = friction();
-  for (std::size_t n = 0; n < once.size(); ++n)
-    EXPECT_TRUE(once[n] == 0 || std::abs(later[n] / once[n] - 1) > 1e-6);
+  for (std::size_t n = 0; n < once.size(); ++n) EXPECT_TRUE(once[n] == 0 || std::abs(later[n] / once[n] - 1) > 1e-6);
 }
 
 TEST(WallModel, TellsTheLargestDistance) {
