@@ -82,7 +82,8 @@ PetscErrorCode MomentumSolver<Dim>::get_diagonal(Mat matrix, Vec result) {
 // 1 - (dt / 2 rho) (diagonal of the viscous force)
 template <int Dim>
 template <class Form>
-double MomentumSolver<Dim>::diagonal(const Form& viscosity, const Index<Dim>& face, int c, double rho) const {
+[[gnu::always_inline]] inline double MomentumSolver<Dim>::diagonal(const Form& viscosity, const Index<Dim>& face, int c,
+                                                                   double rho) const {
   return 1 + viscosity.scale * dt_ / (2 * rho) * viscous_diagonal<Dim>(grid_, boundary_, viscosity, face, c);
 }
 

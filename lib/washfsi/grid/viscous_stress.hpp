@@ -72,7 +72,8 @@ class CellViscosity {
       if (d != c) sum += h_.inverse[d] * (shear(u, shifted<Dim>(face, d, 1), c, d) - shear(u, face, c, d));
     return sum;
   }
-  double diagonal_part(const Index<Dim>& face, int c, int d, double below, double above) const {
+  [[gnu::always_inline]] inline double diagonal_part(const Index<Dim>& face, int c, int d, double below,
+                                                     double above) const {
     if (d == c) return 2 * (mu_(shifted<Dim>(face, c, -1)) + mu_(face));
     return below * on_edge(face, c, d) + above * on_edge(shifted<Dim>(face, d, 1), c, d);
   }
@@ -100,9 +101,10 @@ void with_viscosity(const Grid<Dim>& grid, const Viscosity& viscosity, Use&& use
 
 /// Minus the diagonal of the force on a c-face over `scale`, with the reflections at walls and slip sides folded in.
 template <int Dim, class Form>
-double viscous_diagonal(const Grid<Dim>& grid, const Boundary<Dim>& boundary, const Form& viscosity,
-                        const Index<Dim>& face, int c) {
+[[gnu::always_inline]] inline double viscous_diagonal(const Grid<Dim>& grid, const Boundary<Dim>& boundary,
+                                                      const Form& viscosity, const Index<Dim>& face, int c) {
   double sum = 0;
+#pragma GCC unroll 3
   for (int d = 0; d < Dim; ++d) {
     double below = 1, above = 1;  // beyond a wall 2, beyond a slip side 0
     if (d != c && !grid.periodic(d)) {

@@ -41,11 +41,9 @@ void add_water(const Model<Dim>& model, Findings& findings) {
 }
 
 // A law stands for the layers at the box's sides, not for those on bodies.
-template <int Dim>
-void add_wall_model(const Model<Dim>& model, Findings& findings) {
-  if (model.bodies.empty()) return;
+void add_wall_model(Findings& findings) {
   findings.push_back({"wall model", "of the box's sides, not of bodies", Verdict::warn, Finding::none, Finding::none,
-                      "friction of bodies is that of the grid; see y+ without -wall_model"});
+                      "friction of bodies is that of the grid; more -grid_cells"});
 }
 
 template <int Dim>
@@ -64,18 +62,19 @@ void add_flow(const Model<Dim>& model, const FlowScales& scales, Findings& findi
                 "eddies smaller than a cell have no model; more -grid_cells, in space -turbulence sigma, or "
                 "-advection upwind"));
   if (model.liquid.walls()) {
-    add_wall_model(model, findings);
-    return;
+    if (model.bodies.empty()) return;
+    add_wall_model(findings);
   }
   findings.push_back(at_least("boundary layer", layer, {4}, format_text("%.2g cells", layer),
                               "friction and shear at walls are not resolved; more -grid_cells"));
   // Blasius' laminar plate; beyond 5e5 Prandtl's turbulent one
   const double friction = scales.reynolds < 5e5 ? 0.664 / root : 0.058 / std::pow(scales.reynolds, 0.2);
   const double plus = 0.5 * h * scales.speed * std::sqrt(0.5 * friction) / nu;
-  findings.push_back(
-      at_most("y+ of the first cell", plus, {5}, format_text("%.2g, as of a flat plate", plus),
-              "the viscous layer at walls lies within one cell; more -grid_cells, or -wall_model equilibrium "
-              "for the box's sides"));
+  findings.push_back(at_most("y+ of the first cell", plus, {5}, format_text("%.2g, as of a flat plate", plus),
+                             model.liquid.walls()
+                                 ? "the viscous layer on bodies lies within one cell; more -grid_cells"
+                                 : "the viscous layer at walls lies within one cell; more -grid_cells, "
+                                   "or -wall_model equilibrium for the box's sides"));
 }
 
 // ---- bodies ----
