@@ -69,6 +69,14 @@ class Driving(ProgramTest):
         self.assertEqual(energies[0], energies[1])
         self.assertNotEqual(energies[0], energies[2])
 
+    def test_vortices_in_space_start_with_their_energy(self):
+        sides = [word for axis in "xyz" for end in ("lower", "upper") for word in (f"-bc_{axis}_{end}", "periodic")]
+        box = ["-grid_cells", "16,16,12", "-grid_upper", "2,2,3", *sides, "-fluid_density", "1", "-fluid_viscosity", "0",
+               "-fluid_initial", "taylor_green_3d", "-time_step", "1e-4", "-max_steps", "1", "-time_end", "1"]
+        for given, speed in (([], 1), (["-fluid_initial_velocity", "3,0,0"], 3)):
+            history = self.history(f"vortices_{speed}", *box, *given)
+            self.assertAlmostEqual(history["kinetic_energy"][0] / (12 * speed ** 2 / 8), 1, places=6)
+
 
 if __name__ == "__main__":
     unittest.main()

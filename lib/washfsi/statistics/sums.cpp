@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/statistics/sums.hpp"
 
-#include <array>
+#include <string_view>
 
 #include "washfsi/grid/cell_velocity.hpp"
 #include "washfsi/support/collective.hpp"

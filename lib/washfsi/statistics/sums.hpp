@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <string>
+#include <vector>
+
 #include "washfsi/grid/boundary.hpp"
 
 namespace washfsi {
