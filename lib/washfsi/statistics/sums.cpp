@@ -34,8 +34,8 @@ Bins<Dim>::Bins(const Grid<Dim>& grid, const std::vector<std::string>& homogeneo
 template <int Dim>
 std::size_t Bins<Dim>::of(const Index<Dim>& cell) const {
   std::size_t bin = 0;
-  for (auto axis = axes_.rbegin(); axis != axes_.rend(); ++axis)
-    bin = bin * static_cast<std::size_t>(grid_.cells()[*axis]) + static_cast<std::size_t>(cell[*axis]);
+  for (std::size_t n = axes_.size(); n-- > 0;)
+    bin = bin * static_cast<std::size_t>(grid_.cells()[axes_[n]]) + static_cast<std::size_t>(cell[axes_[n]]);
   return bin;
 }
 
