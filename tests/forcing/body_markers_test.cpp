@@ -30,7 +30,7 @@ TEST(BodyMarkers, DoNotActBehindAnotherBodysSurface) {
   bodies.push_back(ball(0.6, 0.2));
   const double cell = grid.spacing()[0];
   const KernelMoments moments(DeltaKernel::yang, 2);
-  const BodyMarkers<2> markers(grid, bodies, {grid.spacing(), 1.2, moments});
+  BodyMarkers<2> markers(grid, bodies, {grid.spacing(), 1.2, moments});
   const PosedBodies<2> posed(bodies, 0);
   const double behind = cell * moments.retraction(10);
   int covered = 0;

@@ -60,6 +60,9 @@ class PosedBodies {
     return bodies_[body].shape->distance(poses_[body].in_body_frame(place));
   }
   Point<Dim> in_space(std::size_t body, const Point<Dim>& arm) const { return poses_[body].in_space(arm); }
+  Point<Dim> in_body_frame(std::size_t body, const Point<Dim>& place) const {
+    return poses_[body].in_body_frame(place);
+  }
   /// Unit vector out of a body: the direction in which its distance grows, over differences of `step` [m].
   Point<Dim> normal(std::size_t body, const Point<Dim>& place, double step) const {
     Point<Dim> slope;

@@ -2,6 +2,7 @@
 #include "washfsi/forcing/body_markers.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace washfsi {
@@ -37,6 +38,7 @@ BodyMarkers<Dim>::BodyMarkers(const Grid<Dim>& grid, const std::vector<Body<Dim>
     body_of_.insert(body_of_.end(), patches.size(), b);
   }
   starts_.push_back(arms_.size());
+  seen_.assign(arms_.size() * bodies.size(), {Point<Dim>::Zero(), -depth_});
 }
 
 // What of the body's frame is ever in the box. A body at rest keeps its angle.
@@ -60,10 +62,20 @@ Bounds<Dim> BodyMarkers<Dim>::region(const Body<Dim>& body) const {
   return region;
 }
 
+// A distance changes at most by the way gone, so that it need not be asked for again before it could change sides.
 template <int Dim>
-bool BodyMarkers<Dim>::is_covered(const PosedBodies<Dim>& posed, std::size_t body, const Point<Dim>& place) const {
-  for (std::size_t other = 0; other < posed.size(); ++other)
-    if (other != body && posed.distance(other, place) < -depth_) return true;
+bool BodyMarkers<Dim>::is_covered(const PosedBodies<Dim>& posed, std::size_t body, std::size_t marker,
+                                  const Point<Dim>& place) {
+  for (std::size_t other = 0; other < posed.size(); ++other) {
+    if (other == body) continue;
+    const Point<Dim> now = posed.in_body_frame(other, place);
+    auto& [then, distance] = seen_[marker * posed.size() + other];
+    if ((now - then).norm() >= std::abs(distance + depth_)) {
+      then = now;
+      distance = bodies_[other].shape->distance(now);
+    }
+    if (distance < -depth_) return true;
+  }
   return false;
 }
 
@@ -80,10 +92,10 @@ bool BodyMarkers<Dim>::rubs_a_wall(const Body<Dim>& body, const Point<Dim>& plac
 
 template <int Dim>
 typename BodyMarkers<Dim>::State BodyMarkers<Dim>::at(const PosedBodies<Dim>& posed, std::size_t patch,
-                                                      std::size_t marker, double time) const {
+                                                      std::size_t marker, double time) {
   const std::size_t b = body_of_[patch];
   const Point<Dim> place = posed.in_space(b, arms_[marker]);
-  const bool acts = grid_.contains(place) && !is_covered(posed, b, place) && !rubs_a_wall(bodies_[b], place);
+  const bool acts = grid_.contains(place) && !is_covered(posed, b, marker, place) && !rubs_a_wall(bodies_[b], place);
   if (!acts) return {0.5 * (grid_.lower() + grid_.upper()), Point<Dim>::Zero(), false};
   return {place, bodies_[b].motion.velocity(place, time), true};
 }

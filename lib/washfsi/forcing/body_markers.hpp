@@ -26,11 +26,11 @@ class BodyMarkers {
     Point<Dim> place, velocity;  ///< [m, m/s]
     bool acts;                   ///< false beyond the box, behind another body's surface, and where it would rub a wall
   };
-  State at(const PosedBodies<Dim>& posed, std::size_t patch, std::size_t marker, double time) const;
+  State at(const PosedBodies<Dim>& posed, std::size_t patch, std::size_t marker, double time);
 
  private:
   Bounds<Dim> region(const Body<Dim>& body) const;
-  bool is_covered(const PosedBodies<Dim>& posed, std::size_t body, const Point<Dim>& place) const;
+  bool is_covered(const PosedBodies<Dim>& posed, std::size_t body, std::size_t marker, const Point<Dim>& place);
   bool rubs_a_wall(const Body<Dim>& body, const Point<Dim>& place) const;
 
   const Grid<Dim>& grid_;
@@ -40,6 +40,13 @@ class BodyMarkers {
   Points<Dim> arms_;                  ///< of all markers, in their bodies' frames
   std::vector<std::size_t> body_of_;  ///< of each patch
   std::vector<std::size_t> starts_;   ///< of each patch among the markers, and the end
+
+  /// Where a marker was in another body's frame [m], and the distance of that body [m].
+  struct Seen {
+    Point<Dim> place;
+    double distance;
+  };
+  std::vector<Seen> seen_;  ///< of each marker, of each body
 };
 
 extern template class BodyMarkers<2>;
