@@ -52,7 +52,7 @@ struct Stack {
     return {values.begin() + cloths->begin(), values.begin() + cloths->end()};
   }
   std::unique_ptr<Barrier<Dim>> barrier(const Points<Dim>& places, double friction = 0) const {
-    auto result = std::make_unique<Barrier<Dim>>(BarrierOptions{distance, 1e4, friction},
+    auto result = std::make_unique<Barrier<Dim>>(BarrierOptions{distance, 0, 1e4, friction},
                                                  Surroundings<Dim>{*grid, *boundary, bodies, *cloths});
     const Points<Dim> start = own(places), at_rest(start.size(), Point<Dim>::Zero());
     result->begin_step({start, at_rest, 0, 1e-3});

@@ -5,6 +5,7 @@
 
 #include "support/random_points.hpp"
 #include "washfsi/body/primitives.hpp"
+#include "washfsi/contact/barrier_options.hpp"
 #include "washfsi/support/collective.hpp"
 
 namespace washfsi::test {
@@ -62,6 +63,24 @@ TEST(Cushion, PushesOutwardsWithinItsDistanceAndReactsOnTheBody) {
   cushion->add_reactions(places, reactions);
   EXPECT_LE((reactions.bodies[0].force + forces[0] + forces[1]).norm(), 1e-15);
   EXPECT_NEAR(reactions.bodies[0].torque[0], 0, 1e-9);  // all forces are radial
+}
+
+// Nearer than a cell the water beside a wall would hold the cloth; markers here are 0.01 m apart.
+TEST(Cushion, OfTheBarrierBeginsFartherOffThanThatBetweenCloths) {
+  const Room room(1);
+  const auto pushes = [&](double gap, double body_distance) {
+    const Surroundings<2> around{room.grid, room.boundary, room.bodies, room.cloths};
+    const auto force = barrier_of_bodies<2>({.distance = 0.001, .body_distance = body_distance})(around);
+    const Points<2> places{{1.1 + gap, 2}}, at_rest{Point<2>::Zero()};
+    force->begin_step({places, at_rest, 0, 0});
+    Points<2> forces{Point<2>::Zero()};
+    force->add_force(places, at_rest, forces);
+    return forces[0][0] > 0;
+  };
+  EXPECT_TRUE(pushes(0.0039, 0));
+  EXPECT_FALSE(pushes(0.0041, 0));
+  EXPECT_TRUE(pushes(0.0059, 0.006));
+  EXPECT_FALSE(pushes(0.0061, 0.006));
 }
 
 TEST(Cushion, PushesAwayFromTheWallsOfTheBox) {

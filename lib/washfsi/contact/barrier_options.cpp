@@ -11,12 +11,20 @@
 
 namespace washfsi {
 
+namespace {
+
+double share_of(double spacing, double share) {
+  return std::isfinite(spacing) ? share * spacing : 1;
+}
+
+}  // namespace
+
 // The least spacing of markers along the lattices decides: nearer ones of a cloth would push each other.
 template <int Dim>
 double barrier_distance(const BarrierOptions& options, const Cloths<Dim>& cloths) {
   constexpr double usual = 0.16, most = 0.5;
   const double spacing = least_spacing(cloths);
-  if (options.distance == 0) return std::isfinite(spacing) ? usual * spacing : 1;
+  if (options.distance == 0) return share_of(spacing, usual);
   if (options.distance > most * spacing)
     throw InputError("-contact_distance " + to_text(options.distance) + ": must be at most half of the least spacing " +
                      format_text("%.6g", spacing) + " m of markers with -contact barrier");
@@ -26,8 +34,10 @@ double barrier_distance(const BarrierOptions& options, const Cloths<Dim>& cloths
 template <int Dim>
 MakeForce<Dim> barrier_of_bodies(const BarrierOptions& options) {
   return [options](const Surroundings<Dim>& around) {
-    return Cushion<Dim>::maker({options.stiffness, barrier_distance(options, around.cloths), CushionLaw::barrier})(
-        around);
+    constexpr double usual = 0.4;
+    double distance = options.body_distance;
+    if (distance == 0) distance = share_of(least_spacing(around.cloths), usual);
+    return Cushion<Dim>::maker({options.stiffness, distance, CushionLaw::barrier})(around);
   };
 }
 

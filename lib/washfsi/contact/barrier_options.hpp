@@ -7,16 +7,18 @@ namespace washfsi {
 
 /// The barrier between cloths.
 struct BarrierOptions {
-  double distance = 0;     ///< d^, at which it begins [m]; 0: 0.16 of the least spacing of markers
-  double stiffness = 1e4;  ///< kappa [Pa]
-  double friction = 0.4;   ///< coefficient between cloths, in steps that are solved for
+  double distance = 0;       ///< d^, at which it begins [m]; 0: 0.16 of the least spacing of markers
+  double body_distance = 0;  ///< that of bodies and walls [m]; 0: 0.4 of the least spacing of markers
+  double stiffness = 1e4;    ///< kappa [Pa]
+  double friction = 0.4;     ///< coefficient between cloths, in steps that are solved for
 };
 
 /// d^ for these cloths [m]. Errors: InputError if it is too large for their lattices.
 template <int Dim>
 double barrier_distance(const BarrierOptions& options, const Cloths<Dim>& cloths);
 
-/// The barrier of bodies and walls: a cushion with the same law and distance.
+/// The barrier of bodies and walls: a cushion with the same law. It begins farther off, because the water beside a wall
+/// holds what is nearer than a cell.
 template <int Dim>
 MakeForce<Dim> barrier_of_bodies(const BarrierOptions& options);
 

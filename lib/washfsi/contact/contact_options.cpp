@@ -20,6 +20,8 @@ ContactOptions ContactOptions::from_options(Options& options) {
   options.block("contact_", "Contact of cloths", [&](OptionBlock& block) {
     block.real("distance", contact.distance, "m", non_negative,
                "at which contact begins; 0: 0.01 of the cushion, 0.16 of the least spacing of markers of the barrier");
+    block.real("body_distance", contact.body_distance, "m", non_negative,
+               "at which the barrier of bodies and walls begins; 0: 0.4 of the least spacing of markers");
     block.real("pressure", contact.pressure, "Pa", non_negative,
                "push of the cushion on cloth at a body's surface; 0: no cushion");
     block.real("stiffness", contact.stiffness, "Pa", positive, "of the barrier");
@@ -34,9 +36,10 @@ ContactOptions ContactOptions::from_options(Options& options) {
 template <int Dim>
 std::vector<MakeForce<Dim>> ContactOptions::forces() const {
   if (kind == ContactKind::none) return {};
-  if (kind == ContactKind::barrier)
-    return {barrier_of_bodies<Dim>({distance, stiffness, friction}),
-            Barrier<Dim>::maker({distance, stiffness, friction})};
+  if (kind == ContactKind::barrier) {
+    const BarrierOptions barrier{distance, body_distance, stiffness, friction};
+    return {barrier_of_bodies<Dim>(barrier), Barrier<Dim>::maker(barrier)};
+  }
   CushionOptions cushion;
   cushion.pressure = pressure;
   if (distance > 0) cushion.distance = distance;

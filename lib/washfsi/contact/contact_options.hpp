@@ -18,6 +18,7 @@ const ChoiceNames<ContactKind>& names_of(ContactKind);
 struct ContactOptions {
   ContactKind kind = ContactKind::cushion;
   double distance = 0;         ///< at which contact begins [m]; 0: as the kind has it
+  double body_distance = 0;    ///< of bodies and walls, of the barrier [m]; 0: as that has it
   double pressure = 0;         ///< of the cushion, P0 [Pa]; 0: none
   double stiffness = 1e4;      ///< of the barrier, kappa [Pa]
   double friction = 0.4;       ///< coefficient between cloths, with the barrier
