@@ -3,7 +3,7 @@
 
 Prints the table of docs/verification/wash.md. Arguments: `--cycles PART` for a part of the cycle only; `--ranks`, 2 if
 not given; `--keep FOLDER` for the runs' results (out/wash_couplings if not given), where a run that has finished is
-not made again. The reference is the explicit coupling with the damping that the semi-implicit step of inputs/wash.opts
+not made again. The reference is the explicit coupling with the damping that the semi-implicit step of the machine
 has by itself, about one step. Tracks: rms distance of the cloths' centres from the reference's, over the marker
 spacing. Fails where the default's stresses are more than 15 % from the reference's.
 """
@@ -19,6 +19,7 @@ import numpy as np
 from tables import ARGUMENTS, SOURCE, command, print_record, print_record_head
 from wash_runs import CYCLE, STRESSES, read_centers
 
+MACHINE = SOURCE / "inputs" / "thesis" / "base" / "machine.opts"
 INTERVAL = 1e-3  # between measurements: the default's step [s]
 SPACING = 0.025  # of the markers [m]
 MOST_OFF = 0.15
@@ -29,13 +30,13 @@ RUNS = [REFERENCE, DEFAULT, ("semi_implicit", 0, 5e-4), ("semi_implicit", 0, 2.5
 
 
 class Run:
-    """The start of inputs/wash.opts."""
+    """The start of the thesis's machine."""
 
     def __init__(self, study, ranks, end, coupling, damping, step):
         folder = study / f"{coupling}_{damping:g}_{step:g}"
         summary = folder / "summary.json"
         if not summary.is_file() or json.loads(summary.read_text())["status"] != "finished":
-            subprocess.run(command(ranks, "-options_file", SOURCE / "inputs" / "wash.opts", "-coupling_scheme", coupling,
+            subprocess.run(command(ranks, "-options_file", MACHINE, "-coupling_scheme", coupling,
                                    *(["-towel_damping", damping] if damping else []), "-time_step", step,
                                    "-time_end", end, "-history_interval", INTERVAL, "-output_dir", folder),
                            check=False, stdout=subprocess.DEVNULL)
