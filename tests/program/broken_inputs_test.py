@@ -28,7 +28,7 @@ SECONDS = 60 * PATIENCE  # that a try may take [s]
 WRONG_INPUT, DIVERGED, NOT_WRITTEN = 2, 3, 4
 TRACES = ("PETSC ERROR", "Sanitizer", "runtime error", "Signal:", "terminate called", "This is an error of")
 CELLS = {2: "32,32", 3: "12,12,12"}
-SPACE = {"agitator_stl", "drape", "flag3d", "front_loader_filled", "plate", "re1.2e3", "sheet", "sphere", "stirred_tank",
+SPACE = {"agitator_stl", "drape", "flag3d", "front_loader_filled", "plate", "re1.2e3", "sheet", "sphere", "stirred_tank", "water",
          "strip", "wash"}  # inputs in three dimensions
 SAMPLE = {"cavity", "flag", "wash", "wash2d"}
 WORDS = ["nan", "inf", "-inf", "1e308", "-1e308", "5e-324", "1e-300", "0", "-0", "-1", "1", "2.5", "2147483648",
@@ -209,7 +209,7 @@ class Tries:
         """Breaks a file of options."""
         stem = draw.choice(sorted(self.inputs))
         path = draw.choice(self.inputs[stem])
-        lines = path.read_text().replace("base/machine.opts", "inputs/thesis/base/machine.opts").splitlines()  # a link
+        lines = path.read_text().replace("base/machine.opts", "inputs/thesis/base/machine.opts").replace("file wash", "file inputs/wash").splitlines()  # a link
         for _ in range(draw.choice([1, 1, 1, 2, 4])):
             draw.choice([break_value, break_value, break_lines])(draw, lines)
         content = "\n".join(lines).encode()
