@@ -209,7 +209,8 @@ class Tries:
         """Breaks a file of options."""
         stem = draw.choice(sorted(self.inputs))
         path = draw.choice(self.inputs[stem])
-        lines = path.read_text().replace("base/machine.opts", "inputs/thesis/base/machine.opts").replace("file wash", "file inputs/wash").splitlines()  # a link
+        text = path.read_text().replace("file base/", "file inputs/thesis/base/").replace("file wash", "file inputs/wash")
+        lines = text.splitlines()  # inputs is a link
         for _ in range(draw.choice([1, 1, 1, 2, 4])):
             draw.choice([break_value, break_value, break_lines])(draw, lines)
         content = "\n".join(lines).encode()
