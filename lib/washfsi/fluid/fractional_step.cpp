@@ -78,7 +78,6 @@ void FractionalStep<Dim>::predict(const TimeStep& step, const StepFields<Dim>& f
   poisson_.set_density(fields.liquid.density,
                        fields.constraint.in_projection ? fields.constraint.fluid_fraction : nullptr);
   driving_.keep_bulk(step.dt, fields.liquid.density, fields.constraint.fluid_fraction, intermediate_);
-  if (fields.walls) fields.walls->push(intermediate_);
 }
 
 template <int Dim>
@@ -143,15 +142,17 @@ void FractionalStep<Dim>::project() {
 
 template <int Dim>
 void FractionalStep<Dim>::hold_walls() {
-  if (!fields_.walls || !projects_) return;
+  if (!fields_.walls) return;
+  if (!projects_) return fields_.walls->push(intermediate_);
   const petsc::LogPart part("pressure");
-  constexpr int sweeps = 2;  // leave so little slip that the solver, which makes loads jump, is called in few steps
-  for (int sweep = 0; sweep < sweeps; ++sweep) {
+  constexpr int most_sweeps = 3;  // mostly one is enough; the solver makes loads jump
+  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     fields_.walls->push(intermediate_);
     project_again();
+    if (fields_.walls->holds(intermediate_)) return;
   }
-  const WallForces::Project project = [this](Vec increment) { free_of_divergence(increment); };
-  if (fields_.walls->hold(project, intermediate_)) project_again();
+  fields_.walls->hold([this](Vec increment) { free_of_divergence(increment); }, intermediate_);
+  project_again();
 }
 
 // After a further force. Its guess is not the last one: a restart does not know it.

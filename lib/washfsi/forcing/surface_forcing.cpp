@@ -208,11 +208,11 @@ double SurfaceForcing<Dim>::lost_power(Vec velocity_before, Vec velocity, double
 }
 
 template <int Dim>
-double SurfaceForcing<Dim>::largest_speed(Vec velocity) const {
+double SurfaceForcing<Dim>::tolerance(Vec velocity) const {
   double speed = 0, of_markers = 0;
   WASH_PETSC(VecNorm(velocity, NORM_INFINITY, &speed));
   for (const auto& state : states_) of_markers = std::max(of_markers, state.velocity.norm());
-  return std::max(speed, largest(grid_.comm(), of_markers));
+  return slip_tolerance_ * std::max(speed, largest(grid_.comm(), of_markers));
 }
 
 // J P S F dt/rho
@@ -258,19 +258,20 @@ void SurfaceForcing<Dim>::push(Vec velocity) {
 }
 
 template <int Dim>
-bool SurfaceForcing<Dim>::hold(const Project& project, Vec velocity) {
-  const Points<Dim> left = slips(velocity);
-  const double tolerance = slip_tolerance_ * largest_speed(velocity);
-  if (rms(left) <= tolerance) return false;
+bool SurfaceForcing<Dim>::holds(Vec velocity) const {
+  return rms(slips(velocity)) <= tolerance(velocity);
+}
+
+template <int Dim>
+void SurfaceForcing<Dim>::hold(const Project& project, Vec velocity) {
   project_ = &project;
-  to_vector<Dim>(left, right_);
+  to_vector<Dim>(slips(velocity), right_);
   const double to_norm = std::sqrt(static_cast<double>(markers_.patches()));
-  (void)solve_to(solver_, 0.5 * tolerance * to_norm, right_, solution_, "walls");
+  (void)solve_to(solver_, 0.5 * tolerance(velocity) * to_norm, right_, solution_, "walls");
   project_ = nullptr;
   const Points<Dim> more = to_points<Dim>(solution_);
   accelerate(more, velocity);
   forces_ += more;
-  return true;
 }
 
 // What sides keep of each marker's force, of which a share is asked for.

@@ -30,7 +30,8 @@ class SurfaceForcing : public WallForces {
   void begin_trial(const TimeStep& step, Vec density) override;
   void add_held(Vec force) override;
   void push(Vec velocity) override;
-  bool hold(const Project& project, Vec velocity) override;
+  bool holds(Vec velocity) const override;
+  void hold(const Project& project, Vec velocity) override;
   void accept() override;
 
   /// What the water does to the markers of each body, about its centre: -F, but for what sides of the box that the
@@ -67,7 +68,7 @@ class SurfaceForcing : public WallForces {
   Points<Dim> approximate_forces(const Points<Dim>& velocities) const;
   void accelerate(const Points<Dim>& forces, Vec velocity) const;
   double rms(const Points<Dim>& values) const;
-  double largest_speed(Vec velocity) const;
+  double tolerance(Vec velocity) const;
 
   const Grid<Dim>& grid_;
   const Boundary<Dim>& boundary_;
