@@ -13,6 +13,7 @@ namespace {
 
 constexpr CushionOptions soft{.pressure = 100, .distance = 0.02};
 constexpr CushionOptions hard{.pressure = 100, .distance = 0.02, .law = CushionLaw::barrier};
+constexpr CushionOptions rough{.pressure = 100, .distance = 0.02, .law = CushionLaw::barrier, .friction = 0.4};
 
 /// A box with walls from (-1, -1) to (4, 4) m, perhaps with a roller of radius 0.1 m at (1, 2), and a cloth in it.
 struct Room {
@@ -126,7 +127,7 @@ double energy_of(const Cushion<2>& cushion, const Points<2>& places) {
 
 TEST(Cushion, ForceIsMinusTheGradientOfItsEnergy) {
   const Touching touching;
-  for (const CushionOptions& options : {soft, hard}) {
+  for (const CushionOptions& options : {soft, hard, rough}) {
     const auto cushion = touching.room.cushion(touching.start, 1, options);
     const Points<2> forces = forces_of(*cushion, touching.places), direction = random_points<2>(40, 5);
     double slope = 0;
@@ -173,6 +174,44 @@ TEST(Cushion, OfTheBarrierGoesOnWithinABody) {
     before = push.pressure;
   }
   EXPECT_EQ(before, 0);
+}
+
+// A marker on the turning roller, which goes along it by some way in a step of 1 s more than the surface does.
+TEST(Cushion, FrictionIsThatOfCoulombOnAMovingBody) {
+  constexpr double turn = 0.02;  // [rad/s]
+  Room room(1);
+  room.bodies[0].motion.angular_speed = turn;
+  const Points<2> start{{1.11, 2}};
+  const double pressed = 0.01 * cushion_push(rough, 0.01).pressure;
+  for (const double slide : {-5e-3, -2e-4, 0.0, 2e-4, 5e-3}) {
+    const auto smooth = room.cushion(start, 1, hard), cushion = room.cushion(start, 1, rough);
+    const Points<2> end{start[0] + Point<2>(0, 0.11 * turn + slide)};
+    cushion->linearise(end);
+    const Point<2> pull = forces_of(*cushion, end)[0] - forces_of(*smooth, end)[0];
+    const double part = std::min(1.0, std::abs(slide) / 1e-3), share = std::copysign(part * (2 - part), slide);
+    EXPECT_NEAR(pull[1], -0.4 * pressed * share, 1e-9 * pressed);
+    EXPECT_NEAR(pull[0], 0, 1e-9 * pressed);
+    MarkerContact contact(1);
+    cushion->add_marker_contact(end, contact);
+    EXPECT_NEAR(contact.friction_power[0], -pull[1] * slide, 1e-9 * pressed);
+    EXPECT_EQ(contact.area[0], 0.01);
+    ContactLoads<2> loads{Loads<2>(1), {}};
+    cushion->add_reactions(end, loads);
+    EXPECT_LE((loads.bodies[0].force + forces_of(*cushion, end)[0]).norm(), 1e-12);
+  }
+}
+
+// It slides over a side that moves along itself only as far as it goes another way.
+TEST(Cushion, FrictionOnASideIsOverTheWayOfThatSide) {
+  Sides<2> sides;
+  sides[1][0].velocity = {0.3, 0};
+  const Room room(1, false);
+  const Boundary<2> boundary(room.grid, sides);
+  Cushion<2> cushion(rough, {room.grid, boundary, room.bodies, room.cloths});
+  const Points<2> start{{1, -0.99}}, at_rest{Point<2>::Zero()}, with_it{{1.03, -0.99}};
+  cushion.begin_step({start, at_rest, 0, 0.1});
+  EXPECT_NEAR(forces_of(cushion, with_it)[0][0], 0, 1e-12);
+  EXPECT_NEAR(forces_of(cushion, start)[0][0], 0.4 * 0.01 * cushion_push(rough, 0.01).pressure, 1e-12);
 }
 
 // What a marker is pushed with does not depend on where in the step the surface was looked at, but for its curvature.

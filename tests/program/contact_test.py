@@ -3,6 +3,7 @@
 
 import unittest
 
+import h5py
 import numpy as np
 
 from support import TIGHT, ProgramTest, read_columns, relative_difference, run
@@ -83,6 +84,29 @@ SLED = """
 -sled_markers 4
 -sled_excess_mass 1
 -sled_center -0.1,0.013,0.0037
+-sled_direction 0.9,0.3,0
+-contact barrier
+-contact_distance 0.004
+-time_step 5e-4
+-time_end 0.1
+-output_interval 1
+""".split()
+# The small towel on a block.
+BLOCK = """
+-grid_cells 12,12,12
+-grid_lower -0.5,-0.5,-0.5
+-grid_upper 0.5,0.5,0.5
+-fluid none
+-bodies block
+-block_shape box
+-block_size 0.6,0.6,0.2
+-block_center 0,0,-0.1
+-cloths sled
+-cloths_ke 800
+-sled_size 0.08
+-sled_markers 4
+-sled_excess_mass 1
+-sled_center -0.1,0.013,0.009
 -sled_direction 0.9,0.3,0
 -contact barrier
 -contact_distance 0.004
@@ -197,6 +221,36 @@ class Contact(ProgramTest):
         creep = np.diff(stuck["sled_center_x"])[late] / np.diff(stuck["time"])[late]
         print(f"creep {creep.max():.3g} m/s, sliding {speed:.3g} m/s")
         self.assertLess(creep.max(), 0.01 * speed)
+
+    def test_friction_on_a_body_is_that_of_coulomb(self):
+        late = slice(100, None)
+        options = [*BLOCK, "-contact_body_friction", 0.3]
+        history = self.history(1, *options, "-sled_load", f"{PULL},0,-{PRESS}")
+        time, place = history["time"], history["sled_center_x"]
+        friction = (PULL - 2 * np.polyfit(time[late], place[late], 2)[0]) / PRESS
+        print(f"coefficient {friction:.4f}")
+        self.assertLess(abs(friction - 0.3), 0.03 * 0.3)
+        pressed = history["sled_body_contact_force"][late].mean()
+        self.assertLess(abs(pressed - PRESS * AREA), 0.02 * PRESS * AREA)
+        self.assertLess(relative_difference(history["block_force_x"][late], np.full(len(time[late]), 0.3 * PRESS * AREA)),
+                        0.03)
+        with h5py.File(self.folder / "out" / "cloth.h5") as file:
+            last = file["frames"][max(file["frames"])]
+            self.assertAlmostEqual(last["body_contact_force"][:].sum(), history["sled_body_contact_force"][-1], delta=1e-9)
+            self.assertAlmostEqual(last["body_contact_area"][:].sum(), AREA, delta=1e-12)
+            self.assertEqual(last["contact_force"][:].sum(), 0)
+        speed = np.gradient(place, time)
+        power = 0.3 * PRESS * AREA * speed
+        self.assertLess(relative_difference(history["sled_friction_power"][late], power[late]), 0.03)
+        stuck = self.history(1, *options, "-sled_load", f"27,0,-{PRESS}")
+        creep = np.diff(stuck["sled_center_x"])[late] / np.diff(stuck["time"])[late]
+        self.assertLess(creep.max(), 0.01 * speed[-1])
+        carried = self.history(1, *options, "-sled_load", f"0,0,-{PRESS}", "-block_velocity", "0.1,0,0",
+                               "-block_frequency", 2)
+        way = 0.1 * (1 - np.cos(4 * np.pi * carried["time"])) / (4 * np.pi)
+        apart = carried["sled_center_x"] - carried["sled_center_x"][0] - way
+        print(f"carried along but for {np.abs(apart).max():.3g} m of {way[-1]:.3g} m")
+        self.assertLess(np.abs(apart).max(), 0.02 * way[-1])
 
     def test_water_goes_through_a_permeable_sheet_by_darcys_law(self):
         lighter = ("-contact", "barrier", "-sheet_excess_mass", 1e4)

@@ -60,11 +60,11 @@ void Barrier<Dim>::begin_step(const StepStart<Dim>& start) {
 // With what touches now; in no time nothing slides.
 template <int Dim>
 void Barrier<Dim>::begin_friction(const Points<Dim>& all, double dt) {
-  std::vector<Rub<Dim>> rubs;
+  std::vector<typename PairFriction<Dim>::Pair> pairs;
   if (options_.friction > 0 && dt > 0)
-    for (const Touch& touch : touches_at(all)) rubs.push_back({*touch.pair, touch.gap, options_.friction * touch.push});
-  friction_.begin(std::move(rubs), all, dt);
-  rubs_.clear();
+    for (const Touch& touch : touches_at(all))
+      pairs.push_back({*touch.pair, touch.gap, options_.friction * touch.push});
+  friction_.begin(std::move(pairs), all, dt);
   seen_.clear();
 }
 
@@ -160,7 +160,7 @@ const std::vector<typename Barrier<Dim>::Touch>& Barrier<Dim>::touches(const Poi
   if (!any_rank(around_.cloths.comm(), seen_ != positions)) return touches_;
   const Points<Dim> all = around_.cloths.of_all_ranks(positions);
   touches_ = touches_at(all);
-  rubs_ = friction_.forces(all);
+  friction_.look_at(all);
   seen_ = positions;
   return touches_;
 }
@@ -177,8 +177,9 @@ template <int Dim>
 void Barrier<Dim>::add_force(const Points<Dim>& positions, const Points<Dim>&, Points<Dim>& forces) const {
   for (const Touch& touch : touches(positions))
     visit_own(*touch.pair, [&](std::size_t i, std::size_t m) { forces[m] += touch.forces[i]; });
-  for (const auto& rub : rubs_)
-    visit_own(rub.rub->pair, [&](std::size_t i, std::size_t m) { forces[m] -= rub.rub->gap.shares[i] * rub.pull; });
+  friction_.visit([&](const auto& pair, const auto& gap, const auto& rub) {
+    visit_own(pair, [&](std::size_t i, std::size_t m) { forces[m] -= gap.shares[i] * rub.pull; });
+  });
 }
 
 // Of a pair by the rank of its first marker.
@@ -188,10 +189,10 @@ void Barrier<Dim>::add_energy(const Points<Dim>& positions, std::span<double> of
     const std::size_t first = touch.pair->markers[0];
     if (owns(first)) of_groups[around_.cloths.group_number(first - begin_)] += touch.energy;
   }
-  for (const auto& rub : rubs_) {
-    const std::size_t first = rub.rub->pair.markers[0];
+  friction_.visit([&](const auto& pair, const auto&, const auto& rub) {
+    const std::size_t first = pair.markers[0];
     if (owns(first)) of_groups[around_.cloths.group_number(first - begin_)] += rub.energy;
-  }
+  });
 }
 
 template <int Dim>
@@ -205,7 +206,7 @@ void Barrier<Dim>::add_force_rates(const Points<Dim>& positions, const Points<Di
     visit_own(pair, [&](std::size_t i, std::size_t m) { rates[m] -= gap.shares[i] * rate; });
   };
   for (const Touch& touch : touches(positions)) add(*touch.pair, touch.gap, touch.block());
-  for (const auto& rub : rubs_) add(rub.rub->pair, rub.rub->gap, rub.stiffness);
+  friction_.visit([&](const auto& pair, const auto& gap, const auto& rub) { add(pair, gap, rub.stiffness); });
 }
 
 // Into the places that were laid out for them.
@@ -227,9 +228,7 @@ template <int Dim>
 void Barrier<Dim>::linearise(const Points<Dim>& positions) {
   if (options_.friction == 0) return;
   touches(positions);
-  const Points<Dim> all = around_.cloths.of_all_ranks(positions);
-  friction_.linearise(all);
-  rubs_ = friction_.forces(all);
+  friction_.linearise(around_.cloths.of_all_ranks(positions));
 }
 
 template <int Dim>
@@ -237,7 +236,8 @@ void Barrier<Dim>::visit_stiffness(const Points<Dim>& positions, GeometricStiffn
                                    const AddMarkerBlock<Dim>& add) const {
   std::vector<StiffnessBlock<Dim>> blocks(columns_.size(), StiffnessBlock<Dim>::Zero());
   for (const Touch& touch : touches(positions)) add_blocks(*touch.pair, touch.gap, touch.block(), blocks);
-  for (const auto& rub : rubs_) add_blocks(rub.rub->pair, rub.rub->gap, rub.stiffness, blocks);
+  friction_.visit(
+      [&](const auto& pair, const auto& gap, const auto& rub) { add_blocks(pair, gap, rub.stiffness, blocks); });
   for (std::size_t m = 0; m + 1 < rows_.size(); ++m)
     for (std::size_t n = rows_[m]; n < rows_[m + 1]; ++n)
       add(around_.cloths.number_of(m), static_cast<PetscInt>(columns_[n]), blocks[n]);
@@ -316,18 +316,17 @@ void Barrier<Dim>::hold_back(const Points<Dim>& from, Points<Dim>& motion) {
 }
 
 template <int Dim>
-typename Barrier<Dim>::MarkerContact Barrier<Dim>::marker_contact(const Points<Dim>& positions) const {
-  const std::size_t owned = around_.cloths.owned();
-  MarkerContact contact{std::vector<double>(owned, 0.0), std::vector<double>(owned, 0.0)};
+void Barrier<Dim>::add_marker_contact(const Points<Dim>& positions, MarkerContact& contact) const {
   for (const Touch& touch : touches(positions))
     visit_own(*touch.pair, [&](std::size_t i, std::size_t m) {
       contact.normal_force[m] += touch.push * std::abs(touch.gap.shares[i]);
+      contact.area[m] += touch.pair->weight * std::abs(touch.gap.shares[i]);
     });
-  for (const auto& rub : rubs_)
-    visit_own(rub.rub->pair, [&](std::size_t i, std::size_t m) {
-      contact.friction_power[m] += 0.5 * std::abs(rub.rub->gap.shares[i]) * rub.work / friction_.dt();
+  friction_.visit([&](const auto& pair, const auto& gap, const auto& rub) {
+    visit_own(pair, [&](std::size_t i, std::size_t m) {
+      contact.friction_power[m] += 0.5 * std::abs(gap.shares[i]) * rub.work / friction_.dt();
     });
-  return contact;
+  });
 }
 
 template class Barrier<2>;

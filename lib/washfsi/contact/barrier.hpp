@@ -3,7 +3,7 @@
 
 #include "washfsi/contact/barrier_function.hpp"
 #include "washfsi/contact/barrier_options.hpp"
-#include "washfsi/contact/friction.hpp"
+#include "washfsi/contact/pair_friction.hpp"
 #include "washfsi/contact/pair_search.hpp"
 
 namespace washfsi {
@@ -16,7 +16,7 @@ namespace washfsi {
 /// (share n)(share n)^T  of its Jacobian, which is never negative. No accepted motion lets facets touch, whatever the
 /// step: `free_part`. All ranks know the places of all markers.
 template <int Dim>
-class Barrier : public MarkerForce<Dim> {
+class Barrier : public ContactForce<Dim> {
  public:
   /// Errors: InputError as `barrier_distance`.
   Barrier(const BarrierOptions& options, const Surroundings<Dim>& surroundings);
@@ -39,13 +39,9 @@ class Barrier : public MarkerForce<Dim> {
   double free_part(const Points<Dim>& from, const Points<Dim>& motion) override;
   void hold_back(const Points<Dim>& from, Points<Dim>& motion) override;
 
+  void add_marker_contact(const Points<Dim>& positions, MarkerContact& contact) const override;
+
   double distance() const { return distance_; }
-  /// What contact does to each of this rank's markers at these places: the sum of the normal forces of its pairs, each
-  /// by its share [N], and the power that friction takes out in the step, half from either facet [W]. Collective.
-  struct MarkerContact {
-    std::vector<double> normal_force, friction_power;
-  };
-  MarkerContact marker_contact(const Points<Dim>& positions) const;
 
  private:
   /// A pair nearer than d^, and what it does.
@@ -92,8 +88,7 @@ class Barrier : public MarkerForce<Dim> {
 
   mutable Points<Dim> seen_;  ///< places of this rank's markers for which the touches are known
   mutable std::vector<Touch> touches_;
-  mutable std::vector<RubForce<Dim>> rubs_;
-  Friction<Dim> friction_;
+  mutable PairFriction<Dim> friction_;
 };
 
 extern template class Barrier<2>;

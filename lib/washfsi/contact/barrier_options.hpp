@@ -7,10 +7,11 @@ namespace washfsi {
 
 /// The barrier between cloths.
 struct BarrierOptions {
-  double distance = 0;       ///< d^, at which it begins [m]; 0: 0.16 of the least spacing of markers
-  double body_distance = 0;  ///< that of bodies and walls [m]; 0: 0.4 of the least spacing of markers
-  double stiffness = 1e4;    ///< kappa [Pa]
-  double friction = 0.4;     ///< coefficient between cloths, in steps that are solved for
+  double distance = 0;         ///< d^, at which it begins [m]; 0: 0.16 of the least spacing of markers
+  double body_distance = 0;    ///< that of bodies and walls [m]; 0: 0.4 of the least spacing of markers
+  double stiffness = 1e4;      ///< kappa [Pa]
+  double friction = 0.4;       ///< coefficient between cloths, in steps that are solved for
+  double body_friction = 0.2;  ///< the same on bodies and walls
 };
 
 /// d^ for these cloths [m]. Errors: InputError if it is too large for their lattices.

@@ -33,12 +33,25 @@ struct ContactLoads {
   std::array<std::array<Load<Dim>, 2>, Dim> sides{};
 };
 
-/// A force between the markers and the bodies or the walls of the box.
+/// What contact does to each of a rank's markers.
+struct MarkerContact {
+  std::vector<double> normal_force;    ///< sum of the normal forces, each by the marker's share [N]
+  std::vector<double> area;            ///< undeformed, that touches [m2; m in the plane]
+  std::vector<double> friction_power;  ///< lost in the step: between cloths half from either, else all [W]
+
+  explicit MarkerContact(std::size_t markers) : normal_force(markers), area(markers), friction_power(markers) {}
+};
+
+/// A force that keeps the markers from others, or from the bodies and the walls of the box.
 template <int Dim>
 class ContactForce : public MarkerForce<Dim> {
  public:
+  /// Whether it is with bodies and walls, not between cloths.
+  virtual bool is_with_bodies() const { return false; }
+  /// Adds what it does to this rank's markers at these places. Collective.
+  virtual void add_marker_contact(const Points<Dim>& positions, MarkerContact& contact) const = 0;
   /// Adds what this rank's markers do to the bodies and walls where they are. No communication.
-  virtual void add_reactions(const Points<Dim>& positions, ContactLoads<Dim>& loads) const = 0;
+  virtual void add_reactions(const Points<Dim>&, ContactLoads<Dim>&) const {}
 };
 
 /// The reactions of all contact forces of this rank's markers at these places, as the last step saw the surroundings.

@@ -27,6 +27,8 @@ ContactOptions ContactOptions::from_options(Options& options) {
     block.real("stiffness", contact.stiffness, "Pa", positive, "of the barrier");
     block.real("friction", contact.friction, "-", non_negative,
                "coefficient between cloths, with the barrier (semi_implicit, implicit)");
+    block.real("body_friction", contact.body_friction, "-", non_negative,
+               "coefficient of cloths on bodies and walls, with the barrier (semi_implicit, implicit)");
     block.real("verify_interval", contact.verify_interval, "s", non_negative,
                "between counts of the cloths' intersections, with the barrier; 0: after each step");
   });
@@ -37,7 +39,7 @@ template <int Dim>
 std::vector<MakeForce<Dim>> ContactOptions::forces() const {
   if (kind == ContactKind::none) return {};
   if (kind == ContactKind::barrier) {
-    const BarrierOptions barrier{distance, body_distance, stiffness, friction};
+    const BarrierOptions barrier{distance, body_distance, stiffness, friction, body_friction};
     return {barrier_of_bodies<Dim>(barrier), Barrier<Dim>::maker(barrier)};
   }
   CushionOptions cushion;

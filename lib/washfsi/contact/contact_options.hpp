@@ -22,6 +22,7 @@ struct ContactOptions {
   double pressure = 0;         ///< of the cushion, P0 [Pa]; 0: none
   double stiffness = 1e4;      ///< of the barrier, kappa [Pa]
   double friction = 0.4;       ///< coefficient between cloths, with the barrier
+  double body_friction = 0.2;  ///< the same on bodies and walls
   double verify_interval = 0;  ///< between counts of intersections [s]; 0: after each step
 
   static ContactOptions from_options(Options& options);

@@ -54,6 +54,50 @@ void Cushion<Dim>::begin_step(const StepStart<Dim>& start) {
     find_bodies(posed, m, start.positions[m], reach);
     find_sides(m, start.positions[m], reach);
   }
+  begin_friction(start);
+}
+
+// With the normal forces of the step's start; in no time nothing slides.
+template <int Dim>
+void Cushion<Dim>::begin_friction(const StepStart<Dim>& start) {
+  rubbing_.clear();
+  std::vector<Rub<Dim>> rubs;
+  if (options_.friction > 0 && start.dt > 0) {
+    const PosedBodies<Dim> posed(around_.bodies, time_ - start.dt);
+    for (Plane plane : planes_) {
+      if (plane.body < posed.size()) plane.distance = posed.distance(plane.body, around_.grid.folded(plane.start));
+      const double pressed = push(plane, start.positions).pressure;
+      if (pressed == 0) continue;
+      rubbing_.push_back({plane, way_of_surface(plane, start.dt)});
+      rubs.push_back({plane.normal, options_.friction * pressed});
+    }
+  }
+  friction_.begin(std::move(rubs), start.dt);
+}
+
+template <int Dim>
+Point<Dim> Cushion<Dim>::way_of_surface(const Plane& plane, double dt) const {
+  const Point<Dim> place = around_.grid.folded(plane.start);
+  if (plane.body < around_.bodies.size())
+    return dt * around_.bodies[plane.body].motion.velocity(place, time_ - 0.5 * dt);
+  const Side<Dim>& side = around_.boundary.side(plane.axis, plane.end);
+  return dt * (side.motion ? side.motion(place, time_ - 0.5 * dt) : side.velocity);
+}
+
+template <int Dim>
+Points<Dim> Cushion<Dim>::ways(const Points<Dim>& positions) const {
+  Points<Dim> ways;
+  for (const Rubbing& rubbing : rubbing_)
+    ways.push_back(positions[rubbing.plane.marker] - rubbing.plane.start - rubbing.way);
+  return ways;
+}
+
+// visit(plane, what friction does there)
+template <int Dim>
+template <class Visit>
+void Cushion<Dim>::visit_rubs(const Points<Dim>& positions, const Visit& visit) const {
+  const std::vector<RubForce<Dim>> forces = friction_.forces(ways(positions));
+  for (std::size_t r = 0; r < forces.size(); ++r) visit(rubbing_[r].plane, forces[r]);
 }
 
 template <int Dim>
@@ -99,12 +143,16 @@ Point<Dim> Cushion<Dim>::force(const Plane& plane, const Points<Dim>& positions)
 template <int Dim>
 void Cushion<Dim>::add_force(const Points<Dim>& positions, const Points<Dim>&, Points<Dim>& forces) const {
   for (const Plane& plane : planes_) forces[plane.marker] += force(plane, positions);
+  visit_rubs(positions, [&](const Plane& plane, const RubForce<Dim>& rub) { forces[plane.marker] -= rub.pull; });
 }
 
 template <int Dim>
 void Cushion<Dim>::add_energy(const Points<Dim>& positions, std::span<double> of_groups) const {
   for (const Plane& plane : planes_)
     of_groups[around_.cloths.group_number(plane.marker)] += push(plane, positions).energy;
+  visit_rubs(positions, [&](const Plane& plane, const RubForce<Dim>& rub) {
+    of_groups[around_.cloths.group_number(plane.marker)] += rub.energy;
+  });
 }
 
 template <int Dim>
@@ -112,6 +160,9 @@ void Cushion<Dim>::add_force_rates(const Points<Dim>& positions, const Points<Di
                                    Points<Dim>& rates) const {
   for (const Plane& plane : planes_)
     rates[plane.marker] -= push(plane, positions).stiffness * plane.normal.dot(direction[plane.marker]) * plane.normal;
+  visit_rubs(positions, [&](const Plane& plane, const RubForce<Dim>& rub) {
+    rates[plane.marker] -= rub.stiffness * direction[plane.marker];
+  });
 }
 
 // One block for each marker, whether it touches anything or not: so the pattern never changes.
@@ -121,6 +172,7 @@ void Cushion<Dim>::visit_stiffness(const Points<Dim>& positions, GeometricStiffn
   std::vector<StiffnessBlock<Dim>> blocks(positions.size(), StiffnessBlock<Dim>::Zero());
   for (const Plane& plane : planes_)
     blocks[plane.marker] += push(plane, positions).stiffness * plane.normal * plane.normal.transpose();
+  visit_rubs(positions, [&](const Plane& plane, const RubForce<Dim>& rub) { blocks[plane.marker] += rub.stiffness; });
   for (std::size_t m = 0; m < blocks.size(); ++m) {
     const PetscInt marker = around_.cloths.number_of(m);
     add(marker, marker, blocks[m]);
@@ -137,15 +189,32 @@ void Cushion<Dim>::add_bound(std::span<StiffnessBound> bounds) const {
 }
 
 template <int Dim>
-void Cushion<Dim>::add_reactions(const Points<Dim>& positions, ContactLoads<Dim>& loads) const {
-  const Point<Dim> middle = 0.5 * (around_.grid.lower() + around_.grid.upper());
+void Cushion<Dim>::add_marker_contact(const Points<Dim>& positions, MarkerContact& contact) const {
   for (const Plane& plane : planes_) {
-    const Point<Dim> place = around_.grid.folded(positions[plane.marker]), reaction = -force(plane, positions);
-    if (plane.body < loads.bodies.size())
-      loads.bodies[plane.body].add(place - around_.bodies[plane.body].motion.center_at(time_), reaction);
-    else
-      loads.sides[plane.axis][plane.end == End::upper ? 1 : 0].add(place - middle, reaction);
+    const double pressed = push(plane, positions).pressure;
+    contact.normal_force[plane.marker] += pressed;
+    if (pressed > 0) contact.area[plane.marker] += around_.cloths.marker_areas()[plane.marker];
   }
+  visit_rubs(positions, [&](const Plane& plane, const RubForce<Dim>& rub) {
+    contact.friction_power[plane.marker] += rub.work / friction_.dt();
+  });
+}
+
+template <int Dim>
+void Cushion<Dim>::add_reactions(const Points<Dim>& positions, ContactLoads<Dim>& loads) const {
+  for (const Plane& plane : planes_) add_reaction(plane, positions, -force(plane, positions), loads);
+  visit_rubs(positions,
+             [&](const Plane& plane, const RubForce<Dim>& rub) { add_reaction(plane, positions, rub.pull, loads); });
+}
+
+template <int Dim>
+void Cushion<Dim>::add_reaction(const Plane& plane, const Points<Dim>& positions, const Point<Dim>& reaction,
+                                ContactLoads<Dim>& loads) const {
+  const Point<Dim> place = around_.grid.folded(positions[plane.marker]);
+  if (plane.body < loads.bodies.size())
+    loads.bodies[plane.body].add(place - around_.bodies[plane.body].motion.center_at(time_), reaction);
+  else
+    loads.sides[plane.axis][plane.end == End::upper ? 1 : 0].add(place - middle(), reaction);
 }
 
 template class Cushion<2>;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "washfsi/contact/contact_force.hpp"
+#include "washfsi/contact/friction.hpp"
 
 namespace washfsi {
 
@@ -13,6 +14,7 @@ struct CushionOptions {
   double pressure = 0;     ///< P0, at the surface, or kappa of the barrier [Pa]; 0: no contact force
   double distance = 0.01;  ///< d0 [m]
   CushionLaw law = CushionLaw::quadratic;
+  double friction = 0;  ///< coefficient, in steps that are solved for
 };
 
 /// What a cushion does per undeformed area at a distance from a surface.
@@ -29,7 +31,8 @@ CushionPush cushion_push(const CushionOptions& options, double distance);
 /// which below d0/10, where a moving body may have a marker before the step is solved for, goes on with the same
 /// stiffness. No-slip alone lets markers drift into the staircase of the sharp mask. In a step Phi is linear about
 /// where the marker starts, with the bodies at the step's end: so the energy is convex, and its stiffness exact and
-/// never negative.
+/// never negative. Friction is that of the barrier between cloths (contact/friction.hpp), with the normal force of the
+/// step's start, over the way that the surface goes in the step.
 template <int Dim>
 class Cushion : public ContactForce<Dim> {
  public:
@@ -46,6 +49,9 @@ class Cushion : public ContactForce<Dim> {
   void visit_stiffness(const Points<Dim>& positions, GeometricStiffness geometric,
                        const AddMarkerBlock<Dim>& add) const override;
   void add_bound(std::span<StiffnessBound> bounds) const override;
+  void linearise(const Points<Dim>& positions) override { friction_.linearise(ways(positions)); }
+  bool is_with_bodies() const override { return true; }
+  void add_marker_contact(const Points<Dim>& positions, MarkerContact& contact) const override;
   void add_reactions(const Points<Dim>& positions, ContactLoads<Dim>& loads) const override;
 
  private:
@@ -60,6 +66,14 @@ class Cushion : public ContactForce<Dim> {
   };
   void find_bodies(const PosedBodies<Dim>& posed, std::size_t marker, const Point<Dim>& start, double reach);
   void find_sides(std::size_t marker, const Point<Dim>& start, double reach);
+  void begin_friction(const StepStart<Dim>& start);
+  Point<Dim> way_of_surface(const Plane& plane, double dt) const;
+  Points<Dim> ways(const Points<Dim>& positions) const;
+  template <class Visit>
+  void visit_rubs(const Points<Dim>& positions, const Visit& visit) const;
+  Point<Dim> middle() const { return 0.5 * (around_.grid.lower() + around_.grid.upper()); }
+  void add_reaction(const Plane& plane, const Points<Dim>& positions, const Point<Dim>& reaction,
+                    ContactLoads<Dim>& loads) const;
   CushionPush push(const Plane& plane, const Points<Dim>& positions) const;
   Point<Dim> force(const Plane& plane, const Points<Dim>& positions) const;
 
@@ -67,6 +81,13 @@ class Cushion : public ContactForce<Dim> {
   Surroundings<Dim> around_;
   double time_ = 0;  ///< the step's end [s]
   std::vector<Plane> planes_;
+  /// A marker that rubs on a plane in this step.
+  struct Rubbing {
+    Plane plane;
+    Point<Dim> way;  ///< of the surface in the step [m]
+  };
+  std::vector<Rubbing> rubbing_;
+  Friction<Dim> friction_;
 };
 
 extern template class Cushion<2>;

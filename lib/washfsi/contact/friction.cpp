@@ -18,30 +18,26 @@ Creep creep(double y, double e) {
   return {e / (2 - part), 1 / ((2 - part) * (2 - part)), y * part * (1 - part / 3)};
 }
 
+template <int Dim>
+Point<Dim> slide(const Rub<Dim>& rub, const Point<Dim>& way) {
+  return way - rub.normal.dot(way) * rub.normal;
+}
+
 }  // namespace
 
 template <int Dim>
-void Friction<Dim>::begin(std::vector<Rub<Dim>> rubs, const Points<Dim>& all, double dt) {
+void Friction<Dim>::begin(std::vector<Rub<Dim>> rubs, double dt) {
   dt_ = dt;
   rubs_ = dt > 0 ? std::move(rubs) : std::vector<Rub<Dim>>{};
-  starts_ = all;
   directions_.assign(rubs_.size(), Point<Dim>::Zero());
   slides_ = directions_;
 }
 
-template <int Dim>
-Point<Dim> Friction<Dim>::slide(const Rub<Dim>& rub, const Points<Dim>& all) const {
-  Point<Dim> slide = Point<Dim>::Zero();
-  for (std::size_t i = 0; i < rub.pair.markers.size(); ++i)
-    slide += rub.gap.shares[i] * (all[rub.pair.markers[i]] - starts_[rub.pair.markers[i]]);
-  return slide - rub.gap.normal.dot(slide) * rub.gap.normal;
-}
-
 // A step of Newton's for  g q = u  in both of its unknowns, in which the slides have already been found.
 template <int Dim>
-void Friction<Dim>::linearise(const Points<Dim>& all) {
+void Friction<Dim>::linearise(const Points<Dim>& ways) {
   for (std::size_t r = 0; r < rubs_.size(); ++r) {
-    const Point<Dim> now = slide(rubs_[r], all), &before = slides_[r];
+    const Point<Dim> now = slide(rubs_[r], ways[r]), &before = slides_[r];
     if (now == before) continue;
     const double y = before.norm();
     const Creep law = creep(y, creep_speed * dt_);
@@ -53,22 +49,22 @@ void Friction<Dim>::linearise(const Points<Dim>& all) {
 }
 
 template <int Dim>
-std::vector<RubForce<Dim>> Friction<Dim>::forces(const Points<Dim>& all) const {
+std::vector<RubForce<Dim>> Friction<Dim>::forces(const Points<Dim>& ways) const {
   std::vector<RubForce<Dim>> forces;
   forces.reserve(rubs_.size());
-  for (std::size_t r = 0; r < rubs_.size(); ++r) forces.push_back(force(rubs_[r], directions_[r], all));
+  for (std::size_t r = 0; r < rubs_.size(); ++r)
+    forces.push_back(force(rubs_[r], directions_[r], slide(rubs_[r], ways[r])));
   return forces;
 }
 
 template <int Dim>
-RubForce<Dim> Friction<Dim>::force(const Rub<Dim>& rub, const Point<Dim>& direction, const Points<Dim>& all) const {
-  const Point<Dim> slide = this->slide(rub, all);
+RubForce<Dim> Friction<Dim>::force(const Rub<Dim>& rub, const Point<Dim>& direction, const Point<Dim>& slide) const {
   const double y = slide.norm();
   const Creep law = creep(y, creep_speed * dt_);
-  StiffnessBlock<Dim> stiffness = StiffnessBlock<Dim>::Identity() - rub.gap.normal * rub.gap.normal.transpose();
+  StiffnessBlock<Dim> stiffness = StiffnessBlock<Dim>::Identity() - rub.normal * rub.normal.transpose();
   if (y > 0) stiffness -= 0.5 * law.rate / y * (direction * slide.transpose() + slide * direction.transpose());
   const double strength = rub.limit / law.g;
-  return {&rub, rub.limit * law.energy, strength * y * y, strength * slide, strength * stiffness};
+  return {rub.limit * law.energy, strength * y * y, strength * slide, strength * stiffness};
 }
 
 template class Friction<2>;

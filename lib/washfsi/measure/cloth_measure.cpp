@@ -258,7 +258,7 @@ void ClothMeasure<Dim>::measure_depths() {
 }
 
 template <int Dim>
-std::vector<MarkerField> ClothMeasure<Dim>::fields() const {
+std::vector<MarkerField> ClothMeasure<Dim>::marker_fields() const {
   const std::vector<MarkerState> states = system_.model.cloths.marker_states(system_.state.positions);
   const std::vector<WashingAction> actions = washing_action();
   std::vector<MarkerField> fields;

@@ -43,8 +43,7 @@ class ClothMeasure : public Measure<Dim> {
   std::vector<Column> track_columns() const;
   std::vector<double> track_row() const;
 
-  /// What cloth.h5 has of each of this rank's markers, now. Collective.
-  std::vector<MarkerField> fields() const;
+  std::vector<MarkerField> marker_fields() const override;
 
   /// Integrals over time of each quantity of each of this rank's markers: a restart needs them.
   std::vector<double>& time_integrals() { return time_integrals_; }

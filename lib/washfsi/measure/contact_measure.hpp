@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "washfsi/contact/barrier.hpp"
+#include <array>
+
+#include "washfsi/contact/contact_force.hpp"
 #include "washfsi/measure/measure.hpp"
 #include "washfsi/scheme/system.hpp"
 
 namespace washfsi {
 
-/// How hard cloths press each other, and the power of their friction, where the barrier keeps them apart.
+/// How hard cloths press each other, bodies and walls, and the power of their friction.
 template <int Dim>
 class ContactMeasure : public Measure<Dim> {
  public:
@@ -16,14 +18,18 @@ class ContactMeasure : public Measure<Dim> {
 
   void declare(QuantityList& quantities) override;
   void observe(const Observation<Dim>& seen) override;
+  std::vector<MarkerField> marker_fields() const override;
 
  private:
   struct Group {
-    double normal_force = 0, friction_power = 0;  ///< [N, W; per unit depth in the plane]
+    double of_cloths = 0, of_bodies = 0, friction_power = 0;  ///< [N, N, W; per unit depth in the plane]
   };
+  void declare_group(QuantityList& quantities, std::size_t group);
+  MarkerContact contact(bool with_bodies) const;
+  bool present(bool with_bodies) const { return !forces_[with_bodies].empty(); }
 
   const System<Dim>& system_;
-  const Barrier<Dim>* barrier_ = nullptr;  ///< null if there is none
+  std::array<std::vector<const ContactForce<Dim>*>, 2> forces_;  ///< between cloths; with bodies and walls
   std::vector<Group> groups_;
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "washfsi/measure/quantity.hpp"
+#include "washfsi/output/series.hpp"
 #include "washfsi/scheme/system.hpp"
 
 namespace washfsi {
@@ -32,6 +33,8 @@ class Measure {
   virtual void observe(const Observation<Dim>& seen) = 0;
   /// At the start, or at that of a restarted run. Collective.
   virtual void observe_start(const Observation<Dim>&) {}
+  /// What cloth.h5 has of each of this rank's markers, now. Collective.
+  virtual std::vector<MarkerField> marker_fields() const { return {}; }
 };
 
 /// What is extensive has these units, per unit depth in the plane.

@@ -106,6 +106,14 @@ void Measures<Dim>::observe_start(double dt) {
 }
 
 template <int Dim>
+std::vector<MarkerField> Measures<Dim>::marker_fields() const {
+  std::vector<MarkerField> fields = cloth_.marker_fields();
+  for (const auto& measure : further_)
+    for (auto& field : measure->marker_fields()) fields.push_back(std::move(field));
+  return fields;
+}
+
+template <int Dim>
 void Measures<Dim>::prepare() {
   if (unmeasured_time_ == 0) return;
   coupling_.prepare();

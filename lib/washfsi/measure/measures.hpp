@@ -57,6 +57,8 @@ class Measures {
   const FlowDiagnostics<Dim>& flow() const { return flow_.flow(); }
   /// Of the flow; null if none are taken.
   const FlowStatistics<Dim>* statistics() const { return statistics_.get(); }
+  /// What cloth.h5 has of each of this rank's markers, now. Collective.
+  std::vector<MarkerField> marker_fields() const;
   ClothMeasure<Dim>& cloth() { return cloth_; }
   const ClothMeasure<Dim>& cloth() const { return cloth_; }
 

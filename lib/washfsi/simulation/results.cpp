@@ -143,7 +143,7 @@ void Results<Dim>::write_frame(long step) {
               further_fields(system_.model));
   if (bodies_) bodies_->write(time, step);
   if (surfaces_) surfaces_->write(time, step);
-  if (cloth_) cloth_->write(time, step, system_.state.positions, system_.state.velocities, measures_.cloth().fields());
+  if (cloth_) cloth_->write(time, step, system_.state.positions, system_.state.velocities, measures_.marker_fields());
 }
 
 template <int Dim>

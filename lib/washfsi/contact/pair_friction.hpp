@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/contact/friction.hpp"
+#include "washfsi/contact/pair_search.hpp"
+
+namespace washfsi {
+
+/// Friction between facets of cloths that touch when a step begins. All ranks know the places of all markers.
+template <int Dim>
+class PairFriction {
+ public:
+  struct Pair {
+    FacetPair<Dim> facets;
+    Gap<Dim> gap;  ///< at the step's start
+    double limit;  ///< friction coefficient times normal force there [N; per unit depth in the plane]
+  };
+
+  /// A step of length dt from these places begins; dt = 0: nothing slides.
+  void begin(std::vector<Pair> pairs, const Points<Dim>& all, double dt);
+  /// Newton's method goes on from these places.
+  void linearise(const Points<Dim>& all);
+  /// What `visit` gives is of these places.
+  void look_at(const Points<Dim>& all) { forces_ = friction_.forces(ways(all)); }
+  double dt() const { return friction_.dt(); }
+
+  /// visit(facets, gap at the step's start, what they do)
+  template <class Visit>
+  void visit(const Visit& visit) const {
+    for (std::size_t r = 0; r < forces_.size(); ++r) visit(pairs_[r].facets, pairs_[r].gap, forces_[r]);
+  }
+
+ private:
+  Points<Dim> ways(const Points<Dim>& all) const;
+
+  std::vector<Pair> pairs_;
+  Points<Dim> starts_;  ///< of all markers [m]
+  Friction<Dim> friction_;
+  std::vector<RubForce<Dim>> forces_;
+};
+
+extern template class PairFriction<2>;
+extern template class PairFriction<3>;
+
+}  // namespace washfsi
