@@ -134,10 +134,26 @@ CHANNEL = """
 -time_step 2e-3
 -output_interval 1
 """.split()
+# The pressed towels, face to face and 4 mm apart, a fifth of a cell.
+FILM = [*PRESSED, "-contact", "barrier", "-upper_direction", "1,0,0", "-upper_center", "0.16,0.16,0.164",
+        "-contact_distance", 5e-4]
 RUBS = ["-contact_friction", 0.4]
 PULL, PRESS, AREA = 45, 100, 0.08**2  # [N/m2], [N/m2], [m2]
 COUNT = ["-contact_verify_interval", 1e-9]
 NOT_PHYSICAL = {"step", "dt", "max_divergence"}
+
+
+def squeezed(time, gap, viscosity, cell=0.02, area=0.15**2, pressure=500, density=1000):
+    """Returns the thickness of a film at each time [m] by the mean law of squeezed films, faded out towards a cell."""
+    gaps = []
+    for dt in np.diff(time, append=time[-1]):
+        gaps.append(gap)
+        for _ in range(10):
+            slope = 12 * viscosity * area / (8 * np.pi) / gap**3
+            square = 1.8 * density * area / (8 * np.pi) / gap**2
+            speed = (-slope + np.sqrt(slope**2 + 4 * square * pressure)) / (2 * square)
+            gap -= dt / 10 * (1 - gap / cell) * speed
+    return np.array(gaps)
 
 
 class Contact(ProgramTest):
@@ -296,11 +312,44 @@ class Contact(ProgramTest):
             with self.subTest(column=name):
                 self.assertLess(relative_difference(history[name], expected[name]), 1e-6)
 
+    def test_films_between_tight_towels_close_by_the_law_of_squeezed_films(self):
+        for viscosity in (0.5, 0.05):
+            options = [*FILM, "-fluid_viscosity", viscosity, "-time_end", 0.1]
+            history = self.history(1, *options, "-contact_drainage")
+            gap = history["upper_center_z"] - history["lower_center_z"]
+            expected = squeezed(history["time"], gap[0], viscosity)
+            power = 500 * 0.15**2 * -np.diff(gap) / np.diff(history["time"])
+            closed = (gap[0] - gap[-1]) / (gap[0] - expected[-1])
+            print(f"viscosity {viscosity}: {1e3 * gap[-1]:.3f} mm, {closed:.4f} of the way by the law")
+            with self.subTest(viscosity=viscosity):
+                self.assertLess(abs(closed - 1), 0.03)
+                self.assertLess(relative_difference(history["seepage_power"][1:], power), 0.1)
+                still = self.history(1, *options)
+                self.assertGreater((still["upper_center_z"] - still["lower_center_z"])[-1], 0.99 * gap[0])
+
+    def test_films_are_the_same_on_two_ranks_in_both_couplings_and_after_a_restart(self):
+        for coupling in ("semi_implicit", "implicit"):
+            options = [*FILM, "-contact_drainage", "-upper_center", "0.17,0.155,0.164", "-coupling_scheme", coupling,
+                       *TIGHT, "-coupling_tolerance", 1e-11]
+            expected = self.history(1, *options, "-time_end", 0.01)
+            two = self.history(2, *options, "-time_end", 0.01)
+            for name in expected.keys() - NOT_PHYSICAL:
+                with self.subTest(column=name, coupling=coupling):
+                    self.assertLess(relative_difference(two[name], expected[name]), 1e-6)
+            self.history(1, *options, "-time_end", 0.005, name="half")
+            restarted = self.history(1, *options, "-time_end", 0.01, "-restart", "half/checkpoint.h5", name="half")
+            for name, values in expected.items():
+                with self.subTest(restarted=name, coupling=coupling):
+                    np.testing.assert_array_equal(restarted[name], values)
+
     def test_permeable_cloth_is_refused_where_it_is_not_solved_for(self):
         for extra in (("-coupling_scheme", "explicit"), ("-coupling_mobility", "row_sums")):
             outcome = run(1, *CHANNEL, "-sheet_permeance", 1e-4, "-time_end", 1, *extra, folder=self.folder)
             self.assertEqual(outcome.returncode, 2, outcome.stderr)
             self.assertIn("-sheet_permeance", outcome.stderr)
+            outcome = run(1, *FILM, "-contact_drainage", *extra, folder=self.folder)
+            self.assertEqual(outcome.returncode, 2, outcome.stderr)
+            self.assertIn("-contact_drainage", outcome.stderr)
 
     def test_energy_of_cloths_alone_never_grows(self):
         history = self.history(1, *DROPPED, "-contact", "barrier", "-contact_friction", 0)

@@ -29,6 +29,9 @@ ContactOptions ContactOptions::from_options(Options& options) {
                "coefficient between cloths, with the barrier (semi_implicit, implicit)");
     block.real("body_friction", contact.body_friction, "-", non_negative,
                "coefficient of cloths on bodies and walls, with the barrier (semi_implicit, implicit)");
+    block.boolean("drainage", contact.drainage,
+                  "water between cloths that are nearer than a cell drains along them, by the law of squeezed films "
+                  "(semi_implicit, implicit)");
     block.real("verify_interval", contact.verify_interval, "s", non_negative,
                "between counts of the cloths' intersections, with the barrier; 0: after each step");
   });

@@ -23,6 +23,7 @@ struct ContactOptions {
   double stiffness = 1e4;      ///< of the barrier, kappa [Pa]
   double friction = 0.4;       ///< coefficient between cloths, with the barrier
   double body_friction = 0.2;  ///< the same on bodies and walls
+  bool drainage = false;       ///< films between cloths that are nearer than a cell drain along themselves
   double verify_interval = 0;  ///< between counts of intersections [s]; 0: after each step
 
   static ContactOptions from_options(Options& options);

@@ -8,11 +8,14 @@ namespace washfsi {
 template <int Dim>
 void SeepageMeasure<Dim>::declare(QuantityList& quantities) {
   const auto& groups = system_.model.cloths.groups();
-  if (std::none_of(groups.begin(), groups.end(), [](const auto& group) { return group.permeance > 0; })) return;
-  quantities.add(
-      {"seepage_power", Units<Dim>::power, "that water loses on its way through permeable cloth",
-       [this] { return system_.step.seepage_power; }},
-      {{"seepage_work", Units<Dim>::energy, OverCycle::integral, "of water on its way through permeable cloth"}});
+  if (!system_.model.films_drain &&
+      std::none_of(groups.begin(), groups.end(), [](const auto& group) { return group.permeance > 0; }))
+    return;
+  quantities.add({"seepage_power", Units<Dim>::power,
+                  "that water loses on its way through permeable cloth, and out of films between cloths",
+                  [this] { return system_.step.seepage_power; }},
+                 {{"seepage_work", Units<Dim>::energy, OverCycle::integral,
+                   "of water on its way through permeable cloth, and out of films between cloths"}});
 }
 
 template class SeepageMeasure<2>;

@@ -140,11 +140,11 @@ std::unique_ptr<CouplingScheme<Dim>> make_coupling_scheme(const CouplingOptions&
   if (system.model.mass_carrier == MassCarrier::cloth && !scheme.takes_inertia)
     throw InputError("-cloth_inertia cloth: not with -" + options.scheme_option + " " + options.scheme +
                      ", which needs water");
+  if (scheme.takes_seepage && options.mobility == Mobility::matrix) return scheme.make(system, options);
+  const std::string needs = ": needs -coupling_scheme semi_implicit or implicit, with -coupling_mobility matrix";
+  if (system.model.films_drain) throw InputError("-contact_drainage" + needs);
   for (const auto& group : system.model.cloths.groups())
-    if (group.permeance > 0 && (!scheme.takes_seepage || options.mobility == Mobility::row_sums))
-      throw InputError("-" + group.name +
-                       "_permeance: needs -coupling_scheme semi_implicit or implicit, with "
-                       "-coupling_mobility matrix");
+    if (group.permeance > 0) throw InputError("-" + group.name + "_permeance" + needs);
   return scheme.make(system, options);
 }
 

@@ -21,7 +21,7 @@ ImplicitCoupling<Dim>::ImplicitCoupling(const System<Dim>& system, const Couplin
                   ? ClothSolverDefaults{SNESNEWTONLS, false, true, is_packed(system.model)}
                   : ClothSolverDefaults{SNESQN, false}),
       force_equation_(solver_),
-      seepage_(system.model.cloths),
+      seepage_(system.model),
       mobility_(system.model) {
   if (!system.model.forces.limit_motion()) return;
   check_symmetry(system.model);
@@ -119,10 +119,13 @@ template <int Dim>
 void ImplicitCoupling<Dim>::take(System<Dim>& system, double dt) {
   Model<Dim>& model = system.model;
   State<Dim>& state = system.state;
+  if (seepage_.present()) {
+    begin_step(system, state.positions, state.clock.time, 0);
+    seepage_.begin_step(state.positions, model.forces.of_places(state.positions) + model.forces.constant());
+  }
   begin_step(system, state.positions, state.clock.time + dt, dt,
              is_trapezoidal() ? trapezoidal_difference(system, dt) : backward_difference(system, dt));
   hold_bodies(system, state.clock.time + dt);
-  seepage_.begin_step(state.positions);
   model.fluid.keep_pressure();
   Points<Dim> last;
   const Points<Dim> velocities =

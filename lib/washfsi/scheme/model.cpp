@@ -65,6 +65,7 @@ ModelOptions<Dim> ModelOptions<Dim>::from_options(Options& options, MassCarrier 
   model.delta = DeltaOptions::from_options(options);
   const ContactOptions contact = ContactOptions::from_options(options);
   model.surrounding_forces = contact.forces<Dim>();
+  model.films_drain = contact.drainage;
   model.verify_interval = contact.verify_interval;
   return model;
 }
@@ -85,6 +86,7 @@ Model<Dim>::Model(MPI_Comm comm, const ModelOptions<Dim>& options, std::vector<B
       has_fluid(options.medium == Medium::water),
       mass_carrier(options.mass_carrier),
       cloth_drag(options.cloth_drag),
+      films_drain(options.films_drain),
       verify_interval(options.verify_interval) {}
 
 // In this order they are summed.

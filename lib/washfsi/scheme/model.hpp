@@ -29,6 +29,7 @@ struct ModelOptions {
   Point<Dim> gravity = Point<Dim>::Zero();  ///< acts on the cloths' excess mass: p is measured from hydrostatic [m/s2]
   std::vector<ClothGroup<Dim>> cloths;
   std::vector<MakeForce<Dim>> surrounding_forces;  ///< on the cloths, from what is round them
+  bool films_drain = false;                        ///< between cloths that are nearer than a cell
   double verify_interval = 0;  ///< between counts of the cloths' intersections [s]; 0: after each step
   BodyTreatment treatment;
   DeltaOptions delta;
@@ -68,6 +69,7 @@ struct Model {
   bool has_fluid;  ///< false: cloth alone
   MassCarrier mass_carrier;
   double cloth_drag;       ///< on cloth alone, force per undeformed area and speed [kg/(m2 s)]
+  bool films_drain;        ///< between cloths that are nearer than a cell
   double verify_interval;  ///< between counts of the cloths' intersections [s]; 0: after each step
 };
 

@@ -6,16 +6,18 @@
 namespace washfsi {
 
 template <int Dim>
-Seepage<Dim>::Seepage(const Cloths<Dim>& cloths) : cloths_(cloths) {
-  for (const auto& group : cloths.groups()) present_ = present_ || group.permeance > 0;
-  for (std::size_t m = 0; m < cloths.owned(); ++m)
-    rates_.push_back(cloths.group_of(m).permeance / cloths.marker_areas()[m]);
-  normals_.assign(cloths.owned(), Point<Dim>::Zero());
+Seepage<Dim>::Seepage(const Model<Dim>& model) : cloths_(model.cloths), present_(model.films_drain) {
+  if (model.films_drain) films_.emplace(model.grid, cloths_, model.liquid.pure());
+  for (const auto& group : cloths_.groups()) present_ = present_ || group.permeance > 0;
+  for (std::size_t m = 0; m < cloths_.owned(); ++m)
+    rates_.push_back(cloths_.group_of(m).permeance / cloths_.marker_areas()[m]);
+  normals_.assign(cloths_.owned(), Point<Dim>::Zero());
 }
 
 template <int Dim>
-void Seepage<Dim>::begin_step(const Points<Dim>& positions) {
+void Seepage<Dim>::begin_step(const Points<Dim>& positions, const Points<Dim>& forces) {
   if (present_) normals_ = cloths_.normals(positions);
+  if (films_) films_->begin_step(positions, forces);
 }
 
 template <int Dim>
@@ -23,6 +25,7 @@ Points<Dim> Seepage<Dim>::velocities(const Points<Dim>& forces) const {
   Points<Dim> result;
   for (std::size_t m = 0; m < forces.size(); ++m)
     result.push_back(rates_[m] * normals_[m].dot(forces[m]) * normals_[m]);
+  if (films_) films_->add_velocities(forces, result);
   return result;
 }
 
@@ -33,12 +36,13 @@ double Seepage<Dim>::power(const Points<Dim>& forces) const {
     const double across = normals_[m].dot(forces[m]);
     sum += rates_[m] * across * across;
   }
-  return ordered_sum(cloths_.comm(), sum);
+  return ordered_sum(cloths_.comm(), sum) + (films_ ? films_->power(forces) : 0);
 }
 
 template <int Dim>
 void Seepage<Dim>::add_to(Mat mobility, double factor) const {
   if (!present_) return;
+  if (films_) films_->add_to(mobility, factor);
   petsc::Matrix own;
   const auto rows = static_cast<PetscInt>(Dim * rates_.size());
   WASH_PETSC(

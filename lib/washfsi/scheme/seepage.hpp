@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "washfsi/cloth/cloths.hpp"
+#include <optional>
+
+#include "washfsi/scheme/films.hpp"
+#include "washfsi/scheme/model.hpp"
 
 namespace washfsi {
 
@@ -9,18 +12,20 @@ namespace washfsi {
 /// the force f, moves relative to it by
 ///   V - J u = B f,     B = permeance/A n n^T
 /// which is Darcy's law with the jump of pressure  n.f/A. The water is that of both sides: its volume is kept. The
-/// power f.B f goes into heat within the cloth, never the other way. The normals are those of a step's start.
+/// power f.B f goes into heat within the cloth, never the other way. The normals are those of a step's start. Where
+/// asked for, B has the films between cloths too.
 template <int Dim>
 class Seepage {
  public:
-  /// The cloths must outlive it.
-  explicit Seepage(const Cloths<Dim>& cloths);
+  /// The model must outlive it.
+  explicit Seepage(const Model<Dim>& model);
 
-  /// Whether any cloth is permeable.
+  /// Whether any cloth is permeable, or films drain.
   bool present() const { return present_; }
-  /// Before each step, from these places of this rank's markers. Collective.
-  void begin_step(const Points<Dim>& positions);
-  /// B f of this rank's markers, which give these forces to the water [m/s].
+  /// Before each step, from these places of this rank's markers, which give these forces to the water as
+  /// it begins. Collective.
+  void begin_step(const Points<Dim>& positions, const Points<Dim>& forces);
+  /// B f of this rank's markers, which give these forces to the water [m/s]. Collective.
   Points<Dim> velocities(const Points<Dim>& forces) const;
   /// sum f.B f over all markers of all ranks [W; per unit depth in the plane]. Collective.
   double power(const Points<Dim>& forces) const;
@@ -29,6 +34,7 @@ class Seepage {
 
  private:
   const Cloths<Dim>& cloths_;
+  std::optional<Films<Dim>> films_;
   bool present_ = false;
   std::vector<double> rates_;  ///< permeance over area of each of this rank's markers [m/(s N)]
   Points<Dim> normals_;

@@ -39,7 +39,7 @@ SemiImplicitCoupling<Dim>::SemiImplicitCoupling(const System<Dim>& system, const
                is_packed(system.model)}),
       force_equation_(solver_),
       mobility_(system.model),
-      seepage_(system.model.cloths) {
+      seepage_(system.model) {
   if (const MarkerForce<Dim>* force = system.model.forces.without_jacobian())
     throw InputError(force->origin() + ": has no Jacobian; use -coupling_scheme explicit or midpoint");
   if (options.mobility == Mobility::matrix) check_symmetry(system.model);
@@ -230,7 +230,7 @@ void SemiImplicitCoupling<Dim>::take(System<Dim>& system, double dt) {
   change_ = at_start - (state.clock.step > 0 ? state.forces_before : at_start);  // as in the last step
   mobility_.find(model, places, options_.mobility_factor * weights_.end * weights_.end,
                  options_.mobility == Mobility::matrix);
-  seepage_.begin_step(state.positions);
+  seepage_.begin_step(state.positions, step.given);
   seepage_.add_to(mobility_.matrix(), weights_.end / dt);
   sweep(system, dt, forces, reached_velocities(system, dt));
   if (seepage_.present()) step.seepage_power = seepage_.power(step.given);
