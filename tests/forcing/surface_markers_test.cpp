@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -44,14 +45,28 @@ TEST(KernelMoments, PutOneSheetIntoThinParts) {
   }
 }
 
-// A ball acts with its true radius if the mean distance of its markers' deltas from its middle is right.
-TEST(SurfaceMarkers, LieBehindABall) {
+// How far from the middle of a ball of radius 1 its markers lie, at least and at most.
+std::pair<double, double> radii(const MarkerLayout<3>& layout) {
   const Sphere<3> ball(1);
-  constexpr double cell = 0.1;
   const MarkerPatches<3> patches =
-      surface_markers<3>(ball, Bounds<3>::round(Point<3>::Zero(), Point<3>::Constant(1.5)), layout(cell));
-  const double expected = 1 - cell * (0.5 * moments.sheet_reach() + moments.variance() * cell);
-  for (const auto& marker : patches.markers) EXPECT_NEAR(marker.norm(), expected, 0.02 * cell);
+      surface_markers<3>(ball, Bounds<3>::round(Point<3>::Zero(), Point<3>::Constant(1.5)), layout);
+  std::pair<double, double> result{2, 0};
+  for (const auto& marker : patches.markers)
+    result = {std::min(result.first, marker.norm()), std::max(result.second, marker.norm())};
+  return result;
+}
+
+// A ball acts with its true radius if the mean distance of its markers' deltas from its middle is right, and if the
+// stress of the eddies that their slip drives within it is taken into account, unless it turns in itself.
+TEST(SurfaceMarkers, LieBehindABall) {
+  constexpr double cell = 0.1;
+  const double flat = 0.5 * moments.sheet_reach() * cell, bend = moments.variance() * cell * cell;
+  MarkerLayout<3> turning = layout(cell);
+  turning.inside.turns_along = true;
+  for (const double radius : {radii(turning).first, radii(turning).second})
+    EXPECT_NEAR(radius, 1 - flat - bend, 0.02 * cell);
+  const auto [least, most] = radii(layout(cell));
+  for (const double radius : {least, most}) EXPECT_NEAR(radius, 1 - flat / (1 - 2.1 * flat) - bend, 0.02 * cell);
 }
 
 TEST(SurfaceMarkers, AreInPatchesThatCoverTheSurface) {

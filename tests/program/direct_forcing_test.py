@@ -21,6 +21,12 @@ STANDING = [*DIRECT, "-grid_cells", "30,30,24", "-grid_upper", "1,1,0.8", "-bc_z
             "-vane_angular_speed", 4, "-vane_frequency", 0.5, "-time_step", 1e-2, "-time_end", 0.6]
 
 
+ARRAY = [*DIRECT, "-grid_lower", "-2,-2", "-grid_upper", "2,2", "-bc_x_lower", "periodic", "-bc_x_upper", "periodic",
+         "-bc_y_lower", "periodic", "-bc_y_upper", "periodic", "-fluid_viscosity", 10, "-fluid_bulk_velocity", "1,0",
+         "-bodies", "ball", "-ball_shape", "sphere", "-ball_radius", 0.5, "-time_step", 0.02, "-time_end", 3,
+         "-body_slip_tolerance", 1e-4]
+
+
 class DirectForcing(ProgramTest):
     def history(self, name, *options, ranks=1):
         self.run_well(ranks, *options, "-output_dir", self.folder / name)
@@ -40,6 +46,15 @@ class DirectForcing(ProgramTest):
 
     def test_half_a_cell_hardly_matters_to_a_plate(self):
         self.check_half_cell(["-ball_shape", "box", "-ball_size", "0.03,0.5"], 0.02)
+
+    def test_cylinders_in_creeping_flow_act_with_their_radius(self):
+        # Sangani and Acrivos, Int. J. Multiphase Flow 8 (1982) 193: a square array, volume fraction pi/64
+        part = np.pi / 64
+        exact = 4 * np.pi * 10 / (-0.5 * np.log(part) - 0.738 + part - 0.887 * part ** 2 + 2.038 * part ** 3)
+        for cells, shift, limit in ((5, 0, 0.02), (5, 0.3, 0.02), (10, 0, 4e-3)):
+            history = self.history(f"array_{cells}_{shift}", *ARRAY, "-grid_cells", f"{4 * cells},{4 * cells}",
+                                   "-ball_center", f"{shift / cells},{shift / cells}")
+            self.assertLess(abs(history["ball_force_x"][-1] / exact - 1), limit, (cells, shift))
 
     def check_energy(self, history, limit):
         dt = history["dt"]

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "washfsi/body/inner_water.hpp"
 #include "washfsi/body/subdivide.hpp"
 #include "washfsi/grid/interpolate.hpp"
 
@@ -28,7 +29,7 @@ Mask<Dim>::Mask(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies, con
       bodies_(bodies),
       treatment_(treatment),
       smoothing_(smoothing_of(treatment, grid.spacing().maxCoeff())),
-      depth_(treatment.method == BodyMethod::direct_forcing ? held_depth * grid.spacing().maxCoeff() : 0),
+      held_depths_(bodies.size(), 0.0),
       fraction_(grid.face_vector()),
       solid_velocity_(grid.face_vector()),
       held_velocity_(grid.face_vector()),
@@ -38,7 +39,8 @@ Mask<Dim>::Mask(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies, con
       any_moves_(std::any_of(bodies.begin(), bodies.end(), [](const auto& body) { return !body.motion.at_rest(); })) {
   WASH_PETSC(VecSet(fraction_, 1.0));
   WASH_PETSC(VecSet(body_, -1.0));
-  if (depth_ > 0) {
+  if (treatment.method == BodyMethod::direct_forcing) {
+    for (std::size_t b = 0; b < bodies.size(); ++b) held_depths_[b] = InnerWater::of(bodies[b], grid).held_depth;
     share_ = petsc::zeros_like(fraction_);
     WASH_PETSC(VecSet(share_, 1.0));
     resting_share_ = petsc::zeros_like(fraction_);
@@ -84,7 +86,7 @@ void Mask<Dim>::place(const PosedBodies<Dim>& posed, std::size_t body, double ti
   const bool moves = !motion.at_rest();
   const auto number = static_cast<double>(body);
   const auto hold = [&](const Index<Dim>& face, int c, const Point<Dim>& place, double distance) {
-    if (depth_ > 0 && distance < -depth_) fraction(face, c) = 0;
+    if (share_ && distance < -held_depths_[body]) fraction(face, c) = 0;
     const double H = fraction_at(distance), before = share(face, c);
     if (H == 1 || H > before || (H == before && holder(face, c) < number)) return;
     share(face, c) = H;
@@ -92,7 +94,7 @@ void Mask<Dim>::place(const PosedBodies<Dim>& posed, std::size_t body, double ti
     solid(face, c) = moves ? motion.velocity(place, time)[c] : 0;
   };
   subdivide<Dim>(
-      grid_, grid_.owned(), std::max(smoothing_, depth_),
+      grid_, grid_.owned(), std::max(smoothing_, held_depths_[body]),
       [&](const Point<Dim>& place) { return posed.distance(body, place); },
       [&](const Box<Dim>& part, int sign) {
         if (sign < 0)
@@ -235,6 +237,22 @@ Loads<Dim> Mask<Dim>::loads(Vec constraint_force, Vec density, Vec pressure, dou
   add_constraint_force(constraint_force, density, time, loads);
   add_wall_pressure(pressure, time, loads);
   return ordered_sum<Dim>(grid_.comm(), loads);
+}
+
+template <int Dim>
+Loads<Dim> Mask<Dim>::inner_momentum(Vec velocity, Vec density, double time) const {
+  Loads<Dim> momenta(bodies_.size());
+  const ConstFaceView<Dim> u(grid_.face_dm(), velocity), rho(grid_.face_dm(), density);
+  const ConstFaceView<Dim> holder(grid_.face_dm(), body_), share(grid_.face_dm(), fluid_share()),
+      solid(grid_.face_dm(), solid_velocity_);
+  grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
+    if (holder(face, c) < 0) return;
+    const auto b = static_cast<std::size_t>(holder(face, c));
+    Point<Dim> momentum = Point<Dim>::Zero();
+    momentum[c] = grid_.cell_volume() * (1 - share(face, c)) * rho(face, c) * (u(face, c) - solid(face, c));
+    momenta[b].add(grid_.face_center(face, c) - bodies_[b].motion.center_at(time), momentum);
+  });
+  return ordered_sum<Dim>(grid_.comm(), momenta);
 }
 
 template <int Dim>

@@ -15,9 +15,6 @@ namespace washfsi {
 template <int Dim>
 class Mask {
  public:
-  /// Bodies held by markers hold the water themselves where it is deeper in them than this [cells].
-  static constexpr double held_depth = 2.5;
-
   Mask(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies, const BodyTreatment& treatment);
 
   /// Places the bodies as they are at `time`.
@@ -46,6 +43,10 @@ class Mask {
   /// the step. Collective.
   Loads<Dim> loads(Vec constraint_force, Vec density, Vec pressure, double time) const;
 
+  /// Momentum, and its moment about the body's centre, of the water inside each body relative to it. Where markers hold
+  /// the walls this water slips behind them, else it rests. Collective.
+  Loads<Dim> inner_momentum(Vec velocity, Vec density, double time) const;
+
   /// Energy that the water lost in a step of dt where a moving mask took it along: 1/2 rho |u_solid - u|^2 on the faces
   /// that are solid now, u the velocity before, over dt [W; in the plane W/m]. An effect of the staircase. Collective.
   double dissipation(Vec velocity_before, Vec density, double dt) const;
@@ -69,8 +70,8 @@ class Mask {
   const Grid<Dim>& grid_;
   const std::vector<Body<Dim>>& bodies_;
   BodyTreatment treatment_;
-  double smoothing_;  ///< eps [m]; 0: sharp
-  double depth_;      ///< behind the walls from which on solids hold the water [m]
+  double smoothing_;                 ///< eps [m]; 0: sharp
+  std::vector<double> held_depths_;  ///< behind each body's walls, if markers hold them; else 0 [m]
   std::vector<CutFace<Dim>> cuts_;
   petsc::Vector fraction_, solid_velocity_;
   petsc::Vector share_, resting_share_;            ///< null unless markers hold the walls

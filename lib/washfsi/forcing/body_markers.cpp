@@ -25,12 +25,12 @@ std::vector<double> sample_times(const RigidMotion<Dim>& motion, double size) {
 }  // namespace
 
 template <int Dim>
-BodyMarkers<Dim>::BodyMarkers(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies,
-                              const MarkerLayout<Dim>& layout)
+BodyMarkers<Dim>::BodyMarkers(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies, MarkerLayout<Dim> layout)
     : grid_(grid),
       bodies_(bodies),
       depth_(layout.cell.minCoeff() * layout.moments.retraction(std::numeric_limits<double>::max())) {
   for (std::size_t b = 0; b < bodies.size(); ++b) {
+    layout.inside = InnerWater::of(bodies[b], grid);
     by_body_.push_back(surface_markers<Dim>(*bodies[b].shape, region(bodies[b]), layout));
     const MarkerPatches<Dim>& patches = by_body_.back();
     for (std::size_t p = 0; p < patches.size(); ++p) starts_.push_back(arms_.size() + patches.starts[p]);

@@ -11,7 +11,7 @@ namespace washfsi {
 template <int Dim>
 class BodyMarkers {
  public:
-  BodyMarkers(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies, const MarkerLayout<Dim>& layout);
+  BodyMarkers(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies, MarkerLayout<Dim> layout);
 
   /// The number of patches, the body and the first marker of one; of the one beyond the last, the end.
   std::size_t patches() const { return body_of_.size(); }

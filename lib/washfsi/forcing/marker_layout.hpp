@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "washfsi/body/inner_water.hpp"
 #include "washfsi/forcing/kernel_moments.hpp"
 #include "washfsi/support/point.hpp"
 
@@ -14,7 +15,7 @@ struct MarkerLayout {
   Point<Dim> cell;        ///< the grid's spacing [m]
   double spacing = 1.0;   ///< mean width of a patch on a sheet [cells]; solids have wider ones
   KernelMoments moments;  ///< of the delta by which they act
-  double held_depth = std::numeric_limits<double>::infinity();  ///< from which on bodies hold the water themselves [m]
+  InnerWater inside = {false, std::numeric_limits<double>::infinity()};  ///< of the body
 };
 
 }  // namespace washfsi

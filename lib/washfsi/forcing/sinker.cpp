@@ -17,6 +17,15 @@ namespace {
 constexpr double edge_factor = 0.5;   // of the reach of a sheet, beyond its edges: as a face acts before itself
 constexpr double held_from = 0.3;     // in cells, by which faces that are held lie deeper than they must, in the mean
 constexpr double smooth_bend = 0.25;  // in cells, above which a place belongs to an edge
+constexpr double eddies = 2.1;        // of a cylinder and of a sphere alike, by their drag in creeping flow
+constexpr double narrow = 1.5;        // radius in cells up to which eddies are left out
+constexpr double most_stress = 0.6;   // over that of the water before the markers
+
+template <int Dim>
+double largest_of(const Eigen::Matrix<double, Dim, Dim>& symmetric) {
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, Dim, Dim>>(symmetric, Eigen::EigenvaluesOnly)
+      .eigenvalues()[Dim - 1];
+}
 
 }  // namespace
 
@@ -33,28 +42,39 @@ std::optional<Candidate<Dim>> Sinker<Dim>::sink(const Point<Dim>& seed) const {
   if (depth < along * layout_.moments.sheet_reach()) return in_sheet(inmost, normal);
   // at an edge the way is that between its faces
   const Point<Dim> inwards = -gradient(*foot, coarse * cell_).normalized();
-  const double bend = bending(*foot);
+  const Curvatures bent = curvatures(*foot);
+  const double bend = bending(bent);
   double flat = along * layout_.moments.retraction(depth / along);
-  if (is_held_behind(*foot, inwards)) flat = before_held(flat, bend);
+  const double held = is_held_behind(*foot, inwards) ? held_stress(flat, bend) : 0;
+  const double stirred = layout_.inside.turns_along ? 0 : stirred_stress(largest_of<Dim>(bent), along);
+  flat /= 1 - std::min(most_stress, flat * std::max(held, stirred));
   return Candidate<Dim>{*foot + std::clamp(flat + bend, 0.0, depth) * inwards, *foot,
                         static_cast<int>(std::clamp(bend / (smooth_bend * cell_), 0.0, 2.0))};
 }
 
 template <int Dim>
 bool Sinker<Dim>::is_held_behind(const Point<Dim>& foot, const Point<Dim>& inwards) const {
-  if (std::isinf(layout_.held_depth)) return false;
-  return -shape_.distance(foot + (layout_.held_depth + held_from * cell_) * inwards) > layout_.held_depth;
+  if (std::isinf(layout_.inside.held_depth)) return false;
+  return -shape_.distance(foot + (layout_.inside.held_depth + held_from * cell_) * inwards) > layout_.inside.held_depth;
 }
 
-// The water between markers and what is held behind them slips at the markers as that before them does, and is sheared
-// by it over the distance between: markers act from farther off by the part that this takes of what bends at them.
+// Water behind markers slips at them as that before them does. The stress that this takes, mu times this much of the
+// slip, bends the velocity at the markers as the water before them does: they act from farther off by that part.
+// Behind it the water is sheared over the distance to what is held.
 template <int Dim>
-double Sinker<Dim>::before_held(double flat, double bend) const {
+double Sinker<Dim>::held_stress(double flat, double bend) const {
   const double curvature = 2 * bend / (layout_.moments.variance() * cell_ * cell_);
-  const double straight = layout_.held_depth + held_from * cell_ - flat;
+  const double straight = layout_.inside.held_depth + held_from * cell_ - flat;
   const double bent = std::min(straight * curvature / (1 - flat * curvature), 0.9);
-  const double between = straight * (1 - 0.5 * bent) / ((1 - bent) * (1 - bent));  // of a layer of a plane as stiff
-  return flat / (1 - flat / between);
+  return (1 - bent) * (1 - bent) / (straight * (1 - 0.5 * bent));  // that of a layer of a plane as stiff
+}
+
+// Or it is stirred within a bent surface by a slip that is not the same all round: mu 2/R times the slip if the water
+// goes round in a cylinder as two eddies, in creeping flow. Markers of narrow bodies act on each other's water.
+template <int Dim>
+double Sinker<Dim>::stirred_stress(double curvature, double along) const {
+  if (curvature <= 0) return 0;
+  return eddies * curvature * std::clamp(1 / (curvature * along) - narrow, 0.0, 1.0);
 }
 
 template <int Dim>
@@ -240,14 +260,26 @@ Points<Dim> Sinker<Dim>::tangents(const Point<Dim>& normal) {
   return result;
 }
 
+// Second differences of the distance over a cell [1/m].
+template <int Dim>
+typename Sinker<Dim>::Curvatures Sinker<Dim>::curvatures(const Point<Dim>& foot) const {
+  const auto distance = [&](const Point<Dim>& aside) { return shape_.distance(foot + aside); };
+  Curvatures result;
+  for (int d = 0; d < Dim; ++d)
+    for (int e = 0; e <= d; ++e) {
+      const Point<Dim> a = layout_.cell[d] * Point<Dim>::Unit(d), b = layout_.cell[e] * Point<Dim>::Unit(e);
+      const double sum = d == e ? distance(a) + distance(-a) - 2 * distance(Point<Dim>::Zero())
+                                : (distance(a + b) + distance(-a - b) - distance(a - b) - distance(b - a)) / 4;
+      result(d, e) = result(e, d) = sum / (layout_.cell[d] * layout_.cell[e]);
+    }
+  return result;
+}
+
 // 1/2 sum_d sigma^2 h_d^2 d2Phi/dx_d2 [m]
 template <int Dim>
-double Sinker<Dim>::bending(const Point<Dim>& foot) const {
+double Sinker<Dim>::bending(const Curvatures& curvatures) const {
   double sum = 0;
-  for (int d = 0; d < Dim; ++d) {
-    const Point<Dim> aside = layout_.cell[d] * Point<Dim>::Unit(d);
-    sum += shape_.distance(foot + aside) + shape_.distance(foot - aside) - 2 * shape_.distance(foot);
-  }
+  for (int d = 0; d < Dim; ++d) sum += layout_.cell[d] * layout_.cell[d] * curvatures(d, d);
   return 0.5 * layout_.moments.variance() * sum;
 }
 

@@ -27,7 +27,8 @@ class Sinker {
   static constexpr double fine = 0.05, coarse = 0.4;  // differences, in cells: of a surface, across ridges of the depth
   Point<Dim> gradient(const Point<Dim>& place, double step) const;
   bool is_held_behind(const Point<Dim>& foot, const Point<Dim>& inwards) const;
-  double before_held(double flat, double bend) const;
+  double held_stress(double flat, double bend) const;
+  double stirred_stress(double curvature, double along) const;
   std::optional<Point<Dim>> foot_of(const Point<Dim>& seed) const;
   std::pair<Point<Dim>, double> inmost_behind(const Point<Dim>& foot, const Point<Dim>& normal, double along) const;
   Point<Dim> refined(const Point<Dim>& place, const Point<Dim>& way, double step) const;
@@ -39,7 +40,9 @@ class Sinker {
   Point<Dim> sheet_normal(const Point<Dim>& place) const;
   double extent(const Point<Dim>& place, const Point<Dim>& tangent, double most, double along) const;
   static Points<Dim> tangents(const Point<Dim>& normal);
-  double bending(const Point<Dim>& foot) const;
+  using Curvatures = Eigen::Matrix<double, Dim, Dim>;
+  Curvatures curvatures(const Point<Dim>& foot) const;
+  double bending(const Curvatures& curvatures) const;
 
   const Shape<Dim>& shape_;
   const MarkerLayout<Dim>& layout_;

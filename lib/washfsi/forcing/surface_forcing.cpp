@@ -17,8 +17,7 @@ constexpr DeltaOptions delta{DeltaKernel::yang, 2, 2};
 
 template <int Dim>
 MarkerLayout<Dim> layout_for(const Grid<Dim>& grid, double spacing) {
-  return {grid.spacing(), spacing, KernelMoments(delta.kernel, delta.spread_width),
-          Mask<Dim>::held_depth * grid.spacing().maxCoeff()};
+  return {grid.spacing(), spacing, KernelMoments(delta.kernel, delta.spread_width)};
 }
 
 }  // namespace

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/body/body.hpp"
+#include "washfsi/grid/grid.hpp"
+
+namespace washfsi {
+
+/// The water inside a body whose walls are held by markers. It slips behind the walls as that before them does.
+struct InnerWater {
+  /// Whether the body only ever turns about an axis round which it is the same, so that its walls slide along
+  /// themselves: the water slips alike all round and turns with it. Else it is stirred, and has to find its way back.
+  bool turns_along = false;
+  double held_depth = 0;  ///< behind the walls, from which on the body holds it [m]
+
+  template <int Dim>
+  static InnerWater of(const Body<Dim>& body, const Grid<Dim>& grid);
+};
+
+extern template InnerWater InnerWater::of<2>(const Body<2>&, const Grid<2>&);
+extern template InnerWater InnerWater::of<3>(const Body<3>&, const Grid<3>&);
+
+}  // namespace washfsi
