@@ -21,6 +21,13 @@ double smoothing_of(const BodyTreatment& treatment, double cell) {
   return treatment.edge == MaskEdge::smooth ? 2 * cell : 0;
 }
 
+template <int Dim>
+std::vector<typename RigidMotion<Dim>::State> states_at(const std::vector<Body<Dim>>& bodies, double time) {
+  std::vector<typename RigidMotion<Dim>::State> states;
+  for (const auto& body : bodies) states.push_back(body.motion.state(time));
+  return states;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -77,37 +84,52 @@ double Mask<Dim>::fraction_at(double distance) const {
   return 0.5 * (1 + x + std::sin(std::numbers::pi * x) / std::numbers::pi);
 }
 
-// Where bodies overlap, a face is held by the one that leaves the water least; among equals, by the one named first.
+// Calls visit(face, component, place, distance) for this rank's faces of cells that are less than `reach` before the
+// surface of a body or behind it, with a very small distance where they are farther behind it; a negative reach takes a
+// surface so far behind.
 template <int Dim>
-void Mask<Dim>::place(const PosedBodies<Dim>& posed, std::size_t body, double time) {
-  const FaceView<Dim> share(grid_.face_dm(), fluid_share()), solid(grid_.face_dm(), solid_velocity_);
-  const FaceView<Dim> holder(grid_.face_dm(), body_), fraction(grid_.face_dm(), fraction_);
-  const RigidMotion<Dim>& motion = bodies_[body].motion;
-  const bool moves = !motion.at_rest();
-  const auto number = static_cast<double>(body);
-  const auto hold = [&](const Index<Dim>& face, int c, const Point<Dim>& place, double distance) {
-    if (share_ && distance < -held_depths_[body]) fraction(face, c) = 0;
-    const double H = fraction_at(distance), before = share(face, c);
-    if (H == 1 || H > before || (H == before && holder(face, c) < number)) return;
-    share(face, c) = H;
-    holder(face, c) = number;
-    solid(face, c) = moves ? motion.velocity(place, time)[c] : 0;
-  };
+template <class Visit>
+void Mask<Dim>::for_each_inside(const PosedBodies<Dim>& posed, std::size_t body, double reach,
+                                const Visit& visit) const {
+  const double depth = std::max(0.0, -reach);
   subdivide<Dim>(
-      grid_, grid_.owned(), std::max(smoothing_, held_depths_[body]),
-      [&](const Point<Dim>& place) { return posed.distance(body, place); },
+      grid_, grid_.owned(), std::max(0.0, reach),
+      [&](const Point<Dim>& place) { return posed.distance(body, place) + depth; },
       [&](const Box<Dim>& part, int sign) {
         if (sign < 0)
           for_each<Dim>(part, [&](const Index<Dim>& face) {
-            for (int c = 0; c < Dim; ++c) hold(face, c, grid_.face_center(face, c), deep_inside);
+            for (int c = 0; c < Dim; ++c) visit(face, c, grid_.face_center(face, c), deep_inside);
           });
       },
       [&](const Index<Dim>& face) {
         for (int c = 0; c < Dim; ++c) {
           const Point<Dim> place = grid_.face_center(face, c);
-          hold(face, c, place, posed.distance(body, place));
+          visit(face, c, place, posed.distance(body, place));
         }
       });
+}
+
+// Where bodies overlap, a face is held by the one that leaves the water least; among equals, by the one named first.
+template <int Dim>
+void Mask<Dim>::place(const PosedBodies<Dim>& posed, std::size_t body, double time) {
+  const FaceView<Dim> share(grid_.face_dm(), fluid_share()), solid(grid_.face_dm(), solid_velocity_);
+  const FaceView<Dim> holder(grid_.face_dm(), body_), fraction(grid_.face_dm(), fraction_);
+  const bool moves = !bodies_[body].motion.at_rest();
+  const auto motion = bodies_[body].motion.state(time);
+  const auto number = static_cast<double>(body);
+  const auto hold = [&](const Index<Dim>& face, int c, const Point<Dim>& place, double distance) {
+    const double H = fraction_at(distance), before = share(face, c);
+    if (H == 1 || H > before || (H == before && holder(face, c) < number)) return;
+    share(face, c) = H;
+    holder(face, c) = number;
+    solid(face, c) = moves ? motion.velocity_at(place)[c] : 0;
+  };
+  for_each_inside(posed, body, smoothing_, hold);
+  const double held = held_depths_[body];
+  if (share_)
+    for_each_inside(posed, body, -held, [&](const Index<Dim>& face, int c, const Point<Dim>&, double distance) {
+      if (distance < -held) fraction(face, c) = 0;
+    });
 }
 
 template <int Dim>
@@ -200,15 +222,16 @@ template <int Dim>
 void Mask<Dim>::add_constraint_force(Vec constraint_force, Vec density, double time, Loads<Dim>& loads) const {
   const ConstFaceView<Dim> f(grid_.face_dm(), constraint_force), rho(grid_.face_dm(), density);
   const ConstFaceView<Dim> holder(grid_.face_dm(), body_), fraction(grid_.face_dm(), fluid_share());
+  const auto motions = states_at(bodies_, time);
   grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
     if (holder(face, c) < 0) return;
     const auto b = static_cast<std::size_t>(holder(face, c));
     const Point<Dim> place = grid_.face_center(face, c);
-    const RigidMotion<Dim>& motion = bodies_[b].motion;
-    const double inertia = (1 - fraction(face, c)) * rho(face, c) * motion.acceleration(place, time)[c];
+    const auto& motion = motions[b];
+    const double inertia = (1 - fraction(face, c)) * rho(face, c) * motion.acceleration_at(place)[c];
     Point<Dim> force = Point<Dim>::Zero();
     force[c] = grid_.cell_volume() * (inertia - f(face, c));
-    loads[b].add(place - motion.center_at(time), force);
+    loads[b].add(place - motion.center, force);
   });
 }
 
@@ -245,12 +268,13 @@ Loads<Dim> Mask<Dim>::inner_momentum(Vec velocity, Vec density, double time) con
   const ConstFaceView<Dim> u(grid_.face_dm(), velocity), rho(grid_.face_dm(), density);
   const ConstFaceView<Dim> holder(grid_.face_dm(), body_), share(grid_.face_dm(), fluid_share()),
       solid(grid_.face_dm(), solid_velocity_);
+  const auto motions = states_at(bodies_, time);
   grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
     if (holder(face, c) < 0) return;
     const auto b = static_cast<std::size_t>(holder(face, c));
     Point<Dim> momentum = Point<Dim>::Zero();
     momentum[c] = grid_.cell_volume() * (1 - share(face, c)) * rho(face, c) * (u(face, c) - solid(face, c));
-    momenta[b].add(grid_.face_center(face, c) - bodies_[b].motion.center_at(time), momentum);
+    momenta[b].add(grid_.face_center(face, c) - motions[b].center, momentum);
   });
   return ordered_sum<Dim>(grid_.comm(), momenta);
 }

@@ -58,6 +58,8 @@ class Mask {
                                double time) const;
 
  private:
+  template <class Visit>
+  void for_each_inside(const PosedBodies<Dim>& posed, std::size_t body, double reach, const Visit& visit) const;
   void place(const PosedBodies<Dim>& posed, std::size_t body, double time);
   double fraction_at(double distance) const;
   void find_cuts(const PosedBodies<Dim>& posed, double time);

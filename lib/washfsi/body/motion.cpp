@@ -65,22 +65,19 @@ SpeedProgramme::Span RigidMotion<Dim>::shortest_span() const {
 }
 
 template <int Dim>
-Point<Dim> RigidMotion<Dim>::velocity(const Point<Dim>& place, double time) const {
-  const State now = state(time);
-  const Point<Dim> arm = place - now.center;
-  const double omega = now.angular_velocity;
-  Point<Dim> result = now.velocity;
-  result.template head<2>() += omega * Point<2>(-arm[1], arm[0]);
+Point<Dim> RigidMotion<Dim>::State::velocity_at(const Point<Dim>& place) const {
+  const Point<Dim> arm = place - center;
+  Point<Dim> result = velocity;
+  result.template head<2>() += angular_velocity * Point<2>(-arm[1], arm[0]);
   return result;
 }
 
 template <int Dim>
-Point<Dim> RigidMotion<Dim>::acceleration(const Point<Dim>& place, double time) const {
-  const State now = state(time);
-  const Point<2> arm = (place - now.center).template head<2>();
-  const double omega = now.angular_velocity, alpha = now.angular_acceleration;
-  Point<Dim> result = now.acceleration;
-  result.template head<2>() += alpha * Point<2>(-arm[1], arm[0]) - omega * omega * arm;
+Point<Dim> RigidMotion<Dim>::State::acceleration_at(const Point<Dim>& place) const {
+  const Point<2> arm = (place - center).template head<2>();
+  Point<Dim> result = acceleration;
+  result.template head<2>() +=
+      angular_acceleration * Point<2>(-arm[1], arm[0]) - angular_velocity * angular_velocity * arm;
   return result;
 }
 

@@ -31,6 +31,10 @@ struct RigidMotion {
   struct State {
     Point<Dim> center, velocity, acceleration;             ///< of the centre [m, m/s, m/s2]
     double angle, angular_velocity, angular_acceleration;  ///< [rad, rad/s, rad/s2]
+
+    /// Of the body's material at a place; for many places at one moment.
+    Point<Dim> velocity_at(const Point<Dim>& place) const;
+    Point<Dim> acceleration_at(const Point<Dim>& place) const;
   };
   State state(double time) const;
 
@@ -50,8 +54,8 @@ struct RigidMotion {
   double angular_acceleration(double time) const { return state(time).angular_acceleration; }  ///< [rad/s2]
 
   /// Velocity and acceleration of the body's material at a place.
-  Point<Dim> velocity(const Point<Dim>& place, double time) const;
-  Point<Dim> acceleration(const Point<Dim>& place, double time) const;
+  Point<Dim> velocity(const Point<Dim>& place, double time) const { return state(time).velocity_at(place); }
+  Point<Dim> acceleration(const Point<Dim>& place, double time) const { return state(time).acceleration_at(place); }
   /// A speed that the material which is at a distance [m] from the centre never exceeds [m/s].
   double largest_speed(double arm) const;
 

@@ -105,8 +105,7 @@ FlowDiagnostics<Dim> FlowDiagnostics<Dim>::of(const Grid<Dim>& grid, const FlowS
       energy += 0.5 * mass * (H * lower * lower + of_inner * (lower - solid) * (lower - solid));
       if (ends.at_upper(next, d)) energy += 0.25 * rho(cell, d) * upper * upper;
       if constexpr (d < 2)
-        turning +=
-            (d == 0 ? -1 : 1) * mass * H * lower * (grid.face_center(cell, d) - middle)[1 - d];
+        turning += (d == 0 ? -1 : 1) * mass * H * lower * (grid.face_center(cell, d) - middle)[1 - d];
     });
     if (!std::isfinite(courant)) courant = std::numeric_limits<double>::infinity();
     if (courant > result.courant.value) {

@@ -49,6 +49,7 @@ void FractionalStep<Dim>::start(const VelocityAt<Dim>& velocity) {
 template <int Dim>
 void FractionalStep<Dim>::advance(const TimeStep& step, const StepFields<Dim>& fields) {
   predict(step, fields);
+  push_walls();
   project();
   hold_walls();
   finish();
@@ -141,16 +142,21 @@ void FractionalStep<Dim>::project() {
 }
 
 template <int Dim>
+void FractionalStep<Dim>::push_walls() {
+  if (fields_.walls) fields_.walls->push(intermediate_);
+}
+
+template <int Dim>
 void FractionalStep<Dim>::hold_walls() {
-  if (!fields_.walls) return;
-  if (!projects_) return fields_.walls->push(intermediate_);
+  if (!fields_.walls || !projects_) return;
   const petsc::LogPart part("pressure");
-  constexpr int most_sweeps = 3;  // mostly one is enough; the solver makes loads jump
+  constexpr int most_sweeps = 3;  // mostly none; the solver makes loads jump
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+    if (fields_.walls->holds(intermediate_)) return;
     fields_.walls->push(intermediate_);
     project_again();
-    if (fields_.walls->holds(intermediate_)) return;
   }
+  if (fields_.walls->holds(intermediate_)) return;
   fields_.walls->hold([this](Vec increment) { free_of_divergence(increment); }, intermediate_);
   project_again();
 }
@@ -236,6 +242,7 @@ void FractionalStep<Dim>::add_force(Vec force) {
       if (fluid_fraction) held(face, c) -= (1 - H) * f(face, c);
     });
   }
+  push_walls();
   if (projects_) project_again();
 }
 

@@ -8,8 +8,9 @@
 //      a bulk velocity that is kept corrects G and u* (`driving.hpp`)
 //   3. project         div( (1/rho) grad q ) = div u* / dt,    u^(n+1) = u* - (dt/rho) grad q
 //                      p^(n+1/2) = p^(n-1/2) + q - (mu/2) div u*
-//      walls that hold the water by forces add them in 1, mend u* after 2, and hold the projected velocity
 //   3b. add_force      (couplings only) u += (dt/rho) H f, projected again: p += q without the viscous term
+//      walls that hold the water by forces add those of the step before in 1, mend them once before the last
+//      projection, of 3 or 3b, and again after it if the water slips
 //   4. finish          n becomes n + 1
 // The first step takes (u.grad u)^0 alone (forward Euler). Where the viscosity varies, div tau (`viscous_stress.hpp`)
 // takes the place of mu lap u, and mu div u* that of (mu/2) div u*.
@@ -52,18 +53,19 @@ class FractionalStep {
   /// Sets the velocity at the start. Collective.
   void start(const VelocityAt<Dim>& velocity);
 
-  /// One whole step: predict, project, hold walls, finish. Collective. Errors: DivergedError.
+  /// One whole step: predict, push walls, project, hold walls, finish. Collective. Errors: DivergedError.
   void advance(const TimeStep& step, const StepFields<Dim>& fields);
 
   /// Phases 1 and 2: u* from u^n. Collective.
   void predict(const TimeStep& step, const StepFields<Dim>& fields);
   /// Phase 3: makes the intermediate velocity divergence free and updates the pressure. Collective.
   void project();
-  /// Phase 3b: adds a further force density (faces) to the projected velocity and projects it again. What falls on
-  /// solids is kept by them. Collective.
+  /// Phase 3b: adds a further force density (faces) to the projected velocity, pushes walls, and projects it again.
+  /// What falls on solids is kept by them. Collective.
   void add_force(Vec force);
-  /// Phase 3c, after the last further force: takes away the slip that is left at walls that hold the water by forces.
-  /// Collective.
+  /// Before a last projection: takes most of the slip away from walls that hold the water by forces. Collective.
+  void push_walls();
+  /// After it: takes away what slip is left beyond the tolerance, with further projections. Collective.
   void hold_walls();
   /// For schemes that try a step several times: keeps the pressure, and takes the kept one back after a trial.
   void keep_pressure();

@@ -57,18 +57,19 @@ void hold_bodies(System<Dim>& system, double time) {
 }
 
 template <int Dim>
-void predict_and_project(System<Dim>& system, double dt) {
+void predict(System<Dim>& system, double dt) {
   auto& [model, state, step] = system;
   model.liquid.update_viscosity(
       {model.fluid.velocity(), state.clock.time, model.fluid_share(), model.fluid.last_step()});
   model.fluid.predict(state.clock.next(dt),
                       {model.liquid.fields(), step.force, model.mask.constraint(), model.walls.get()});
-  model.fluid.project();
 }
 
 template <int Dim>
 void move_water(System<Dim>& system, double dt) {
-  predict_and_project(system, dt);
+  predict(system, dt);
+  system.model.fluid.push_walls();
+  system.model.fluid.project();
   system.model.fluid.hold_walls();
 }
 
@@ -98,8 +99,8 @@ template void hold_walls<2>(Model<2>&, double);
 template void hold_walls<3>(Model<3>&, double);
 template void hold_bodies<2>(System<2>&, double);
 template void hold_bodies<3>(System<3>&, double);
-template void predict_and_project<2>(System<2>&, double);
-template void predict_and_project<3>(System<3>&, double);
+template void predict<2>(System<2>&, double);
+template void predict<3>(System<3>&, double);
 template void move_water<2>(System<2>&, double);
 template void move_water<3>(System<3>&, double);
 template Points<2> marker_velocities<2>(const Model<2>&, Vec, double);

@@ -29,9 +29,9 @@ void hold_walls(Model<Dim>& model, double time);
 template <int Dim>
 void hold_bodies(System<Dim>& system, double time);
 
-/// Phases 1 to 3 of the fluid's step with the liquid and the bodies as they are, and the step's force density.
+/// Phases 1 and 2 of the fluid's step with the liquid and the bodies as they are, and the step's force density.
 template <int Dim>
-void predict_and_project(System<Dim>& system, double dt);
+void predict(System<Dim>& system, double dt);
 /// All phases but the last, for schemes without further forces.
 template <int Dim>
 void move_water(System<Dim>& system, double dt);

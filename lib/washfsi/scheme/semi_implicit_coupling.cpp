@@ -224,7 +224,8 @@ void SemiImplicitCoupling<Dim>::take(System<Dim>& system, double dt) {
                weights_.end * forces + weights_.start * at_start + weights_.before * state.forces_before +
                    model.forces.constant());
   hold_bodies(system, end);
-  predict_and_project(system, dt);
+  predict(system, dt);
+  model.fluid.project();
 
   velocities_ = state.velocities;
   change_ = at_start - (state.clock.step > 0 ? state.forces_before : at_start);  // as in the last step
