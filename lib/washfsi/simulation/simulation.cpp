@@ -78,13 +78,22 @@ void Simulation<Dim>::refuse_doubts() const {
                    ", the first of " + doubts.front().name + ", " + doubts.front().text);
 }
 
+// Whether walls of markers begin to hold water that moves already.
+template <int Dim>
+bool Simulation<Dim>::stops_water() const {
+  double speed = 0;
+  WASH_PETSC(VecNorm(system_->model.fluid.velocity(), NORM_INFINITY, &speed));
+  return system_->model.walls && speed > 0;
+}
+
 template <int Dim>
 void Simulation<Dim>::choose_time_step() {
   if (run_.time_step > 0 && run_.time_cfl == 0) state_.dt = run_.time_step;
   refuse_unseen_motion<Dim>(system_->model.bodies, run_.time_step);
   if (state_.cloth_bound == 0) find_cloth_bound();
   if (state_.dt > 0) return;  // the user's, or that of the checkpoint
-  const double courant = run_.time_cfl > 0 ? run_.time_cfl : 0.3;
+  // walls that stop water at once make it up to twice as fast beside them
+  const double courant = (run_.time_cfl > 0 ? run_.time_cfl : 0.3) * (stops_water() ? 0.5 : 1);
   state_.dt = std::min(longest_step(), courant * flow_time<Dim>(system_->model, *body_speeds_));
   if (!std::isfinite(state_.dt))
     throw InputError("-time_step is missing: nothing moves at the start from which it could be chosen");
