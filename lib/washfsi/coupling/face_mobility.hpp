@@ -30,6 +30,7 @@ class FaceMobility {
  private:
   /// The faces of one component, as `FaceStencil` visits them.
   struct Faces;
+  double pairs_within_reach(const Points<Dim>& positions) const;
   void enclose();
   void spread(const Points<Dim>& values) const;
   void add_images() const;

@@ -3,6 +3,9 @@
 // How much of the force on one marker reaches another through the faces of the grid, where walls do not matter.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "washfsi/coupling/face_stencil.hpp"
 
 namespace washfsi {

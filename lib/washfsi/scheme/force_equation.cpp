@@ -111,7 +111,7 @@ ClothEquation<Dim> ForceEquation<Dim>::of_forces(const Step& step, double share)
 template <int Dim>
 void ForceEquation<Dim>::solve_at(const Step& step, double share, Points<Dim>& all, double& iterations) {
   const Points<Dim> guess = all;
-  blocks_are_old_ = true;
+  blocks_are_old_ = blocks_are_old_ || step.is_first;
   try {
     iterations += static_cast<double>(solver_.solve(of_velocities(step, share), step.tolerance, all));
   } catch (const DivergedError&) {

@@ -31,6 +31,7 @@ class ForceEquation {
     const Points<Dim>& forces;            ///< F, which the water has already [N]
     const StepMobility<Dim>& mobility;    ///< M, D [1/kg]
     bool is_packed;                       ///< whether the preconditioner is corrected
+    bool is_first;                        ///< whether the correction is made anew: others of the step may use it
     double tolerance;                     ///< of the velocities' 2-norm [m/s]
   };
   /// V, from the best of the guesses. Adds the evaluations to `iterations`. Collective. Errors: DivergedError.
@@ -55,7 +56,7 @@ class ForceEquation {
   ClothSolver<Dim>& solver_;
   petsc::Matrix stiffness_;    ///< K where it was assembled last
   std::vector<long> pattern_;  ///< of it
-  MarkerBlocks<Dim> blocks_;   ///< where a solution was begun
+  MarkerBlocks<Dim> blocks_;   ///< where the first solution was begun
   bool blocks_are_old_ = true;
 };
 

@@ -107,7 +107,7 @@ Points<Dim> ImplicitCoupling<Dim>::solve_by_sweeps(System<Dim>& system, double d
     seepage_.add_to(mobility_, weight() / dt);
     const Points<Dim> forces = model.forces.of_places(step.pushed_at);
     velocities = force_equation_.solve(
-        {model.forces, dt, state.positions, reached, forces, mobility_, is_packed(model), 0.1 * enough},
+        {model.forces, dt, state.positions, reached, forces, mobility_, is_packed(model), true, 0.1 * enough},
         {velocities, reached}, step.cloth_iterations);
   }
   throw DivergedError("cloth: its equations could not be solved in " + std::to_string(most_sweeps) +

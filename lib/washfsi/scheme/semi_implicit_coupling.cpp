@@ -97,11 +97,12 @@ template <int Dim>
 Points<Dim> SemiImplicitCoupling<Dim>::move_by_forces(System<Dim>& system, double dt,
                                                       const Points<Dim>& free_velocities, const Points<Dim>& forces,
                                                       double tolerance) {
+  const bool is_first = !change_.empty();
   const typename ForceEquation<Dim>::Step step{system.model.forces,     dt,       system.state.positions,
                                                free_velocities,         forces,   mobility_,
-                                               is_packed(system.model), tolerance};
+                                               is_packed(system.model), is_first, tolerance};
   std::vector<Points<Dim>> guesses{velocities_, free_velocities};
-  if (!change_.empty()) guesses.push_back(force_equation_.velocities(step, 1, change_));
+  if (is_first) guesses.push_back(force_equation_.velocities(step, 1, change_));
   change_.clear();
   return force_equation_.solve(step, guesses, system.step.cloth_iterations);
 }
