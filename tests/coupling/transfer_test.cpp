@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <numeric>
+
 #include <gtest/gtest.h>
 
 #include "support/random_points.hpp"
+#include "washfsi/coupling/face_mobility.hpp"
+#include "washfsi/coupling/marker_vectors.hpp"
 #include "washfsi/coupling/mobility.hpp"
+#include "washfsi/coupling/own_rows.hpp"
 #include "washfsi/support/collective.hpp"
 #include "washfsi/support/errors.hpp"
 
@@ -259,6 +264,46 @@ TEST(Mobility, MatrixIsSpreadAndInterpolate) {
     expect_matrix_is_spread_and_interpolate<2>(periodic_cells);
     expect_matrix_is_spread_and_interpolate<3>(periodic_cells);
   }
+}
+
+// Entry by entry, with walls, periodic sides and row sums that no overlap explains.
+template <int Dim>
+void expect_product_is_matrix(double width) {
+  const Points<Dim> all = places<Dim>(60);
+  Tank<Dim> tank(all, 17);
+  const DeltaOptions delta{DeltaKernel::cosine, width, width};
+  std::vector<double> sums;
+  for (const auto& place : tank.positions) sums.push_back(1 + place[0] * place[1]);
+  MobilityMatrix<Dim> matrix(tank.grid, delta);
+  matrix.assemble(all, static_cast<PetscInt>(tank.numbers.front()), sums, 0.01);
+  FaceMobility<Dim> faces(tank.grid, delta);
+  faces.locate(tank.positions, sums, 0.01);
+  const Points<Dim> forces = tank.mine(random_points<Dim>(60, 22));
+  const Points<Dim> expected = product<Dim>(matrix, forces), found = faces.times(forces);
+  for (std::size_t m = 0; m < forces.size(); ++m) EXPECT_LE((found[m] - expected[m]).norm(), 1e-12 * sums[m]) << m;
+  std::vector<std::size_t> markers(std::min<std::size_t>(10, forces.size()));
+  std::iota(markers.begin(), markers.end(), 0);
+  const Eigen::MatrixXd difference = faces.block(markers) - own_block<Dim>(matrix, markers);
+  EXPECT_LE(difference.cwiseAbs().maxCoeff(), 1e-13);
+}
+
+TEST(Mobility, ThroughFacesIsThatOfTheMatrix) {
+  for (const double width : {1.5, 2.0, 3.0}) {
+    expect_product_is_matrix<2>(width);
+    expect_product_is_matrix<3>(width);
+  }
+}
+
+// Many markers in one place have more pairs than faces.
+TEST(Mobility, GoesThroughFacesWhereMarkersAreManyInOnePlace) {
+  const Tank<3> tank(places<3>(60), 17);
+  const FaceMobility<3> faces(tank.grid, {}), unequal(tank.grid, {DeltaKernel::cosine, 2, 3});
+  const Points<3> few = places<3>(100);
+  Points<3> many = random_points<3>(3000, 1, 0.1);
+  for (auto& place : many) place += Point<3>::Constant(0.5);
+  EXPECT_FALSE(faces.is_faster(few));
+  EXPECT_TRUE(faces.is_faster(many));
+  EXPECT_FALSE(unequal.is_faster(many));  // not symmetric
 }
 
 TEST(Mobility, OfALoneMarkerIsAboutThatOfTheWaterAround) {

@@ -69,6 +69,32 @@ FIBRES = """
 -time_end 0.1
 -output_interval 1
 """.split()
+# A towel that falls onto a prism, in a vacuum but for some drag.
+PRISM = """
+-grid_cells 12,12,12
+-grid_lower -0.3,-0.3,0
+-grid_upper 0.3,0.3,0.6
+-fluid none
+-gravity 0,0,-9.81
+-bodies prism
+-prism_shape box
+-prism_size 0.25,0.25,0.2
+-prism_center 0,0,0.1
+-cloths towel
+-towel_size 0.4
+-towel_markers 16
+-towel_ke 800
+-towel_kb 1e-4
+-towel_excess_mass 0.3
+-towel_center 0.01,0.02,0.23
+-towel_direction 0.9,0.3,0.02
+-cloth_drag 3
+-contact barrier
+-contact_stiffness 1e3
+-time_step 2e-3
+-time_end 0.3
+-output_interval 1
+""".split()
 # A small towel that is pulled over one that is too heavy to move, and pressed onto it.
 SLED = """
 -grid_cells 12,12,12
@@ -170,6 +196,13 @@ class Contact(ProgramTest):
         self.assertGreater(within["loose_center_z"][-1] - within["held_center_z"][-1], -0.02)
         self.assertGreater(within["friction_power"].max(), 0)
         self.assertLess(without["loose_center_z"][-1], -0.1)
+
+    def test_a_towel_that_falls_onto_a_prism_drapes_over_it(self):
+        history = self.history(1, *PRISM)
+        self.assertEqual(history["intersections"].max(), 0)
+        self.assertEqual(history["towel_depth"].max(), 0)
+        self.assertGreater(history["towel_body_contact_force"].max(), 0)
+        self.assertLess(history["towel_center_z"][-1], 0.2)  # its rim hangs below the top
 
     def test_fibres_do_not_pass_in_any_coupling(self):
         without = self.history(1, *FIBRES, "-time_step", 1e-3, *COUNT)
@@ -311,6 +344,17 @@ class Contact(ProgramTest):
         for name in expected.keys() - NOT_PHYSICAL:
             with self.subTest(column=name):
                 self.assertLess(relative_difference(history[name], expected[name]), 1e-6)
+
+    def test_permeable_towels_go_on_to_the_bit_after_a_restart(self):
+        options = [*PRESSED, "-contact", "barrier", "-cloths_permeance", 1e-5, "-time_end"]
+        for ranks in (1, 2):
+            straight = self.history(ranks, *options, 0.01, name="straight")
+            self.history(ranks, *options, 0.005, name="half")
+            restarted = self.history(ranks, *options, 0.01, "-restart", "half/checkpoint.h5", name="half")
+            self.assertGreater(straight["seepage_power"].max(), 0)
+            for name, values in straight.items():
+                with self.subTest(ranks=ranks, column=name):
+                    np.testing.assert_array_equal(restarted[name], values)
 
     def test_films_between_tight_towels_close_by_the_law_of_squeezed_films(self):
         for viscosity in (0.5, 0.05):

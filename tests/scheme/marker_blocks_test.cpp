@@ -7,6 +7,7 @@
 
 #include "support/random_points.hpp"
 #include "washfsi/coupling/marker_vectors.hpp"
+#include "washfsi/coupling/own_rows.hpp"
 
 namespace washfsi::test {
 namespace {
@@ -30,16 +31,20 @@ petsc::Matrix band_matrix(PetscInt own_markers, double diagonal) {
   return matrix;
 }
 
+auto block_of(const petsc::Matrix& matrix) {
+  return [&](const std::vector<std::size_t>& markers) { return own_block<3>(matrix, markers); };
+}
+
 // What one block solves is exact: the product gives the right side again.
 TEST(MarkerBlocks, SolveTheEquationsOfNearMarkersExactly) {
   constexpr std::size_t markers = 20;
   constexpr double s = 0.7;
   const petsc::Matrix k = band_matrix<3>(markers, 3), m = band_matrix<3>(markers, 2);
   MarkerBlocks<3> blocks;
-  blocks.factorise(random_points<3>(markers, 3), k, m, s);
+  blocks.factorise(random_points<3>(markers, 3), k, block_of(m), s);
   const Points<3> right = random_points<3>(markers, 4), solved = blocks.solve(right);
-  const Points<3> again = solved + s * product<3>(k, product<3>(m, solved));
-  for (std::size_t i = 0; i < markers; ++i) EXPECT_LE((again[i] - right[i]).norm(), 1e-12);
+  const Points<3> again = solved + s * product<3>(m, product<3>(k, solved));
+  for (std::size_t i = 0; i < markers; ++i) EXPECT_LE((again[i] - right[i]).norm(), 1e-5);  // in single precision
 }
 
 // More markers than a block holds: each is in one of them, and those that do not touch others are exact all the same.
@@ -47,9 +52,9 @@ TEST(MarkerBlocks, TakeEachMarkerOnce) {
   constexpr std::size_t markers = 500;
   const petsc::Matrix k = band_matrix<3>(markers, 0), m = band_matrix<3>(markers, 2);
   MarkerBlocks<3> blocks;
-  blocks.factorise(random_points<3>(markers, 3), k, m, 0);
+  blocks.factorise(random_points<3>(markers, 3), k, block_of(m), 0);
   const Points<3> right = random_points<3>(markers, 4), solved = blocks.solve(right);
-  for (std::size_t i = 0; i < markers; ++i) EXPECT_EQ(solved[i], right[i]);
+  for (std::size_t i = 0; i < markers; ++i) EXPECT_LE((solved[i] - right[i]).norm(), 1e-6);
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ void Barrier<Dim>::begin_step(const StepStart<Dim>& start) {
   const Points<Dim> all = around_.cloths.of_all_ranks(start.positions);
   if (start.dt == 0) {
     begin_friction(all, 0);
-    if (covers(all)) return;
+    if (covers(all) && farthest_from_places(all) <= distance_) return;  // else the nearest images may be others now
     reaches_.assign(all.size(), least_reach());
     return look_round(all);
   }
@@ -107,6 +107,13 @@ bool Barrier<Dim>::covers(const Points<Dim>& all) const {
   for (std::size_t m = 0; m < all.size(); ++m)
     if (!((all[m] - places_[m]).squaredNorm() <= reaches_[m] * reaches_[m])) return false;
   return true;
+}
+
+template <int Dim>
+double Barrier<Dim>::farthest_from_places(const Points<Dim>& all) const {
+  double farthest = 0;
+  for (std::size_t m = 0; m < all.size(); ++m) farthest = std::max(farthest, (all[m] - places_[m]).norm());
+  return farthest;
 }
 
 // Widens the reach of the markers that leave it on a way; before it has looked round, about the way's start.

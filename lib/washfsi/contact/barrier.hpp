@@ -59,6 +59,7 @@ class Barrier : public ContactForce<Dim> {
   void look_round(const Points<Dim>& all);
   void lay_out();
   bool covers(const Points<Dim>& all) const;
+  double farthest_from_places(const Points<Dim>& all) const;
   void cover(const Points<Dim>& from, const Points<Dim>& motions);
   double least_reach() const { return distance_ / 8; }
   const std::vector<Touch>& touches(const Points<Dim>& positions) const;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "washfsi/coupling/overlap.hpp"
 #include "washfsi/geometry/near_search.hpp"
 
 namespace washfsi {
@@ -17,38 +18,6 @@ std::vector<typename MobilityMatrix<Dim>::Stencils> MobilityMatrix<Dim>::stencil
   for (const auto& position : positions)
     stencils.push_back({FaceStencil<Dim>(grid_, spread, position), FaceStencil<Dim>(grid_, interpolate, position)});
   return stencils;
-}
-
-// Sum of the products of two markers' weights along one axis, with all periodic images.
-template <int Dim>
-double MobilityMatrix<Dim>::axis_overlap(int axis, const AxisStencil& a, const AxisStencil& b) const {
-  const auto with_shift = [&](PetscInt shift) {
-    double sum = 0;
-    for (PetscInt i = std::max<PetscInt>(0, shift); i < std::min<PetscInt>(a.count, b.count + shift); ++i)
-      sum += a.weight[i] * b.weight[i - shift];
-    return sum;
-  };
-  PetscInt shift = b.first - a.first;
-  if (!grid_.periodic(axis)) return with_shift(shift);
-  const PetscInt cells = grid_.cells()[axis];
-  shift -= cells * static_cast<PetscInt>(std::llround(static_cast<double>(shift) / static_cast<double>(cells)));
-  const double nearest = with_shift(shift);
-  return cells >= a.count + b.count ? nearest : nearest + with_shift(shift - cells) + with_shift(shift + cells);
-}
-
-// J S of one marker on another, for each component, per cell volume.
-template <int Dim>
-Point<Dim> MobilityMatrix<Dim>::overlap(const Stencils& moved, const Stencils& pushed) const {
-  Point<Dim> result = Point<Dim>::Ones();
-  for (int d = 0; d < Dim; ++d) {
-    const auto along = [&](int component) {
-      return axis_overlap(d, moved.interpolate.along(d, component), pushed.spread.along(d, component));
-    };
-    const double normal = along(d), between = along((d + 1) % Dim);
-    for (int c = 0; c < Dim; ++c) result[c] *= c == d ? normal : between;
-    if (normal == 0 && between == 0) break;
-  }
-  return result;
 }
 
 // The overlaps of this rank's markers with others, in ascending order: so the matrix takes them several times faster.
@@ -71,7 +40,7 @@ std::vector<std::vector<typename MobilityMatrix<Dim>::Entry>> MobilityMatrix<Dim
     for (const std::size_t other : search.near(reached[marker - first])) {
       const bool mirrored = symmetric && other >= first && other < first + count && other != marker;
       if (mirrored && other < marker) continue;
-      const Point<Dim> value = overlap(stencils[marker], stencils[other]);
+      const Point<Dim> value = overlap(grid_, stencils[marker].interpolate, stencils[other].spread);
       if (value == Point<Dim>::Zero()) continue;
       rows[marker - first].push_back({other, value});
       if (mirrored) rows[other - first].push_back({marker, value});

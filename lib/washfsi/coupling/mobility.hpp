@@ -31,8 +31,6 @@ class MobilityMatrix {
   };
   std::vector<std::vector<Entry>> overlaps(const Points<Dim>& positions, std::size_t first, std::size_t count) const;
   std::vector<Stencils> stencils_at(const Points<Dim>& positions) const;
-  Point<Dim> overlap(const Stencils& moved, const Stencils& pushed) const;
-  double axis_overlap(int axis, const AxisStencil& a, const AxisStencil& b) const;
 
   const Grid<Dim>& grid_;
   DeltaOptions delta_;

@@ -30,7 +30,7 @@ void set_krylov_method(const ClothSolverDefaults& defaults, bool only_preconditi
   petsc::set_default_option("-cloth_ksp_type", only_preconditions ? "gmres" : "preonly");
   if (!only_preconditions) return;
   if (uses_product && !chosen) petsc::set_default_option("-cloth_ksp_pc_side", "right");
-  petsc::set_default_option("-cloth_ksp_rtol", defaults.approximate ? "1e-3" : "1e-2");
+  petsc::set_default_option("-cloth_ksp_rtol", defaults.approximate && !defaults.corrected ? "1e-3" : "1e-2");
   petsc::set_default_option("-cloth_ksp_gmres_restart", "200");  // stiff short waves that water hardly moves
 }
 

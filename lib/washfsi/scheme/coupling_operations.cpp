@@ -8,10 +8,15 @@
 namespace washfsi {
 
 template <int Dim>
+double dot(MPI_Comm comm, const Points<Dim>& a, const Points<Dim>& b) {
+  double sum = 0;
+  for (std::size_t m = 0; m < a.size(); ++m) sum += a[m].dot(b[m]);
+  return ordered_sum(comm, sum);
+}
+
+template <int Dim>
 double norm(MPI_Comm comm, const Points<Dim>& values) {
-  double squares = 0;
-  for (const auto& value : values) squares += value.squaredNorm();
-  return std::sqrt(ordered_sum(comm, squares));
+  return std::sqrt(dot(comm, values, values));
 }
 
 template <int Dim>
@@ -87,6 +92,8 @@ Points<Dim> moved(System<Dim>& system, const Points<Dim>& motion) {
   return system.state.positions + system.model.forces.held_back(system.state.positions, motion);
 }
 
+template double dot<2>(MPI_Comm, const Points<2>&, const Points<2>&);
+template double dot<3>(MPI_Comm, const Points<3>&, const Points<3>&);
 template double norm<2>(MPI_Comm, const Points<2>&);
 template double norm<3>(MPI_Comm, const Points<3>&);
 template void begin_step<2>(System<2>&, const Points<2>&, double, double, const Acceleration<2>&);

@@ -45,7 +45,9 @@ Points<Dim> marker_velocities(const Model<Dim>& model, Vec velocity, double time
 template <int Dim>
 Points<Dim> moved(System<Dim>& system, const Points<Dim>& motion);
 
-/// 2-norm over all markers of all ranks.
+/// Sum of products, and 2-norm, over all markers of all ranks.
+template <int Dim>
+double dot(MPI_Comm comm, const Points<Dim>& a, const Points<Dim>& b);
 template <int Dim>
 double norm(MPI_Comm comm, const Points<Dim>& values);
 

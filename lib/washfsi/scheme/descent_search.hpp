@@ -34,6 +34,7 @@ class DescentSearch {
  private:
   static PetscErrorCode shorten(SNESLineSearch search, void* self);
   void search(SNESLineSearch search);
+  double lowest_part(Vec x, Vec direction, double part, Vec trial, Vec f);
   void accept(SNESLineSearch search, double part);
   double potential_at(Vec place) const;
   double size_of(Vec residual, Vec work) const;

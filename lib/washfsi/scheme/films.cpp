@@ -129,7 +129,7 @@ double Films<Dim>::power(const Points<Dim>& forces) const {
 
 // Each rank the rows of its own markers.
 template <int Dim>
-void Films<Dim>::add_to(Mat mobility, double factor) const {
+petsc::Matrix Films<Dim>::matrix(double factor) const {
   std::vector<PetscInt> entries(Dim * cloths_.owned(), Dim);
   for (const Film& film : films_)
     for (const std::size_t marker : film.markers)
@@ -154,7 +154,7 @@ void Films<Dim>::add_to(Mat mobility, double factor) const {
     }
   WASH_PETSC(MatAssemblyBegin(own, MAT_FINAL_ASSEMBLY));
   WASH_PETSC(MatAssemblyEnd(own, MAT_FINAL_ASSEMBLY));
-  WASH_PETSC(MatAXPY(mobility, 1, own, DIFFERENT_NONZERO_PATTERN));
+  return own;
 }
 
 template class Films<2>;

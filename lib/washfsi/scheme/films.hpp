@@ -28,8 +28,8 @@ class Films {
   void add_velocities(const Points<Dim>& forces, Points<Dim>& velocities) const;
   /// f.B f, of all ranks on each [W; per unit depth in the plane]. Collective.
   double power(const Points<Dim>& forces) const;
-  /// Adds factor times B to a mobility. Collective.
-  void add_to(Mat mobility, double factor) const;
+  /// Factor times B, with a row for each coordinate of each marker. Collective.
+  petsc::Matrix matrix(double factor) const;
 
  private:
   /// Beside one marker.

@@ -4,18 +4,19 @@
 #include "washfsi/cloth/forces.hpp"
 #include "washfsi/scheme/cloth_solver.hpp"
 #include "washfsi/scheme/marker_blocks.hpp"
-#include "washfsi/scheme/model.hpp"
+#include "washfsi/scheme/step_mobility.hpp"
 
 namespace washfsi {
 
 /// The cloths' equations where something limits their motion, in a step from X with the mobility M, symmetric and
-/// positive, and the water's velocity U before the forces change:
-///   y = F(X + dt V) - F,     V = U + dt M y
-/// They are solved for y, since for V they have no potential without M^-1. With N = dt M
+/// positive, and the water's velocity U before the forces change by y:
+///   V = U + N y,     y = F(X + dt V) - F,     N = dt M
+/// Newton's steps,  (1 + dt N K) dV = -(V - U - N y(V)),  by GMRES with the preconditioner 1 + dt^2 D K, D the row sums
+/// of M, and for what that leaves the exact solution of groups of near markers (scheme/marker_blocks.hpp). They are
+/// shortened to what is free, and further until what is left of the equation, preconditioned, falls.
+/// Where that fails, the equations are solved for y, since for V they have no potential without M^-1:
 ///   phi(y) = 1/2 y.N y + E(X + dt V)/dt + F.V     has the gradient  N (y - F(X + dt V) + F)
-/// Newton's steps,  (1 + dt K N) dy = -(y - ...), by GMRES with the preconditioner 1 + dt^2 K D, D the row sums of M,
-/// and for what that leaves the exact solution of groups of near markers (scheme/marker_blocks.hpp). They are shortened
-/// to what is free, and further until phi falls.
+/// and falls along Newton's steps,  (1 + dt K N) dy = -(y - ...).
 template <int Dim>
 class ForceEquation {
  public:
@@ -28,29 +29,34 @@ class ForceEquation {
     const Points<Dim>& start;             ///< X, from which the way must be free [m]
     const Points<Dim>& water_velocities;  ///< U [m/s]
     const Points<Dim>& forces;            ///< F, which the water has already [N]
-    Mat mobility;                         ///< M [1/kg]
-    const std::vector<double>& row_sums;  ///< D [1/kg]
+    const StepMobility<Dim>& mobility;    ///< M, D [1/kg]
     bool is_packed;                       ///< whether the preconditioner is corrected
+    bool is_first;                        ///< whether the correction is made anew: others of the step may use it
     double tolerance;                     ///< of the velocities' 2-norm [m/s]
   };
-  /// V. `change` holds a guess of y, then y; the result is V. Adds the evaluations to `iterations`. Collective. Errors:
-  /// DivergedError.
-  Points<Dim> solve(const Step& step, Points<Dim>& change, double& iterations);
+  /// V, from the best of the guesses. Adds the evaluations to `iterations`. Collective. Errors: DivergedError.
+  Points<Dim> solve(const Step& step, const std::vector<Points<Dim>>& guesses, double& iterations);
+
+  /// U + N y with a share of U. Collective.
+  Points<Dim> velocities(const Step& step, double share, const Points<Dim>& change) const;
 
  private:
-  Points<Dim> velocities(const Step& step, double share, const Points<Dim>& change) const;
-  bool is_free(const Step& step, const Points<Dim>& change);
-  void solve_at(const Step& step, double share, Points<Dim>& change, double& iterations);
-  ClothEquation<Dim> equation(const Step& step, double share);
-  void solve_by_shares(const Step& step, Points<Dim>& change, double& iterations);
+  Points<Dim> residual(const Step& step, double share, const Points<Dim>& all) const;
+  bool is_free(const Step& step, const Points<Dim>& all) const;
+  void solve_at(const Step& step, double share, Points<Dim>& all, double& iterations);
+  Points<Dim> solved_for_forces(const Step& step, double share, const Points<Dim>& guess, double& iterations);
+  Points<Dim> solved_by_shares(const Step& step, double& iterations);
+  ClothEquation<Dim> of_velocities(const Step& step, double share);
+  ClothEquation<Dim> of_forces(const Step& step, double share);
   double potential(const Step& step, double share, const Points<Dim>& change) const;
-  void assemble(const Step& step, const Points<Dim>& places, GeometricStiffness geometric, Mat matrix);
-  double dot(const Step& step, const Points<Dim>& a, const Points<Dim>& b) const;
+  void set_stiffness(const Step& step, const Points<Dim>& places, GeometricStiffness geometric, Mat matrix);
+  void factorise(const Step& step, const Points<Dim>& places);
+  std::vector<double> diagonal(const Step& step) const;
 
   ClothSolver<Dim>& solver_;
   petsc::Matrix stiffness_;    ///< K where it was assembled last
   std::vector<long> pattern_;  ///< of it
-  MarkerBlocks<Dim> blocks_;   ///< where a solution was begun
+  MarkerBlocks<Dim> blocks_;   ///< where the first solution was begun
   bool blocks_are_old_ = true;
 };
 

@@ -23,11 +23,13 @@ class ImplicitClothAlone : public CouplingScheme<Dim> {
 
  private:
   void take(System<Dim>& system, double dt) override;
-  ClothEquation<Dim> equation(System<Dim>& system, double dt) const;
+  ClothEquation<Dim> equation(System<Dim>& system, double dt);
+  Points<Dim> guess(System<Dim>& system, double dt, const ClothEquation<Dim>& equation) const;
   double tolerance(const System<Dim>& system, double dt) const;
 
   CouplingOptions options_;
   ClothSolver<Dim> solver_;
+  Mat jacobian_ = nullptr;  ///< the solver's matrix, where it was assembled last
 };
 
 }  // namespace washfsi

@@ -104,12 +104,11 @@ Points<Dim> ImplicitCoupling<Dim>::solve_by_sweeps(System<Dim>& system, double d
     const double enough = tolerance(system);
     if (norm(model.grid.comm(), velocities - reached) <= enough) return velocities;
     mobility_.find(model, step.pushed_at, weight() * options_.mobility_factor, true);
-    seepage_.add_to(mobility_.matrix(), weight() / dt);
-    Points<Dim> change(velocities.size(), Point<Dim>::Zero());
-    velocities =
-        force_equation_.solve({model.forces, dt, state.positions, reached, model.forces.of_places(step.pushed_at),
-                               mobility_.matrix(), mobility_.row_sums(), is_packed(model), 0.1 * enough},
-                              change, step.cloth_iterations);
+    seepage_.add_to(mobility_, weight() / dt);
+    const Points<Dim> forces = model.forces.of_places(step.pushed_at);
+    velocities = force_equation_.solve(
+        {model.forces, dt, state.positions, reached, forces, mobility_, is_packed(model), true, 0.1 * enough},
+        {velocities, reached}, step.cloth_iterations);
   }
   throw DivergedError("cloth: its equations could not be solved in " + std::to_string(most_sweeps) +
                       " sweeps; a shorter step, or -coupling_mobility_factor above 1, may help");

@@ -6,57 +6,23 @@
 
 #include <Eigen/Sparse>
 
+#include "washfsi/coupling/own_rows.hpp"
+
 namespace washfsi {
 
 namespace {
 
 constexpr std::size_t most_markers = 96;  // of a block: more save few iterations and cost more than these
 
-// The rows of an AIJ matrix that are this rank's, with the columns that are.
-class OwnRows {
- public:
-  explicit OwnRows(Mat matrix) {
-    WASH_PETSC(MatGetDiagonalBlock(matrix, &own_));
-    PetscInt count = 0;
-    PetscBool done = PETSC_FALSE;
-    WASH_PETSC(MatGetRowIJ(own_, 0, PETSC_FALSE, PETSC_FALSE, &count, &starts_, &columns_, &done));
-    WASH_PETSC(MatSeqAIJGetArrayRead(own_, &values_));
-  }
-  OwnRows(const OwnRows&) = delete;
-  OwnRows& operator=(const OwnRows&) = delete;
-  ~OwnRows() {
-    PetscInt count = 0;
-    PetscBool done = PETSC_FALSE;
-    MatSeqAIJRestoreArrayRead(own_, &values_);
-    MatRestoreRowIJ(own_, 0, PETSC_FALSE, PETSC_FALSE, &count, &starts_, &columns_, &done);
-  }
-
-  // visit(row, column, value) of the entries in these rows and columns, as they are numbered there; others: -1.
-  template <class Visit>
-  void visit(const std::vector<PetscInt>& rows, const std::vector<int>& numbers, const Visit& visit) const {
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      for (PetscInt k = starts_[rows[i]]; k < starts_[rows[i] + 1]; ++k) {
-        const int j = numbers[static_cast<std::size_t>(columns_[k])];
-        if (j >= 0) visit(static_cast<int>(i), j, values_[k]);
-      }
-  }
-
- private:
-  Mat own_ = nullptr;
-  const PetscInt *starts_ = nullptr, *columns_ = nullptr;
-  const double* values_ = nullptr;
-};
-
-Eigen::MatrixXd block_of(const OwnRows& stiffness, const OwnRows& mobility, double s, const std::vector<PetscInt>& rows,
-                         const std::vector<int>& numbers) {
+// s K between the rows of a block.
+Eigen::SparseMatrix<double> part_of(const OwnRows& stiffness, double s, const std::vector<PetscInt>& rows,
+                                    const std::vector<int>& numbers) {
   const auto size = static_cast<int>(rows.size());
   std::vector<Eigen::Triplet<double>> entries;
   stiffness.visit(rows, numbers, [&](int i, int j, double value) { entries.emplace_back(i, j, s * value); });
-  Eigen::SparseMatrix<double> k(size, size);
-  k.setFromTriplets(entries.begin(), entries.end());
-  Eigen::MatrixXd m = Eigen::MatrixXd::Zero(size, size);
-  mobility.visit(rows, numbers, [&](int i, int j, double value) { m(i, j) = value; });
-  return Eigen::MatrixXd::Identity(size, size) + k * m;
+  Eigen::SparseMatrix<double> part(size, size);
+  part.setFromTriplets(entries.begin(), entries.end());
+  return part;
 }
 
 }  // namespace
@@ -82,13 +48,13 @@ void MarkerBlocks<Dim>::split(const Points<Dim>& places, Markers markers, std::v
 }
 
 template <int Dim>
-void MarkerBlocks<Dim>::factorise(const Points<Dim>& places, Mat stiffness, Mat mobility, double s) {
+void MarkerBlocks<Dim>::factorise(const Points<Dim>& places, Mat stiffness, const MobilityBlock& mobility, double s) {
   const petsc::LogPart part("marker_blocks");
   Markers all(places.size());
   std::iota(all.begin(), all.end(), 0);
   std::vector<Markers> groups;
   split(places, std::move(all), groups);
-  const OwnRows k(stiffness), m(mobility);
+  const OwnRows k(stiffness);
   std::vector<int> numbers(Dim * places.size(), -1);
   blocks_.clear();
   for (auto& group : groups) {
@@ -98,7 +64,9 @@ void MarkerBlocks<Dim>::factorise(const Points<Dim>& places, Mat stiffness, Mat 
         numbers[Dim * marker + c] = static_cast<int>(rows.size());
         rows.push_back(static_cast<PetscInt>(Dim * marker + c));
       }
-    blocks_.push_back({std::move(group), block_of(k, m, s, rows, numbers).partialPivLu()});
+    Eigen::MatrixXd matrix = mobility(group) * part_of(k, s, rows, numbers);
+    matrix.diagonal().array() += 1;
+    blocks_.push_back({std::move(group), Eigen::PartialPivLU<Eigen::MatrixXf>(matrix.cast<float>())});
     for (const PetscInt row : rows) numbers[static_cast<std::size_t>(row)] = -1;
   }
 }
@@ -107,12 +75,12 @@ template <int Dim>
 Points<Dim> MarkerBlocks<Dim>::solve(const Points<Dim>& right) const {
   Points<Dim> result(right.size(), Point<Dim>::Zero());
   for (const Block& block : blocks_) {
-    Eigen::VectorXd values(static_cast<int>(Dim * block.markers.size()));
+    Eigen::VectorXf values(static_cast<int>(Dim * block.markers.size()));
     for (std::size_t i = 0; i < block.markers.size(); ++i)
-      values.segment<Dim>(static_cast<int>(Dim * i)) = right[block.markers[i]];
-    const Eigen::VectorXd solved = block.factors.solve(values);
+      values.segment<Dim>(static_cast<int>(Dim * i)) = right[block.markers[i]].template cast<float>();
+    const Eigen::VectorXf solved = block.factors.solve(values);
     for (std::size_t i = 0; i < block.markers.size(); ++i)
-      result[block.markers[i]] = solved.segment<Dim>(static_cast<int>(Dim * i));
+      result[block.markers[i]] = solved.segment<Dim>(static_cast<int>(Dim * i)).template cast<double>();
   }
   return result;
 }

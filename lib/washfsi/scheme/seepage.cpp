@@ -40,9 +40,9 @@ double Seepage<Dim>::power(const Points<Dim>& forces) const {
 }
 
 template <int Dim>
-void Seepage<Dim>::add_to(Mat mobility, double factor) const {
+void Seepage<Dim>::add_to(StepMobility<Dim>& mobility, double factor) const {
   if (!present_) return;
-  if (films_) films_->add_to(mobility, factor);
+  if (films_) mobility.add(films_->matrix(factor));
   petsc::Matrix own;
   const auto rows = static_cast<PetscInt>(Dim * rates_.size());
   WASH_PETSC(
@@ -57,7 +57,7 @@ void Seepage<Dim>::add_to(Mat mobility, double factor) const {
   }
   WASH_PETSC(MatAssemblyBegin(own, MAT_FINAL_ASSEMBLY));
   WASH_PETSC(MatAssemblyEnd(own, MAT_FINAL_ASSEMBLY));
-  WASH_PETSC(MatAXPY(mobility, 1, own, DIFFERENT_NONZERO_PATTERN));
+  mobility.add(std::move(own));
 }
 
 template class Seepage<2>;

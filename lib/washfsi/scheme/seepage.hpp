@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "washfsi/scheme/films.hpp"
-#include "washfsi/scheme/model.hpp"
+#include "washfsi/scheme/step_mobility.hpp"
 
 namespace washfsi {
 
@@ -30,7 +30,7 @@ class Seepage {
   /// sum f.B f over all markers of all ranks [W; per unit depth in the plane]. Collective.
   double power(const Points<Dim>& forces) const;
   /// Adds factor times B to a mobility. Collective.
-  void add_to(Mat mobility, double factor) const;
+  void add_to(StepMobility<Dim>& mobility, double factor) const;
 
  private:
   const Cloths<Dim>& cloths_;

@@ -11,15 +11,15 @@
 //   2. fluid       u, p by the fractional step with f
 //   3. markers     U = J [H (a u + b u^n + c u^(n-1)) + (1-H) u_solid];  permeable ones + B f (scheme/seepage.hpp), and
 //                  M + a B/dt below
-//   4. mobility    M = factor times a^2 J H S / rho, a sparse matrix that bounds the true mobility of the markers, that
-//                  of cloths lying on each other included; or, D, its row sums, a diagonal. Stable for any step if
-//                  factor
-//                  >= 3/4 and the density is nearly uniform; a heavy plate needs 1
+//   4. mobility    M = factor times a^2 J H S / rho, a sparse matrix or a product that bounds the true mobility of the
+//                  markers, that of cloths lying on each other included; or, D, its row sums, a diagonal. Stable for
+//                  any step if factor >= 3/4 and the density is nearly uniform; a heavy plate needs 1
 //   5. elasticity  W - U = dt M [F(X^n + dt W) - F], by Newton's method. With D the equations are the gradient of a
 //                  potential; with M they are solved by GMRES, preconditioned by those with D. Where contact limits
-//                  the motion, they are solved for the change of the forces (scheme/force_equation.hpp)
+//                  the motion, see scheme/force_equation.hpp
 //   6. correction  f' = a H S [F(X^n + dt W) - F]: u += dt f'/rho, projected;  F = F(X^n + dt W)
-//   7. slip        |W - U| / |W| with the new u; above a tolerance 5 and 6 again with that U, a few times at most
+//   7. slip        |W - U| / |W| with the new u; above a tolerance 5 and 6 again with that U, a few times at most; of
+//                  packed loads with M as the change of U has shown it
 //   8. markers     X^(n+1) = X^n + dt W;  V^(n+1) = W, or, order 2, extrapolated to the end
 // Backward Euler damps as a Kelvin-Voigt time between dt and 2 dt does; -..._damping is not used. Order 2 leaves smooth
 // motions and damps stiff ones by three a step: the modified Crank-Nicolson/Adams-Bashforth weights of Ascher, Ruuth
@@ -64,6 +64,7 @@ class SemiImplicitCoupling : public CouplingScheme<Dim> {
                              const Points<Dim>& forces, double tolerance);
   Points<Dim> move_by_row_sums(System<Dim>& system, double dt, const Points<Dim>& free_velocities,
                                const Points<Dim>& forces, double tolerance);
+  void learn(double dt, const Points<Dim>& change, const Points<Dim>& gained);
   double slip(MPI_Comm comm, const Points<Dim>& interpolated) const;
 
   CouplingOptions options_;
@@ -73,7 +74,7 @@ class SemiImplicitCoupling : public CouplingScheme<Dim> {
   StepMobility<Dim> mobility_;  ///< M, D of the step under way
   Seepage<Dim> seepage_;
   Points<Dim> velocities_;  ///< W
-  Points<Dim> change_;      ///< guess of how the forces change in the step under way
+  Points<Dim> change_;      ///< guess of how the forces change in the step under way, for its first sweep
 };
 
 }  // namespace washfsi

@@ -1,27 +1,47 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
+
+#include "washfsi/coupling/face_mobility.hpp"
 #include "washfsi/coupling/mobility.hpp"
 #include "washfsi/scheme/model.hpp"
 
 namespace washfsi {
 
-/// What stands for the mobility of the markers in a step: a sparse matrix, or the sums of its rows.
+/// What stands for the mobility of the markers in a step: M, symmetric, or the sums of its rows. M is a sparse matrix
+/// or, of packed loads, a product through the faces of the grid, to which parts may be added.
 template <int Dim>
 class StepMobility {
  public:
-  explicit StepMobility(const Model<Dim>& model) : matrix_(model.grid, model.transfer.delta()) {}
+  explicit StepMobility(const Model<Dim>& model)
+      : comm_(model.grid.comm()),
+        matrix_(model.grid, model.transfer.delta()),
+        faces_(model.grid, model.transfer.delta()) {}
 
   /// At the places where the cloths were located last, times a factor. Where contact limits the markers' motion, those
   /// that are in the same water get a little mobility of their own. Collective.
   void find(const Model<Dim>& model, const Points<Dim>& places, double factor, bool with_matrix);
+  /// Adds a symmetric matrix to M. No communication.
+  void add(petsc::Matrix part) { parts_.push_back(std::move(part)); }
+  /// Takes from M what it has too much, as is known of one change of the forces: the least that is right for this one,
+  /// so that M does not fall below the true mobility if it was not below it before. Collective.
+  void correct(const Points<Dim>& change, const Points<Dim>& excess);
 
   const std::vector<double>& row_sums() const { return row_sums_; }
-  const MobilityMatrix<Dim>& matrix() const { return matrix_; }
+  /// M f. Collective.
+  Points<Dim> times(const Points<Dim>& forces) const;
+  /// M between some of this rank's markers, numbered as on this rank. No communication.
+  Eigen::MatrixXd block(const std::vector<std::size_t>& markers) const;
 
  private:
+  MPI_Comm comm_;
   MobilityMatrix<Dim> matrix_;
-  std::vector<double> row_sums_;  ///< of each of this rank's markers
+  FaceMobility<Dim> faces_;
+  bool by_faces_ = false;
+  std::vector<petsc::Matrix> parts_;
+  std::vector<Points<Dim>> corrections_;  ///< u, of which u u^T is taken off
+  std::vector<double> row_sums_;          ///< of each of this rank's markers
 };
 
 extern template class StepMobility<2>;

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/coupling/face_mobility.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "washfsi/coupling/overlap.hpp"
+#include "washfsi/support/collective.hpp"
+
+namespace washfsi {
+
+namespace {
+
+using Weights = std::array<double, AxisStencil::most>;
+
+// A copy, which no face can be an alias of.
+Weights scaled(const AxisStencil& stencil, double factor) {
+  Weights weights;
+  for (std::size_t i = 0; i < weights.size(); ++i) weights[i] = factor * stencil.weight[i];
+  return weights;
+}
+
+}  // namespace
+
+template <int Dim>
+struct FaceMobility<Dim>::Faces {
+  double* first;
+  Index<Dim> lower, strides;
+
+  Faces(double* values, const Box<Dim>& box, int component) : first(values), lower(box.lower) {
+    PetscInt stride = 1;
+    for (int d = 0; d < Dim; ++d) {
+      strides[d] = stride;
+      stride *= box.upper[d] - box.lower[d];
+    }
+    first += component * stride;
+  }
+  double& operator()(const Index<Dim>& index, int /*component*/ = 0) const {
+    PetscInt offset = 0;
+    for (int d = 0; d < Dim; ++d) offset += (index[d] - lower[d]) * strides[d];
+    return first[offset];
+  }
+  PetscInt stride(int axis) const { return strides[axis]; }
+};
+
+// Pairs of markers within reach of each other, of those in the same or neighbouring bins as wide as that.
+template <int Dim>
+double FaceMobility<Dim>::pairs_within_reach(const Points<Dim>& positions) const {
+  const Point<Dim> reach = 2 * delta_.spread_width * grid_.spacing();
+  std::map<Index<Dim>, double> bins;
+  for (const auto& position : positions) {
+    Index<Dim> bin;
+    for (int d = 0; d < Dim; ++d) bin[d] = static_cast<PetscInt>(std::floor(grid_.folded(position)[d] / reach[d]));
+    bins[bin] += 1;
+  }
+  double pairs = 0;
+  for (const auto& bin : bins) {
+    Box<Dim> around;
+    for (int d = 0; d < Dim; ++d) {
+      around.lower[d] = bin.first[d] - 1;
+      around.upper[d] = bin.first[d] + 2;
+    }
+    for_each(around, [&](const Index<Dim>& other) {
+      const auto found = bins.find(other);
+      if (found != bins.end()) pairs += bin.second * found->second;
+    });
+  }
+  return std::pow(2.0 / 3, Dim) * pairs;
+}
+
+template <int Dim>
+bool FaceMobility<Dim>::is_faster(const Points<Dim>& all_positions) const {
+  constexpr double pairs_per_point =
+      0.5;  // of equal cost, about: pairs are read from memory, faces mostly from the cache
+  if (delta_.spread_width != delta_.interpolate_width) return false;
+  double cells = 1;
+  for (int d = 0; d < Dim; ++d) {
+    if (grid_.periodic(d) && grid_.cells()[d] < 2 * AxisStencil::most) return false;
+    cells *= static_cast<double>(grid_.cells()[d]);
+  }
+  const double points = std::pow(2 * delta_.spread_width, Dim) * static_cast<double>(all_positions.size());
+  return pairs_within_reach(all_positions) > pairs_per_point * (points + cells);
+}
+
+// All stencils of all ranks; across periodic sides also the images of what is beyond them.
+template <int Dim>
+void FaceMobility<Dim>::enclose() {
+  std::array<PetscInt, 2 * Dim> ends;  // -lower, upper
+  ends.fill(std::numeric_limits<int>::min());
+  for (const auto& stencil : stencils_)
+    for (int d = 0; d < Dim; ++d)
+      for (const int component : {d, (d + 1) % Dim}) {
+        const AxisStencil& along = stencil.along(d, component);
+        ends[2 * d] = std::max(ends[2 * d], -along.first);
+        ends[2 * d + 1] = std::max(ends[2 * d + 1], along.first + along.count);
+      }
+  MPI_Allreduce(MPI_IN_PLACE, ends.data(), 2 * Dim, MPIU_INT, MPI_MAX, grid_.comm());
+  for (int d = 0; d < Dim; ++d) {
+    box_.lower[d] = -ends[2 * d];
+    box_.upper[d] = ends[2 * d + 1];
+    if (!grid_.periodic(d)) continue;
+    box_.lower[d] = std::min<PetscInt>(box_.lower[d], 0);
+    box_.upper[d] = std::max(box_.upper[d], grid_.cells()[d]);
+  }
+  PetscInt count = Dim;
+  for (int d = 0; d < Dim; ++d) count *= box_.upper[d] - box_.lower[d];
+  faces_.resize(static_cast<std::size_t>(count));
+}
+
+// Faces beyond a periodic side and their images within get the sum of both.
+template <int Dim>
+void FaceMobility<Dim>::add_images() const {
+  for (int axis = 0; axis < Dim; ++axis) {
+    if (!grid_.periodic(axis)) continue;
+    const PetscInt cells = grid_.cells()[axis];
+    for (int component = 0; component < Dim; ++component) {
+      const Faces field(faces_.data(), box_, component);
+      Box<Dim> below = box_, above = box_;
+      below.upper[axis] = 0;
+      above.lower[axis] = cells;
+      const auto visit_outside = [&](auto visit) {
+        for_each(below, [&](const Index<Dim>& i) { visit(field(i), field(shifted<Dim>(i, axis, cells))); });
+        for_each(above, [&](const Index<Dim>& i) { visit(field(i), field(shifted<Dim>(i, axis, -cells))); });
+      };
+      visit_outside([](const double& outside, double& image) { image += outside; });
+      visit_outside([](double& outside, const double& image) { outside = image; });
+    }
+  }
+}
+
+template <int Dim>
+void FaceMobility<Dim>::spread(const Points<Dim>& values) const {
+  std::fill(faces_.begin(), faces_.end(), 0.0);
+  for (int c = 0; c < Dim; ++c) {
+    const Faces field(faces_.data(), box_, c);
+    for (std::size_t m = 0; m < stencils_.size(); ++m)
+      with_count(stencils_[m].along(0, c), [&](auto count) {
+        const auto x = scaled(stencils_[m].along(0, c), values[m][c]);
+        stencils_[m].visit_rows(c, field, [&](double* row, double weight) {
+          for (int i = 0; i < count; ++i) row[i] += weight * x[i];
+        });
+      });
+  }
+}
+
+template <int Dim>
+Points<Dim> FaceMobility<Dim>::interpolate() const {
+  Points<Dim> result(stencils_.size());
+  for (int c = 0; c < Dim; ++c) {
+    const Faces field(faces_.data(), box_, c);
+    for (std::size_t m = 0; m < stencils_.size(); ++m)
+      with_count(stencils_[m].along(0, c), [&](auto count) {
+        Weights sums{};  // of all rows, for each face along x
+        stencils_[m].visit_rows(c, field, [&](const double* row, double weight) {
+          for (int i = 0; i < count; ++i) sums[i] += weight * row[i];
+        });
+        result[m][c] = 0;
+        for (int i = 0; i < count; ++i) result[m][c] += stencils_[m].along(0, c).weight[i] * sums[i];
+      });
+  }
+  return result;
+}
+
+template <int Dim>
+Points<Dim> FaceMobility<Dim>::overlaps(const Points<Dim>& values) const {
+  spread(values);
+  if (ranks_of(grid_.comm()) > 1)
+    MPI_Allreduce(MPI_IN_PLACE, faces_.data(), static_cast<int>(faces_.size()), MPI_DOUBLE, MPI_SUM, grid_.comm());
+  add_images();
+  return interpolate();
+}
+
+template <int Dim>
+void FaceMobility<Dim>::locate(const Points<Dim>& positions, const std::vector<double>& row_sums, double own_share) {
+  const AxisDelta delta(delta_.kernel, delta_.spread_width);
+  stencils_.clear();
+  for (const auto& position : positions) stencils_.emplace_back(grid_, delta, grid_.folded(position));
+  enclose();
+  scales_.clear();
+  const Points<Dim> sums = overlaps(Points<Dim>(positions.size(), Point<Dim>::Ones()));
+  own_.clear();
+  for (std::size_t m = 0; m < sums.size(); ++m) {
+    scales_.push_back(row_sums[m] / sums[m].maxCoeff());
+    own_.push_back(own_share * scales_[m] * overlap(grid_, stencils_[m], stencils_[m]));
+  }
+}
+
+template <int Dim>
+Points<Dim> FaceMobility<Dim>::times(const Points<Dim>& values) const {
+  const petsc::LogPart part("face_mobility");
+  Points<Dim> scaled = values;
+  for (std::size_t m = 0; m < scaled.size(); ++m) scaled[m] *= std::sqrt(scales_[m]);
+  Points<Dim> result = overlaps(scaled);
+  for (std::size_t m = 0; m < result.size(); ++m) {
+    result[m] *= std::sqrt(scales_[m]);
+    result[m] += own_[m].cwiseProduct(values[m]);
+  }
+  return result;
+}
+
+template <int Dim>
+Eigen::MatrixXd FaceMobility<Dim>::block(const std::vector<std::size_t>& markers) const {
+  const auto size = static_cast<int>(Dim * markers.size());
+  Eigen::MatrixXd block = Eigen::MatrixXd::Zero(size, size);
+  for (std::size_t i = 0; i < markers.size(); ++i)
+    for (std::size_t j = 0; j <= i; ++j) {
+      const std::size_t a = markers[i], b = markers[j];
+      Point<Dim> entry = std::sqrt(scales_[a] * scales_[b]) * overlap(grid_, stencils_[a], stencils_[b]);
+      if (a == b) entry += own_[a];
+      for (int c = 0; c < Dim; ++c) {
+        const auto row = static_cast<int>(Dim * i) + c, column = static_cast<int>(Dim * j) + c;
+        block(row, column) = block(column, row) = entry[c];
+      }
+    }
+  return block;
+}
+
+template class FaceMobility<2>;
+template class FaceMobility<3>;
+
+}  // namespace washfsi

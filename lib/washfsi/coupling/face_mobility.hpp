@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include "washfsi/coupling/transfer.hpp"
+
+namespace washfsi {
+
+/// The same mobility as that of `MobilityMatrix`, never formed: forces are spread to faces, and velocities interpolated
+/// from them. Where many markers are within each other's deltas, that costs much less than their pairs. Every rank sees
+/// all faces that are within the deltas.
+template <int Dim>
+class FaceMobility {
+ public:
+  /// Both deltas must have the same width.
+  FaceMobility(const Grid<Dim>& grid, const DeltaOptions& delta) : grid_(grid), delta_(delta) {}
+
+  /// Whether these markers, of all ranks, have so many pairs within reach that the product is the faster one, by an
+  /// estimate. No communication.
+  bool is_faster(const Points<Dim>& all_positions) const;
+
+  /// Fixes it. `positions` and `row_sums` are those of this rank's markers; `own_share` as of the matrix. Collective.
+  void locate(const Points<Dim>& positions, const std::vector<double>& row_sums, double own_share);
+  /// Collective.
+  Points<Dim> times(const Points<Dim>& values) const;
+  /// The entries between the coordinates of some of this rank's markers, numbered as on this rank. No communication.
+  Eigen::MatrixXd block(const std::vector<std::size_t>& markers) const;
+
+ private:
+  /// The faces of one component, as `FaceStencil` visits them.
+  struct Faces;
+  double pairs_within_reach(const Points<Dim>& positions) const;
+  void enclose();
+  void spread(const Points<Dim>& values) const;
+  void add_images() const;
+  Points<Dim> interpolate() const;
+  Points<Dim> overlaps(const Points<Dim>& values) const;
+
+  const Grid<Dim>& grid_;
+  DeltaOptions delta_;
+  std::vector<FaceStencil<Dim>> stencils_;
+  std::vector<double> scales_;         ///< of each marker: by their roots the overlap of two becomes an entry
+  Points<Dim> own_;                    ///< what each marker has beside it
+  Box<Dim> box_{};                     ///< of all faces within the deltas
+  mutable std::vector<double> faces_;  ///< their values during a product, component by component
+};
+
+extern template class FaceMobility<2>;
+extern template class FaceMobility<3>;
+
+}  // namespace washfsi
