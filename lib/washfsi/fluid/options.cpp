@@ -23,6 +23,10 @@ FluidOptions<Dim> FluidOptions<Dim>::from_options(Options& options) {
     block.choice("advection", fluid.advection,
                  "scheme of the advection term; wide_central has less error on a given grid; upwind is bounded (van "
                  "Leer), for grids too coarse for central");
+    block.integer(
+        "advection_steps", fluid.advection_steps, {2, 3, false, "2 or 3"},
+        "steps from which advection is extrapolated: 2, Adams-Bashforth (thesis), lets short waves grow; 3 lets "
+        "them decay, up to a CFL number of 0.79");
     block.real("momentum_tolerance", fluid.momentum_tolerance, "-", tolerance,
                "rms residual of the momentum solve over the largest speed");
     block.real("pressure_tolerance", fluid.pressure_tolerance, "-", tolerance,

@@ -13,7 +13,7 @@ namespace washfsi {
 
 namespace {
 
-constexpr double format = 6;  ///< of the file; another number for any other content
+constexpr double format = 7;  ///< of the file; another number for any other content
 
 // The numbers that a state has besides its fields, in the order in which they are kept; as attributes for readers.
 constexpr std::array number_names{"step",
@@ -22,6 +22,7 @@ constexpr std::array number_names{"step",
                                   "cloth_bound",
                                   "steps_at_rest",
                                   "last_step",
+                                  "step_before_last",
                                   "momentum_iterations",
                                   "pressure_iterations",
                                   "cloth_iterations"};
@@ -173,6 +174,22 @@ auto motion_before(SomeState& state) {
                     std::pair{std::string("force_before"), &state.forces_before}};
 }
 
+// In the order of their names.
+template <int Dim>
+std::vector<double> numbers_of(const System<Dim>& system, const RunState& state) {
+  const FractionalStep<Dim>& fluid = system.model.fluid;
+  return {static_cast<double>(system.state.clock.step),
+          system.state.clock.time,
+          state.dt,
+          state.cloth_bound,
+          static_cast<double>(state.steps_at_rest),
+          fluid.last_step(),
+          fluid.step_before_last(),
+          fluid.counts().momentum,
+          fluid.counts().pressure,
+          system.step.cloth_iterations};
+}
+
 }  // namespace
 
 template <int Dim>
@@ -183,16 +200,7 @@ void write_checkpoint(const std::string& folder, const System<Dim>& system, Meas
   const MPI_Comm comm = system.model.grid.comm();
   Hdf5File file(comm, temporary, Hdf5File::Mode::create);
   file.set_attribute("/", "format", format);
-  const SolverCounts& counts = system.model.fluid.counts();
-  const std::vector<double> numbers{static_cast<double>(system.state.clock.step),
-                                    system.state.clock.time,
-                                    state.dt,
-                                    state.cloth_bound,
-                                    static_cast<double>(state.steps_at_rest),
-                                    system.model.fluid.last_step(),
-                                    counts.momentum,
-                                    counts.pressure,
-                                    system.step.cloth_iterations};
+  const std::vector<double> numbers = numbers_of(system, state);
   for (std::size_t n = 0; n < numbers.size(); ++n) file.set_attribute("/", number_names[n], numbers[n]);
   file.write_sealed("/numbers", shared_slab(comm, numbers.size(), true), numbers);
   for (const auto& [name, vector] : system.model.fluid.face_state())
@@ -283,9 +291,9 @@ RunState read_checkpoint(const std::string& path, System<Dim>& system, Measures<
     hold_walls(system.model, system.state.clock.time);
     read_driving(file, system);
     if (system.model.walls) read_wall_forces(file, *system.model.walls);
-    system.model.fluid.set_last_step(read[5]);
-    system.model.fluid.set_counts({.momentum = read[6], .pressure = read[7]});
-    system.step.cloth_iterations = read[8];
+    system.model.fluid.set_last_steps(read[5], read[6]);
+    system.model.fluid.set_counts({.momentum = read[7], .pressure = read[8]});
+    system.step.cloth_iterations = read[9];
     const std::vector<double> letters =
         file.read_sealed("/options", shared_slab(comm, file.shape("/options").at(0), false), Hdf5File::Readers::whole);
     return {read[2], read[3], static_cast<int>(read[4]), std::string(letters.begin(), letters.end())};
