@@ -34,11 +34,11 @@ FluidOptions<Dim> FluidOptions<Dim>::from_options(Options& options) {
   });
   fluid.driving = DrivingOptions<Dim>::from_options(options);
   fluid.viscosity_models = viscosity_models_from_options<Dim>(options);
-  options.block("", "Walls of the box", [&](OptionBlock& block) {
-    block.choice(
-        "wall_model", fluid.wall_model,
-        "friction of no-slip sides of the box, not of bodies; equilibrium: by the law of a turbulent wall layer, "
-        "for layers thinner than a cell");
+  options.block("", "Walls", [&](OptionBlock& block) {
+    block.choice("wall_model", fluid.wall_model,
+                 "friction of no-slip sides of the box, and of bodies with -body_method direct_forcing; equilibrium: "
+                 "by the law of a "
+                 "turbulent wall layer, for layers thinner than a cell");
   });
   if (fluid.wall_model != WallTreatment::none && fluid.viscosity == 0)
     throw InputError("-wall_model " + name_of(fluid.wall_model) + ": needs a -fluid_viscosity > 0");

@@ -50,6 +50,7 @@ class SurfaceForcing : public WallForces {
   std::size_t begin() const { return begin_; }
   std::size_t end() const { return end_; }
   std::size_t markers_of(std::size_t body) const { return markers_.of_body(body).markers.size(); }
+  const BodyMarkers<Dim>& markers() const { return markers_; }
   std::size_t patch_count() const { return markers_.patches(); }
 
  private:

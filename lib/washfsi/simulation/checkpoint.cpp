@@ -139,6 +139,34 @@ void read_wall_model(Hdf5File& file, System<Dim>& system) {
   walls->go_on();
 }
 
+constexpr const char* wall_law_means = "/walls/means";
+
+// The points where bodies have a law of friction, each with its means.
+template <int Dim>
+Slab slab_of_points(const BodyWallLaw<Dim>& law) {
+  constexpr auto each = static_cast<PetscInt>(BodyWallLaw<Dim>::kept_of_each);
+  const auto number = [](std::size_t n) { return static_cast<PetscInt>(n) * each; };
+  return marker_slab(number(law.point_count()), number(law.begin()), number(law.end()), Dim);
+}
+
+template <int Dim>
+void write_wall_law(Hdf5File& file, const System<Dim>& system) {
+  const BodyWallLaw<Dim>* law = system.model.wall_law.get();
+  file.set_attribute("/", "wall_points", law ? static_cast<double>(law->point_count()) : 0.0);
+  if (law && law->point_count() > 0)
+    file.write_sealed(wall_law_means, slab_of_points(*law), flattened<Dim>(law->kept()));
+}
+
+// Other bodies begin with the flow as it is.
+template <int Dim>
+void read_wall_law(Hdf5File& file, System<Dim>& system) {
+  BodyWallLaw<Dim>* law = system.model.wall_law.get();
+  if (!law || law->point_count() == 0) return;
+  if (file.attribute("/", "wall_points") != static_cast<double>(law->point_count())) return;
+  law->kept() = read_points<Dim>(file, wall_law_means, slab_of_points(*law));
+  law->go_on();
+}
+
 // A short array that all ranks hold; rank 0 writes it.
 Slab shared_slab(MPI_Comm comm, std::size_t size, bool writing) {
   const bool silent = writing && rank_of(comm) != 0;
@@ -220,6 +248,7 @@ void write_checkpoint(const std::string& folder, const System<Dim>& system, Meas
                       measures.cloth().time_integrals());
   }
   write_wall_forces(file, system);
+  write_wall_law(file, system);
   write_driving(file, system);
   const std::vector<double> letters(state.options.begin(), state.options.end());
   file.write_sealed("/options", shared_slab(comm, letters.size(), true), letters);
@@ -291,6 +320,7 @@ RunState read_checkpoint(const std::string& path, System<Dim>& system, Measures<
     hold_walls(system.model, system.state.clock.time);
     read_driving(file, system);
     if (system.model.walls) read_wall_forces(file, *system.model.walls);
+    read_wall_law(file, system);
     system.model.fluid.set_last_steps(read[5], read[6]);
     system.model.fluid.set_counts({.momentum = read[7], .pressure = read[8]});
     system.step.cloth_iterations = read[9];
