@@ -34,6 +34,13 @@ double holds_by(double y_plus) {
   return smooth_step((y_plus - viscous_layer) / (turbulent_layer - viscous_layer));
 }
 
+// Copies a global face vector, if there is one, with its ghosts; what lies beyond the box is `beyond`.
+template <int Dim>
+void fill_local(const Grid<Dim>& grid, Vec global, double beyond, Vec local) {
+  WASH_PETSC(VecSet(local, beyond));
+  if (global) WASH_PETSC(DMGlobalToLocal(grid.face_dm(), global, INSERT_VALUES, local));
+}
+
 // Calls visit(face, d) for the faces of a cell.
 template <int Dim, class Visit>
 void visit_faces(const Index<Dim>& cell, Visit&& visit) {
@@ -176,10 +183,10 @@ void BodyWallLaw<Dim>::replace(Vec viscosity) const {
   WASH_PETSC(VecZeroEntries(covered));
   transfer_.spread_mass(weights_, cover);
   transfer_.spread_mass(viscosities_, covered);
-  const petsc::LocalVector local_cover(grid_.face_dm(), cover), local_covered(grid_.face_dm(), covered);
-  const petsc::LocalVector local_share(grid_.face_dm());
-  WASH_PETSC(VecSet(local_share, 1.0));
-  if (fluid_share_) WASH_PETSC(DMGlobalToLocal(grid_.face_dm(), fluid_share_, INSERT_VALUES, local_share));
+  const petsc::LocalVector local_cover(grid_.face_dm()), local_covered(grid_.face_dm()), local_share(grid_.face_dm());
+  fill_local<Dim>(grid_, cover, 0, local_cover);
+  fill_local<Dim>(grid_, covered, 0, local_covered);
+  fill_local<Dim>(grid_, fluid_share_, 1, local_share);
   const ConstFaceView<Dim> weight(grid_.face_dm(), local_cover), weighted(grid_.face_dm(), local_covered);
   const ConstFaceView<Dim> share(grid_.face_dm(), local_share);
   const CellView<Dim> mu(grid_.cell_dm(), viscosity);
