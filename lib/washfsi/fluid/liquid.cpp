@@ -34,13 +34,14 @@ void Liquid<Dim>::update_viscosity(const StepFlow& flow, WallViscosity* bodies) 
   const petsc::LogPart part("viscosity");
   const bool is_new = walls_time_ != flow.time;
   walls_time_ = flow.time;
-  WASH_PETSC(VecSet(global_viscosity_, pure_viscosity_));
   let_models_add(flow);
+  const petsc::GlobalVector all(grid_.cell_dm());  // what the models add is looked at later
+  WASH_PETSC(VecCopy(global_viscosity_, all));
   if (bodies) {
     if (is_new) bodies->observe(flow, pure());
-    bodies->replace(global_viscosity_);
+    bodies->replace(all);
   }
-  WASH_PETSC(DMGlobalToLocal(grid_.cell_dm(), global_viscosity_, INSERT_VALUES, local_viscosity_));
+  WASH_PETSC(DMGlobalToLocal(grid_.cell_dm(), all, INSERT_VALUES, local_viscosity_));
   boundary_.fill_cells(local_viscosity_);
   if (!walls_) return;
   if (is_new) let_walls_follow(flow);
