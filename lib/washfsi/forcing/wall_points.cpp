@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/forcing/wall_points.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
