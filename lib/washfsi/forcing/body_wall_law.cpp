@@ -57,6 +57,9 @@ BodyWallLaw<Dim>::BodyWallLaw(const Grid<Dim>& grid, const Boundary<Dim>& bounda
                               const std::vector<Body<Dim>>& bodies, const BodyMarkers<Dim>& markers)
     : grid_(grid), boundary_(boundary), bodies_(bodies), transfer_(grid, boundary, delta) {
   const auto all = wall_points<Dim>(bodies, markers, grid.spacing(), matching_place);
+  patch_normals_.assign(markers.patches(), Point<Dim>::Zero());
+  for (const auto& point : all)
+    if (point.is_thick) patch_normals_[point.patch] = point.normal;
   const auto ranks = static_cast<std::size_t>(ranks_of(grid.comm()));
   const auto rank = static_cast<std::size_t>(rank_of(grid.comm()));
   count_ = all.size();

@@ -12,6 +12,9 @@
 //      2 and falls to 0
 //   6. within bodies, from a cell on behind the surface, the viscosity is rho h^2/(4 dt): the water there stays at
 //      rest with the body. Else it would be as turbulent as that outside, and let eddies through the wall.
+//   7. markers of parts that are thicker than two cells hold only the velocity along the normal, by the part of the
+//      points at which the law holds: holding all, they would push back the first layer of water before them, by the
+//      more the nearer it lies.
 // Where y+ of u(5/2) is 5 or less nothing is changed; from 10 on all is.
 #pragma once
 
@@ -33,6 +36,12 @@ class BodyWallLaw : public WallViscosity {
 
   /// The largest y+ of half a cell from each body, by the law at 5/2; 0 where it does not hold. Collective.
   std::vector<double> largest_y_plus() const;
+
+  /// Out of the surface at each patch of markers, in its body's frame: where the law holds, only the water's velocity
+  /// along it is to be held. Zero where parts are thin, and both faces share the patch.
+  const Points<Dim>& patch_normals() const { return patch_normals_; }
+  /// The part of the points at which the law holds.
+  double part() const { return turbulent_; }
 
   /// What goes on from step to step, in the bodies' frames: so many of each of this rank's points. They hold a run's
   /// earlier flow after `go_on`; else the next flow is taken as it is.
@@ -61,6 +70,7 @@ class BodyWallLaw : public WallViscosity {
   const std::vector<Body<Dim>>& bodies_;
   std::vector<WallPoint<Dim>> points_;  ///< of this rank
   std::size_t count_, begin_;
+  Points<Dim> patch_normals_;
   Transfer<Dim> transfer_;
   Points<Dim> places_, normals_;               ///< of the points now, the places a cell before the surface
   std::vector<char> acts_;                     ///< false where something is too near

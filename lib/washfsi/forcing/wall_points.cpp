@@ -87,6 +87,7 @@ template <int Dim>
 std::vector<WallPoint<Dim>> wall_points(const std::vector<Body<Dim>>& bodies, const BodyMarkers<Dim>& markers,
                                         const Point<Dim>& cell, double clear) {
   std::vector<WallPoint<Dim>> points;
+  std::size_t first = 0;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const Shape<Dim>& shape = *bodies[b].shape;
     const FaceFinder<Dim> faces(shape, cell);
@@ -99,9 +100,11 @@ std::vector<WallPoint<Dim>> wall_points(const std::vector<Body<Dim>>& bodies, co
         const double along = normal.cwiseProduct(cell).norm();
         const Point<Dim> foot = faces.surface(middle, normal);
         if (shape.distance(foot + clear * along * normal) >= 0.5 * clear * along)
-          points.push_back({b, foot, normal, along});
+          points.push_back(
+              {b, first + p, foot, normal, along, shape.distance(foot - 2 * along * normal) < -1.5 * along});
       }
     }
+    first += patches.size();
   }
   find_areas<Dim>(points, cell);
   return points;

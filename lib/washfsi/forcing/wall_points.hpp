@@ -9,9 +9,10 @@ namespace washfsi {
 /// Where the law of a wall layer is asked: on one face of a patch of markers. Thin parts have two.
 template <int Dim>
 struct WallPoint {
-  std::size_t body;
+  std::size_t body, patch;  ///< the latter of all bodies' patches
   Point<Dim> foot, normal;  ///< on the surface [m], and out of it; in the body's frame
   double along;             ///< a cell's size in the normal's direction [m]
+  bool is_thick;            ///< the body goes on behind it for two cells
   double area = 0;          ///< of the surface that is nearest to it, about [m2; m in the plane]
 };
 
