@@ -40,7 +40,7 @@ void add_water(const Model<Dim>& model, Findings& findings) {
                              "flow, torque and stress are those of a thick liquid; water is -fluid_viscosity 1e-3"));
 }
 
-// A law stands for the layers at the box's sides; on bodies that markers hold it is a rough one yet.
+// A law stands for the layers at the box's sides; on bodies that markers hold it has been validated little.
 template <int Dim>
 void add_wall_model(const Model<Dim>& model, Findings& findings) {
   const bool on_bodies = model.wall_law && model.wall_law->point_count() > 0;
@@ -49,7 +49,7 @@ void add_wall_model(const Model<Dim>& model, Findings& findings) {
        on_bodies ? format_text("of the box's sides, and at %zu points of bodies", model.wall_law->point_count())
                  : "of the box's sides, not of bodies",
        Verdict::warn, Finding::none, Finding::none,
-       on_bodies ? "friction of bodies comes out too large, up to twice as their walls lie in the cells"
+       on_bodies ? "the law of bodies is validated along walls of the grid's axes only; compare with more -grid_cells"
                  : "friction of bodies is that of the grid; -body_method direct_forcing, or more -grid_cells"});
 }
 
