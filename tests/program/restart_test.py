@@ -125,6 +125,12 @@ class RestartOfSheets(ProgramTest):
             frame = max(file["frames"].values(), key=lambda one: one.attrs["time"])
             self.assertAlmostEqual(float(np.max(frame["eddy_viscosity"])) / history["eddy_viscosity_max"][-1], 1, places=5)
 
+    def test_restart_agrees_with_the_law_of_bodies(self):
+        body = ["-bodies", "ball", "-ball_shape", "sphere", "-ball_radius", 0.03, "-ball_center", "0.1,0,0.1",
+                "-ball_angular_speed", 10, "-body_method", "direct_forcing"]
+        history = self.assert_restart_agrees("-wall_model", "equilibrium", "-fluid_viscosity", 5e-3, *body)
+        self.assertGreater(history["ball_y_plus_max"][-1], 3)
+
     def test_restart_agrees_where_steps_have_a_longest_length_too(self):
         longest, courant = 0.008, 0.145
         history = self.assert_restart_agrees("-time_step", longest, "-time_cfl", courant)

@@ -22,6 +22,7 @@ WRONG_OPTIONS = [
     ("eddies in the plane", ["-turbulence", "sigma"], ["-turbulence sigma", "three dimensions"]),
     ("unknown eddies", ["-turbulence", "smagorinsky"], ["-turbulence smagorinsky", "vreman", "sigma", "wale"]),
     ("negative constant of eddies", ["-turbulence", "wale", "-turbulence_constant", "-1"], ["-turbulence_constant -1"]),
+    ("advection from too many steps", ["-advection_steps", "4"], ["-advection_steps 4", "2 or 3"]),
     ("unknown wall model", ["-wall_model", "log"], ["-wall_model log", "none", "equilibrium"]),
     ("wall model without viscosity", ["-wall_model", "equilibrium", "-fluid_viscosity", "0"], ["-wall_model", "-fluid_viscosity"]),
     ("zero cells", ["-grid_cells", "0,64"], ["-grid_cells", " 0"]),

@@ -4,10 +4,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "washfsi/fluid/adams_bashforth.hpp"
 #include "washfsi/fluid/advection.hpp"
 #include "washfsi/support/collective.hpp"
 
 namespace washfsi {
+
+namespace {
+
+constexpr double parabolas_part = 2.0 / 3;  // of advection from three steps
+
+}  // namespace
 
 template <int Dim>
 FractionalStep<Dim>::FractionalStep(const Grid<Dim>& grid, Boundary<Dim>& boundary, const FluidOptions<Dim>& options)
@@ -17,6 +24,7 @@ FractionalStep<Dim>::FractionalStep(const Grid<Dim>& grid, Boundary<Dim>& bounda
       pressure_tolerance_(options.pressure_tolerance),
       projects_(options.projection),
       advection_scheme_(options.advection),
+      advection_bend_(options.advection_steps > 2 ? parabolas_part : 0),
       flow_dm_(departs_from_central() || boundary.has_outflow() ? grid.wide_face_dm() : grid.face_dm()),
       momentum_(grid, boundary, options.momentum_tolerance),
       poisson_(grid, options.density),
@@ -26,6 +34,7 @@ FractionalStep<Dim>::FractionalStep(const Grid<Dim>& grid, Boundary<Dim>& bounda
       intermediate_(grid.face_vector()),
       advection_(grid.face_vector()),
       advection_before_(grid.face_vector()),
+      advection_earlier_(grid.face_vector()),
       rhs_(grid.face_vector()),
       constraint_force_(grid.face_vector()),
       pressure_(grid.cell_vector()),
@@ -96,19 +105,20 @@ template <int Dim>
 template <class Form>
 void FractionalStep<Dim>::sum_explicit_terms(const Form& viscosity, Vec local_u, Vec local_p) {
   const double dt = step_.dt, half_viscosity = 0.5 * viscosity.scale;
-  // Adams-Bashforth for steps of different length: 3/2 and -1/2 when they are equal
-  const double weight_before = has_history_ ? -0.5 * dt / dt_before_ : 0, weight = 1 - weight_before;
+  const AdvectionWeights weights = adams_bashforth(advection_bend_, dt, last_step(), dt_earlier_);
   const Spacing<Dim> h(grid_.spacing());
   const ConstFaceView<Dim> u(flow_dm_, local_u), f(grid_.face_dm(), fields_.force);
   const ConstFaceView<Dim> rho(grid_.face_dm(), fields_.liquid.density);
   const ConstFaceView<Dim> now(grid_.face_dm(), advection_), before(grid_.face_dm(), advection_before_);
+  const ConstFaceView<Dim> earlier(grid_.face_dm(), advection_earlier_);
   const ConstCellView<Dim> p(grid_.cell_dm(), local_p);
   const Point<Dim> mean_gradient = driving_.begin();
   const FaceView<Dim> b(grid_.face_dm(), rhs_);
   grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
     const double stress =
         half_viscosity * viscosity.force(u, face, c) - gradient<Dim>(p, face, c, h) - mean_gradient[c];
-    const double advected = weight * now(face, c) + weight_before * before(face, c);
+    const double advected =
+        weights.now * now(face, c) + weights.before * before(face, c) + weights.earlier * earlier(face, c);
     b(face, c) = u(face, c) + dt * ((stress + f(face, c)) / rho(face, c) - advected);
   });
 }
@@ -260,9 +270,10 @@ void FractionalStep<Dim>::restore_pressure() {
 template <int Dim>
 void FractionalStep<Dim>::finish() {
   velocity_before_ = std::exchange(velocity_, std::exchange(intermediate_, std::move(velocity_before_)));
-  std::swap(advection_before_, advection_);
+  advection_before_ = std::exchange(advection_, std::exchange(advection_earlier_, std::move(advection_before_)));
   if (fields_.walls) fields_.walls->accept();
   driving_.accept(!has_history_);
+  dt_earlier_ = last_step();
   has_history_ = true;
   dt_before_ = step_.dt;
   boundary_.accept_outflow();
@@ -270,7 +281,10 @@ void FractionalStep<Dim>::finish() {
 
 template <int Dim>
 std::vector<std::pair<std::string, Vec>> FractionalStep<Dim>::face_state() const {
-  return {{"velocity", velocity_}, {"velocity_before", velocity_before_}, {"advection_before", advection_before_}};
+  return {{"velocity", velocity_},
+          {"velocity_before", velocity_before_},
+          {"advection_before", advection_before_},
+          {"advection_earlier", advection_earlier_}};
 }
 
 template <int Dim>

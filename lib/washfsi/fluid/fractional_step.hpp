@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The fractional step of Brown, Cortez and Minion (2001), thesis (2.2-20, 2.2-21), with variable density:
-//   1. explicit terms  b  = u^n + dt [ -3/2 (u.grad u)^n + 1/2 (u.grad u)^(n-1)      (1 + r/2, r/2 for steps of ratio
-//   r)
+//   1. explicit terms  b  = u^n + dt [ -(u.grad u) from n, n - 1 and n - 2 (`adams_bashforth.hpp`)
 //                                      - (1/rho) grad p^(n-1/2) + (mu / 2 rho) lap u^n + (f - G)/rho ]
 //   2. predict         u* - (mu dt / 2 rho) lap u* = b,    u* = u_b on the boundary, u* = u_solid in solids
 //      a bulk velocity that is kept corrects G and u* (`driving.hpp`)
@@ -12,8 +11,8 @@
 //      walls that hold the water by forces add those of the step before in 1, mend them once before the last
 //      projection, of 3 or 3b, and again after it if the water slips
 //   4. finish          n becomes n + 1
-// The first step takes (u.grad u)^0 alone (forward Euler). Where the viscosity varies, div tau (`viscous_stress.hpp`)
-// takes the place of mu lap u, and mu div u* that of (mu/2) div u*.
+// The first step takes (u.grad u)^0 alone (forward Euler), the second two of them. Where the viscosity varies, div tau
+// (`viscous_stress.hpp`) takes the place of mu lap u, and mu div u* that of (mu/2) div u*.
 #pragma once
 
 #include <functional>
@@ -79,9 +78,12 @@ class FractionalStep {
   Vec pressure() const { return pressure_; }                ///< p^(n-1/2) [Pa]
   /// Length of the last step [s]; 0 before the first, which advects by forward Euler: u^(n-1) is not known then.
   double last_step() const { return has_history_ ? dt_before_ : 0; }
-  void set_last_step(double dt) {
-    dt_before_ = dt;
-    has_history_ = dt > 0;
+  /// Length of the step before it [s]; 0 if there was none.
+  double step_before_last() const { return dt_earlier_; }
+  void set_last_steps(double last, double before) {
+    dt_before_ = last;
+    has_history_ = last > 0;
+    dt_earlier_ = before;
   }
   /// Whether advection is other than central, and then the power that it took out of the flow in the last step beyond
   /// central advection, which takes none [W; W/m in the plane].
@@ -119,7 +121,8 @@ class FractionalStep {
   double density_, pressure_tolerance_;
   bool projects_;
   Advection advection_scheme_;
-  DM flow_dm_;  ///< with the ghosts that advection and open sides need
+  double advection_bend_;  ///< of `adams_bashforth`
+  DM flow_dm_;             ///< with the ghosts that advection and open sides need
   MomentumSolver<Dim> momentum_;
   PressureSolver<Dim> poisson_;
   Driving<Dim> driving_;
@@ -127,6 +130,7 @@ class FractionalStep {
   petsc::Vector velocity_, velocity_before_;    ///< u^n, u^(n-1)
   petsc::Vector intermediate_;                  ///< u*, then u^(n+1)
   petsc::Vector advection_, advection_before_;  ///< (u.grad u)^n, (u.grad u)^(n-1)
+  petsc::Vector advection_earlier_;             ///< (u.grad u)^(n-2)
   petsc::Vector rhs_;                           ///< b of the last `predict`
   petsc::Vector force_;                         ///< all of the step under way, with that of walls
   petsc::Vector constraint_force_;
@@ -136,7 +140,7 @@ class FractionalStep {
   petsc::Vector phi_of_force_, kept_pressure_;  ///< for forces on top and `keep_pressure`; made when first used
   TimeStep step_;                               ///< under way
   StepFields<Dim> fields_;                      ///< of it
-  double dt_before_ = 0;
+  double dt_before_ = 0, dt_earlier_ = 0;
   double numerical_dissipation_ = 0;
   bool has_history_ = false;
   SolverCounts counts_;

@@ -29,23 +29,29 @@ void Liquid<Dim>::reset_density() {
 }
 
 template <int Dim>
-void Liquid<Dim>::update_viscosity(const StepFlow& flow) {
+void Liquid<Dim>::update_viscosity(const StepFlow& flow, WallViscosity* bodies) {
   if (!viscosity_.in_cells) return;
   const petsc::LogPart part("viscosity");
+  const bool is_new = walls_time_ != flow.time;
+  walls_time_ = flow.time;
   let_models_add(flow);
-  WASH_PETSC(DMGlobalToLocal(grid_.cell_dm(), global_viscosity_, INSERT_VALUES, local_viscosity_));
+  const petsc::GlobalVector all(grid_.cell_dm());  // what the models add is looked at later
+  WASH_PETSC(VecCopy(global_viscosity_, all));
+  if (bodies) {
+    if (is_new) bodies->observe(flow, pure());
+    bodies->replace(all);
+  }
+  WASH_PETSC(DMGlobalToLocal(grid_.cell_dm(), all, INSERT_VALUES, local_viscosity_));
   boundary_.fill_cells(local_viscosity_);
-  if (walls_) let_walls_follow(flow);
+  if (!walls_) return;
+  if (is_new) let_walls_follow(flow);
+  walls_->set_ghosts(local_viscosity_);
 }
 
 template <int Dim>
 void Liquid<Dim>::let_walls_follow(const StepFlow& flow) {
-  if (walls_time_ != flow.time) {
-    const GhostedVelocity<Dim> local(boundary_, grid_.face_dm(), flow.velocity, flow.time);
-    walls_->observe(ConstFaceView<Dim>(grid_.face_dm(), local), flow.last_step, pure());
-    walls_time_ = flow.time;
-  }
-  walls_->set_ghosts(local_viscosity_);
+  const GhostedVelocity<Dim> local(boundary_, grid_.face_dm(), flow.velocity, flow.time);
+  walls_->observe(ConstFaceView<Dim>(grid_.face_dm(), local), flow.last_step, pure());
 }
 
 template <int Dim>

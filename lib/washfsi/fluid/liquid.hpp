@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "washfsi/fluid/wall_model.hpp"
+#include "washfsi/fluid/wall_viscosity.hpp"
 #include "washfsi/grid/viscous_stress.hpp"
 
 namespace washfsi {
@@ -28,14 +28,6 @@ class ViscosityModel {
 /// None of them may be null.
 template <int Dim>
 using ViscosityModels = std::vector<std::shared_ptr<const ViscosityModel<Dim>>>;
-
-/// The flow that a step begins with.
-struct StepFlow {
-  Vec velocity = nullptr;     ///< [m/s]
-  double time = 0;            ///< [s]
-  Vec fluid_share = nullptr;  ///< the share of each face that lies in fluid; none: all of it
-  double last_step = 0;       ///< the length of the step before [s]; 0: there was none
-};
 
 /// What the fluid's equations need of a liquid.
 struct LiquidFields {
@@ -61,8 +53,9 @@ class Liquid {
 
   const Viscosity& viscosity() const { return viscosity_; }
   /// Lets the models work on the flow, and the walls' friction follow it. What they add counts by the share of fluid
-  /// round a cell: water in a body moves rigidly, and has no eddies. May be repeated for the same time. Collective.
-  void update_viscosity(const StepFlow& flow);
+  /// round a cell: water in a body moves rigidly, and has no eddies. `bodies`, null without, then have their friction.
+  /// May be repeated for the same time. Collective.
+  void update_viscosity(const StepFlow& flow, WallViscosity* bodies = nullptr);
 
   /// Only what the models add, for those who look at it before the first step. Collective.
   void let_models_add(const StepFlow& flow);
@@ -89,7 +82,7 @@ class Liquid {
   double pure_density_, pure_viscosity_;
   ViscosityModels<Dim> models_;
   std::unique_ptr<WallModel<Dim>> walls_;
-  std::optional<double> walls_time_;  ///< of the flow that they observed last [s]
+  std::optional<double> walls_time_;  ///< of the flow that walls observed last [s]
   petsc::Vector density_, global_viscosity_, local_viscosity_;
   Viscosity viscosity_;
 };

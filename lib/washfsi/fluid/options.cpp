@@ -23,6 +23,10 @@ FluidOptions<Dim> FluidOptions<Dim>::from_options(Options& options) {
     block.choice("advection", fluid.advection,
                  "scheme of the advection term; wide_central has less error on a given grid; upwind is bounded (van "
                  "Leer), for grids too coarse for central");
+    block.integer(
+        "advection_steps", fluid.advection_steps, {2, 3, false, "2 or 3"},
+        "steps from which advection is extrapolated: 2, Adams-Bashforth (thesis), lets short waves grow; 3 lets "
+        "them decay, up to a CFL number of 0.79");
     block.real("momentum_tolerance", fluid.momentum_tolerance, "-", tolerance,
                "rms residual of the momentum solve over the largest speed");
     block.real("pressure_tolerance", fluid.pressure_tolerance, "-", tolerance,
@@ -30,11 +34,11 @@ FluidOptions<Dim> FluidOptions<Dim>::from_options(Options& options) {
   });
   fluid.driving = DrivingOptions<Dim>::from_options(options);
   fluid.viscosity_models = viscosity_models_from_options<Dim>(options);
-  options.block("", "Walls of the box", [&](OptionBlock& block) {
-    block.choice(
-        "wall_model", fluid.wall_model,
-        "friction of no-slip sides of the box, not of bodies; equilibrium: by the law of a turbulent wall layer, "
-        "for layers thinner than a cell");
+  options.block("", "Walls", [&](OptionBlock& block) {
+    block.choice("wall_model", fluid.wall_model,
+                 "friction of no-slip sides of the box, and of bodies with -body_method direct_forcing; equilibrium: "
+                 "by the law of a "
+                 "turbulent wall layer, for layers thinner than a cell");
   });
   if (fluid.wall_model != WallTreatment::none && fluid.viscosity == 0)
     throw InputError("-wall_model " + name_of(fluid.wall_model) + ": needs a -fluid_viscosity > 0");

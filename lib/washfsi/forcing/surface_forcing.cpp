@@ -116,11 +116,25 @@ void SurfaceForcing<Dim>::for_each_acting(Visit&& visit) const {
       if (states_[m].acts) visit(p - begin_, m);
 }
 
+template <int Dim>
+void SurfaceForcing<Dim>::let_slide(const Points<Dim>& normals, double part) {
+  slides_ = part;
+  slide_normals_.assign(normals.begin() + static_cast<std::ptrdiff_t>(begin_),
+                        normals.begin() + static_cast<std::ptrdiff_t>(end_));
+}
+
+// What of a patch's velocity or force is not free to slide.
+template <int Dim>
+Point<Dim> SurfaceForcing<Dim>::held(const Point<Dim>& value, std::size_t patch) const {
+  if (slides_ == 0 || normals_[patch].isZero(0)) return value;
+  return value - slides_ * (value - value.dot(normals_[patch]) * normals_[patch]);
+}
+
 // From patches to their markers that act.
 template <int Dim>
 Points<Dim> SurfaceForcing<Dim>::shared_out(const Points<Dim>& of_patches) const {
   Points<Dim> result(states_.size(), Point<Dim>::Zero());
-  for_each_acting([&](std::size_t p, std::size_t m) { result[m] = shares_[p] * of_patches[p]; });
+  for_each_acting([&](std::size_t p, std::size_t m) { result[m] = shares_[p] * held(of_patches[p], p); });
   return result;
 }
 
@@ -129,6 +143,7 @@ template <int Dim>
 Points<Dim> SurfaceForcing<Dim>::means(const Points<Dim>& of_markers) const {
   Points<Dim> result(owned(), Point<Dim>::Zero());
   for_each_acting([&](std::size_t p, std::size_t m) { result[p] += shares_[p] * of_markers[m]; });
+  for (std::size_t p = 0; p < result.size(); ++p) result[p] = held(result[p], p);
   return result;
 }
 
@@ -149,6 +164,7 @@ void SurfaceForcing<Dim>::begin_trial(const TimeStep& step, Vec density) {
   step_ = step;
   fluid_density_ = density;
   forces_ = turned(kept_, true);
+  if (slides_ > 0) normals_ = turned(slide_normals_, true);
 }
 
 template <int Dim>
@@ -245,7 +261,7 @@ Points<Dim> SurfaceForcing<Dim>::approximate_forces(const Points<Dim>& velocitie
     first += count;
   }
   for (std::size_t p = 0; p < forces.size(); ++p)
-    if (shares_[p] == 0) forces[p].setZero();
+    forces[p] = shares_[p] == 0 ? Point<Dim>(Point<Dim>::Zero()) : held(forces[p], p);
   return forces;
 }
 

@@ -27,6 +27,10 @@ class SurfaceForcing : public WallForces {
   /// Places the markers as the bodies are at `time`. Collective.
   void update(double time);
 
+  /// Lets the water slide by a part, from 0 to 1, along the surfaces to which these are the normals of all patches, in
+  /// their bodies' frames, from the next trial on; zeros hold all.
+  void let_slide(const Points<Dim>& normals, double part);
+
   void begin_trial(const TimeStep& step, Vec density) override;
   void add_held(Vec force) override;
   void push(Vec velocity) override;
@@ -50,11 +54,13 @@ class SurfaceForcing : public WallForces {
   std::size_t begin() const { return begin_; }
   std::size_t end() const { return end_; }
   std::size_t markers_of(std::size_t body) const { return markers_.of_body(body).markers.size(); }
+  const BodyMarkers<Dim>& markers() const { return markers_; }
   std::size_t patch_count() const { return markers_.patches(); }
 
  private:
   static PetscErrorCode multiply(Mat matrix, Vec x, Vec y);
   static PetscErrorCode precondition(PC pc, Vec x, Vec y);
+  Point<Dim> held(const Point<Dim>& value, std::size_t patch) const;
   template <class Visit>
   void for_each_acting(Visit&& visit) const;
   Points<Dim> kept_by_sides(const typename Boundary<Dim>::OnSides& shares) const;
@@ -83,6 +89,8 @@ class SurfaceForcing : public WallForces {
   std::vector<double> shares_;                            ///< of each marker in its patch; 0 of patches that do not act
   Points<Dim> forces_;                                    ///< F of each patch [N; per unit depth in the plane]
   Points<Dim> kept_;                                      ///< F of the step before, in the bodies' frames
+  Points<Dim> slide_normals_, normals_;                   ///< of this rank's patches: in their bodies' frames; in space
+  double slides_ = 0;                                     ///< by what part
   double time_ = 0;                                       ///< of `update`
   petsc::Matrix matrix_;
   petsc::Solver solver_;

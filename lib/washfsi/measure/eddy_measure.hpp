@@ -21,6 +21,7 @@ class EddyMeasure : public Measure<Dim> {
 
   double mean_ = 0, largest_ = 0;  ///< [Pa s]
   double y_plus_ = 0;
+  std::vector<double> body_y_plus_;  ///< of each body, if they have a law
 };
 
 extern template class EddyMeasure<2>;

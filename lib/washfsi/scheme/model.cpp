@@ -77,6 +77,9 @@ Model<Dim>::Model(MPI_Comm comm, const ModelOptions<Dim>& options, std::vector<B
       bodies(std::move(rigid_bodies)),
       mask(grid, bodies, options.treatment),
       walls(make_walls(grid, boundary, bodies, options)),
+      wall_law(walls && options.fluid.wall_model != WallTreatment::none
+                   ? std::make_unique<BodyWallLaw<Dim>>(grid, boundary, bodies, walls->markers())
+                   : nullptr),
       liquid(grid, boundary, options.fluid.density, options.fluid.viscosity, options.fluid.viscosity_models,
              options.fluid.wall_model),
       fluid(grid, boundary, options.fluid),

@@ -4,6 +4,7 @@
 #include "washfsi/body/mask.hpp"
 #include "washfsi/contact/contact_force.hpp"
 #include "washfsi/fluid/fractional_step.hpp"
+#include "washfsi/forcing/body_wall_law.hpp"
 #include "washfsi/forcing/surface_forcing.hpp"
 #include "washfsi/grid/options.hpp"
 
@@ -61,6 +62,7 @@ struct Model {
   std::vector<Body<Dim>> bodies;
   Mask<Dim> mask;
   std::unique_ptr<SurfaceForcing<Dim>> walls;  ///< of -body_method direct_forcing, else null
+  std::unique_ptr<BodyWallLaw<Dim>> wall_law;  ///< of these walls with -wall_model, else null
   Liquid<Dim> liquid;
   FractionalStep<Dim> fluid;
   Cloths<Dim> cloths;

@@ -13,7 +13,7 @@ namespace washfsi {
 
 namespace {
 
-constexpr double format = 6;  ///< of the file; another number for any other content
+constexpr double format = 7;  ///< of the file; another number for any other content
 
 // The numbers that a state has besides its fields, in the order in which they are kept; as attributes for readers.
 constexpr std::array number_names{"step",
@@ -22,6 +22,7 @@ constexpr std::array number_names{"step",
                                   "cloth_bound",
                                   "steps_at_rest",
                                   "last_step",
+                                  "step_before_last",
                                   "momentum_iterations",
                                   "pressure_iterations",
                                   "cloth_iterations"};
@@ -138,6 +139,34 @@ void read_wall_model(Hdf5File& file, System<Dim>& system) {
   walls->go_on();
 }
 
+constexpr const char* wall_law_means = "/walls/means";
+
+// The points where bodies have a law of friction, each with its means.
+template <int Dim>
+Slab slab_of_points(const BodyWallLaw<Dim>& law) {
+  constexpr auto each = static_cast<PetscInt>(BodyWallLaw<Dim>::kept_of_each);
+  const auto number = [](std::size_t n) { return static_cast<PetscInt>(n) * each; };
+  return marker_slab(number(law.point_count()), number(law.begin()), number(law.end()), Dim);
+}
+
+template <int Dim>
+void write_wall_law(Hdf5File& file, const System<Dim>& system) {
+  const BodyWallLaw<Dim>* law = system.model.wall_law.get();
+  file.set_attribute("/", "wall_points", law ? static_cast<double>(law->point_count()) : 0.0);
+  if (law && law->point_count() > 0)
+    file.write_sealed(wall_law_means, slab_of_points(*law), flattened<Dim>(law->kept()));
+}
+
+// Other bodies begin with the flow as it is.
+template <int Dim>
+void read_wall_law(Hdf5File& file, System<Dim>& system) {
+  BodyWallLaw<Dim>* law = system.model.wall_law.get();
+  if (!law || law->point_count() == 0) return;
+  if (file.attribute("/", "wall_points") != static_cast<double>(law->point_count())) return;
+  law->kept() = read_points<Dim>(file, wall_law_means, slab_of_points(*law));
+  law->go_on();
+}
+
 // A short array that all ranks hold; rank 0 writes it.
 Slab shared_slab(MPI_Comm comm, std::size_t size, bool writing) {
   const bool silent = writing && rank_of(comm) != 0;
@@ -173,6 +202,22 @@ auto motion_before(SomeState& state) {
                     std::pair{std::string("force_before"), &state.forces_before}};
 }
 
+// In the order of their names.
+template <int Dim>
+std::vector<double> numbers_of(const System<Dim>& system, const RunState& state) {
+  const FractionalStep<Dim>& fluid = system.model.fluid;
+  return {static_cast<double>(system.state.clock.step),
+          system.state.clock.time,
+          state.dt,
+          state.cloth_bound,
+          static_cast<double>(state.steps_at_rest),
+          fluid.last_step(),
+          fluid.step_before_last(),
+          fluid.counts().momentum,
+          fluid.counts().pressure,
+          system.step.cloth_iterations};
+}
+
 }  // namespace
 
 template <int Dim>
@@ -183,16 +228,7 @@ void write_checkpoint(const std::string& folder, const System<Dim>& system, Meas
   const MPI_Comm comm = system.model.grid.comm();
   Hdf5File file(comm, temporary, Hdf5File::Mode::create);
   file.set_attribute("/", "format", format);
-  const SolverCounts& counts = system.model.fluid.counts();
-  const std::vector<double> numbers{static_cast<double>(system.state.clock.step),
-                                    system.state.clock.time,
-                                    state.dt,
-                                    state.cloth_bound,
-                                    static_cast<double>(state.steps_at_rest),
-                                    system.model.fluid.last_step(),
-                                    counts.momentum,
-                                    counts.pressure,
-                                    system.step.cloth_iterations};
+  const std::vector<double> numbers = numbers_of(system, state);
   for (std::size_t n = 0; n < numbers.size(); ++n) file.set_attribute("/", number_names[n], numbers[n]);
   file.write_sealed("/numbers", shared_slab(comm, numbers.size(), true), numbers);
   for (const auto& [name, vector] : system.model.fluid.face_state())
@@ -212,6 +248,7 @@ void write_checkpoint(const std::string& folder, const System<Dim>& system, Meas
                       measures.cloth().time_integrals());
   }
   write_wall_forces(file, system);
+  write_wall_law(file, system);
   write_driving(file, system);
   const std::vector<double> letters(state.options.begin(), state.options.end());
   file.write_sealed("/options", shared_slab(comm, letters.size(), true), letters);
@@ -283,9 +320,10 @@ RunState read_checkpoint(const std::string& path, System<Dim>& system, Measures<
     hold_walls(system.model, system.state.clock.time);
     read_driving(file, system);
     if (system.model.walls) read_wall_forces(file, *system.model.walls);
-    system.model.fluid.set_last_step(read[5]);
-    system.model.fluid.set_counts({.momentum = read[6], .pressure = read[7]});
-    system.step.cloth_iterations = read[8];
+    read_wall_law(file, system);
+    system.model.fluid.set_last_steps(read[5], read[6]);
+    system.model.fluid.set_counts({.momentum = read[7], .pressure = read[8]});
+    system.step.cloth_iterations = read[9];
     const std::vector<double> letters =
         file.read_sealed("/options", shared_slab(comm, file.shape("/options").at(0), false), Hdf5File::Readers::whole);
     return {read[2], read[3], static_cast<int>(read[4]), std::string(letters.begin(), letters.end())};

@@ -40,10 +40,17 @@ void add_water(const Model<Dim>& model, Findings& findings) {
                              "flow, torque and stress are those of a thick liquid; water is -fluid_viscosity 1e-3"));
 }
 
-// A law stands for the layers at the box's sides, not for those on bodies.
-void add_wall_model(Findings& findings) {
-  findings.push_back({"wall model", "of the box's sides, not of bodies", Verdict::warn, Finding::none, Finding::none,
-                      "friction of bodies is that of the grid; more -grid_cells"});
+// A law stands for the layers at the box's sides; on bodies that markers hold it has been validated little.
+template <int Dim>
+void add_wall_model(const Model<Dim>& model, Findings& findings) {
+  const bool on_bodies = model.wall_law && model.wall_law->point_count() > 0;
+  findings.push_back(
+      {"wall model",
+       on_bodies ? format_text("of the box's sides, and at %zu points of bodies", model.wall_law->point_count())
+                 : "of the box's sides, not of bodies",
+       Verdict::warn, Finding::none, Finding::none,
+       on_bodies ? "the law of bodies is validated along walls of the grid's axes only; compare with more -grid_cells"
+                 : "friction of bodies is that of the grid; -body_method direct_forcing, or more -grid_cells"});
 }
 
 template <int Dim>
@@ -63,7 +70,8 @@ void add_flow(const Model<Dim>& model, const FlowScales& scales, Findings& findi
                 "-advection upwind"));
   if (model.liquid.walls()) {
     if (model.bodies.empty()) return;
-    add_wall_model(findings);
+    add_wall_model(model, findings);
+    if (model.wall_law) return;
   }
   findings.push_back(at_least("boundary layer", layer, {4}, format_text("%.2g cells", layer),
                               "friction and shear at walls are not resolved; more -grid_cells"));
@@ -74,7 +82,7 @@ void add_flow(const Model<Dim>& model, const FlowScales& scales, Findings& findi
                              model.liquid.walls()
                                  ? "the viscous layer on bodies lies within one cell; more -grid_cells"
                                  : "the viscous layer at walls lies within one cell; more -grid_cells, "
-                                   "or -wall_model equilibrium for the box's sides"));
+                                   "or -wall_model equilibrium"));
 }
 
 // ---- bodies ----
