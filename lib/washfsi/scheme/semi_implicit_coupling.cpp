@@ -185,12 +185,6 @@ double SemiImplicitCoupling<Dim>::slip(MPI_Comm comm, const Points<Dim>& interpo
   return speed > 0 ? norm(comm, velocities_ - interpolated) / speed : 0;
 }
 
-// What the water did with a change of the forces corrects M for the sweeps that follow.
-template <int Dim>
-void SemiImplicitCoupling<Dim>::learn(double dt, const Points<Dim>& change, const Points<Dim>& gained) {
-  mobility_.correct(change, mobility_.times(change) - (1 / dt) * gained);
-}
-
 // Lines 5 to 7: from the forces at the start to those at the end, with the water's velocity at the markers.
 template <int Dim>
 void SemiImplicitCoupling<Dim>::sweep(System<Dim>& system, double dt, Points<Dim> forces, Points<Dim> interpolated) {
@@ -200,7 +194,7 @@ void SemiImplicitCoupling<Dim>::sweep(System<Dim>& system, double dt, Points<Dim
     velocities_ = move(system, dt, interpolated, forces);
     step.pushed_at = state.positions + dt * velocities_;
     const Points<Dim> moved = model.forces.of_places(step.pushed_at);
-    const Points<Dim> change = moved - forces, gained = weights_.end * change;
+    const Points<Dim> gained = weights_.end * (moved - forces);
     WASH_PETSC(VecZeroEntries(increment));
     step.wall_reaction += model.transfer.spread(gained, increment);
     step.given += gained;
@@ -208,10 +202,9 @@ void SemiImplicitCoupling<Dim>::sweep(System<Dim>& system, double dt, Points<Dim
     model.fluid.hold_walls();
     WASH_PETSC(VecAXPY(step.force, 1.0, increment));
     forces = moved;
-    const Points<Dim> before = std::exchange(interpolated, reached_velocities(system, dt));
+    interpolated = reached_velocities(system, dt);
     step.cloth_slip = slip(model.grid.comm(), interpolated);
     if (step.cloth_slip <= options_.slip_tolerance) break;
-    if (is_packed(model)) learn(dt, change, interpolated - before);
   }
 }
 

@@ -64,7 +64,6 @@ class SemiImplicitCoupling : public CouplingScheme<Dim> {
                              const Points<Dim>& forces, double tolerance);
   Points<Dim> move_by_row_sums(System<Dim>& system, double dt, const Points<Dim>& free_velocities,
                                const Points<Dim>& forces, double tolerance);
-  void learn(double dt, const Points<Dim>& change, const Points<Dim>& gained);
   double slip(MPI_Comm comm, const Points<Dim>& interpolated) const;
 
   CouplingOptions options_;

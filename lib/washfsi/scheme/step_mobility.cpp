@@ -2,11 +2,9 @@
 #include "washfsi/scheme/step_mobility.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "washfsi/coupling/marker_vectors.hpp"
 #include "washfsi/coupling/own_rows.hpp"
-#include "washfsi/scheme/coupling_operations.hpp"
 #include "washfsi/support/collective.hpp"
 
 namespace washfsi {
@@ -24,7 +22,6 @@ void StepMobility<Dim>::find(const Model<Dim>& model, const Points<Dim>& places,
   most = largest(model.grid.comm(), most);
   for (double& sum : row_sums_) sum = factor * std::max(sum, floor * most);
   parts_.clear();
-  corrections_.clear();
   if (!with_matrix) return;
   const double share = model.forces.limit_motion() ? own_share : 0;
   const Points<Dim> all = model.cloths.of_all_ranks(places);
@@ -36,18 +33,9 @@ void StepMobility<Dim>::find(const Model<Dim>& model, const Points<Dim>& places,
 }
 
 template <int Dim>
-void StepMobility<Dim>::correct(const Points<Dim>& change, const Points<Dim>& excess) {
-  constexpr double least = 1e-3;
-  const double power = dot(comm_, change, excess), all = dot(comm_, change, times(change));
-  if (power <= least * all) return;
-  corrections_.push_back((1 / std::sqrt(power)) * excess);
-}
-
-template <int Dim>
 Points<Dim> StepMobility<Dim>::times(const Points<Dim>& forces) const {
   Points<Dim> result = by_faces_ ? faces_.times(forces) : product<Dim>(matrix_, forces);
   for (const Mat part : parts_) result += product<Dim>(part, forces);
-  for (const Points<Dim>& u : corrections_) result += -dot(comm_, u, forces) * u;
   return result;
 }
 
@@ -55,11 +43,6 @@ template <int Dim>
 Eigen::MatrixXd StepMobility<Dim>::block(const std::vector<std::size_t>& markers) const {
   Eigen::MatrixXd block = by_faces_ ? faces_.block(markers) : own_block<Dim>(matrix_, markers);
   for (const Mat part : parts_) block += own_block<Dim>(part, markers);
-  for (const Points<Dim>& u : corrections_) {
-    Eigen::VectorXd own(block.rows());
-    for (std::size_t i = 0; i < markers.size(); ++i) own.segment<Dim>(static_cast<int>(Dim * i)) = u[markers[i]];
-    block -= own * own.transpose();
-  }
   return block;
 }
 

@@ -15,18 +15,13 @@ template <int Dim>
 class StepMobility {
  public:
   explicit StepMobility(const Model<Dim>& model)
-      : comm_(model.grid.comm()),
-        matrix_(model.grid, model.transfer.delta()),
-        faces_(model.grid, model.transfer.delta()) {}
+      : matrix_(model.grid, model.transfer.delta()), faces_(model.grid, model.transfer.delta()) {}
 
   /// At the places where the cloths were located last, times a factor. Where contact limits the markers' motion, those
   /// that are in the same water get a little mobility of their own. Collective.
   void find(const Model<Dim>& model, const Points<Dim>& places, double factor, bool with_matrix);
   /// Adds a symmetric matrix to M. No communication.
   void add(petsc::Matrix part) { parts_.push_back(std::move(part)); }
-  /// Takes from M what it has too much, as is known of one change of the forces: the least that is right for this one,
-  /// so that M does not fall below the true mobility if it was not below it before. Collective.
-  void correct(const Points<Dim>& change, const Points<Dim>& excess);
 
   const std::vector<double>& row_sums() const { return row_sums_; }
   /// M f. Collective.
@@ -35,13 +30,11 @@ class StepMobility {
   Eigen::MatrixXd block(const std::vector<std::size_t>& markers) const;
 
  private:
-  MPI_Comm comm_;
   MobilityMatrix<Dim> matrix_;
   FaceMobility<Dim> faces_;
   bool by_faces_ = false;
   std::vector<petsc::Matrix> parts_;
-  std::vector<Points<Dim>> corrections_;  ///< u, of which u u^T is taken off
-  std::vector<double> row_sums_;          ///< of each of this rank's markers
+  std::vector<double> row_sums_;  ///< of each of this rank's markers
 };
 
 extern template class StepMobility<2>;
