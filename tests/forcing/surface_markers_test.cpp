@@ -57,12 +57,12 @@ std::pair<double, double> radii(const MarkerLayout<3>& layout) {
 }
 
 // A ball acts with its true radius if the mean distance of its markers' deltas from its middle is right, and if the
-// stress of the eddies that their slip drives within it is taken into account, unless it turns in itself.
+// stress of the eddies that their slip drives within it is taken into account, unless it turns.
 TEST(SurfaceMarkers, LieBehindABall) {
   constexpr double cell = 0.1;
   const double flat = 0.5 * moments.sheet_reach() * cell, bend = moments.variance() * cell * cell;
   MarkerLayout<3> turning = layout(cell);
-  turning.inside.turns_along = true;
+  turning.inside.turns = true;
   for (const double radius : {radii(turning).first, radii(turning).second})
     EXPECT_NEAR(radius, 1 - flat - bend, 0.02 * cell);
   const auto [least, most] = radii(layout(cell));

@@ -8,9 +8,9 @@ namespace washfsi {
 
 /// The water inside a body whose walls are held by markers. It slips behind the walls as that before them does.
 struct InnerWater {
-  /// Whether the body only ever turns about an axis round which it is the same, so that its walls slide along
-  /// themselves: the water slips alike all round and turns with it. Else it is stirred, and has to find its way back.
-  bool turns_along = false;
+  /// Whether the body only ever turns. Then it takes the water inside along, so that this has the body's inertia. Else
+  /// the water is free: it is stirred by its slip, and has to find its way back.
+  bool turns = false;
   double held_depth = 0;  ///< behind the walls, from which on the body holds it [m]
 
   template <int Dim>

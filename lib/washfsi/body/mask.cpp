@@ -263,23 +263,6 @@ Loads<Dim> Mask<Dim>::loads(Vec constraint_force, Vec density, Vec pressure, dou
 }
 
 template <int Dim>
-Loads<Dim> Mask<Dim>::inner_momentum(Vec velocity, Vec density, double time) const {
-  Loads<Dim> momenta(bodies_.size());
-  const ConstFaceView<Dim> u(grid_.face_dm(), velocity), rho(grid_.face_dm(), density);
-  const ConstFaceView<Dim> holder(grid_.face_dm(), body_), share(grid_.face_dm(), fluid_share()),
-      solid(grid_.face_dm(), solid_velocity_);
-  const auto motions = states_at(bodies_, time);
-  grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
-    if (holder(face, c) < 0) return;
-    const auto b = static_cast<std::size_t>(holder(face, c));
-    Point<Dim> momentum = Point<Dim>::Zero();
-    momentum[c] = grid_.cell_volume() * (1 - share(face, c)) * rho(face, c) * (u(face, c) - solid(face, c));
-    momenta[b].add(grid_.face_center(face, c) - motions[b].center, momentum);
-  });
-  return ordered_sum<Dim>(grid_.comm(), momenta);
-}
-
-template <int Dim>
 double Mask<Dim>::dissipation(Vec velocity_before, Vec density, double dt) const {
   if (!any_moves_) return 0;
   const ConstFaceView<Dim> u(grid_.face_dm(), velocity_before), rho(grid_.face_dm(), density);

@@ -43,10 +43,6 @@ class Mask {
   /// the step. Collective.
   Loads<Dim> loads(Vec constraint_force, Vec density, Vec pressure, double time) const;
 
-  /// Momentum, and its moment about the body's centre, of the water inside each body relative to it. Where markers hold
-  /// the walls this water slips behind them, else it rests. Collective.
-  Loads<Dim> inner_momentum(Vec velocity, Vec density, double time) const;
-
   /// Energy that the water lost in a step of dt where a moving mask took it along: 1/2 rho |u_solid - u|^2 on the faces
   /// that are solid now, u the velocity before, over dt [W; in the plane W/m]. An effect of the staircase. Collective.
   double dissipation(Vec velocity_before, Vec density, double dt) const;

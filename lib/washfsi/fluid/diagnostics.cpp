@@ -101,11 +101,12 @@ FlowDiagnostics<Dim> FlowDiagnostics<Dim>::of(const Grid<Dim>& grid, const FlowS
       courant += dt * std::max(std::abs(lower), std::abs(upper)) * h.inverse[d];
       const double H = has_solids ? fraction(cell, d) : 1, of_inner = are_full ? 1 - H : 0;
       const double mass = rho(cell, d) * (ends.at_lower(cell, d) ? 0.5 : 1);
-      const double solid = are_full ? inner(cell, d) : 0;
-      energy += 0.5 * mass * (H * lower * lower + of_inner * (lower - solid) * (lower - solid));
+      const double solid = are_full ? inner(cell, d) : 0, all = are_full ? 1 : H;
+      energy += 0.5 * mass * (all * lower * lower - of_inner * solid * solid);
       if (ends.at_upper(next, d)) energy += 0.25 * rho(cell, d) * upper * upper;
       if constexpr (d < 2)
-        turning += (d == 0 ? -1 : 1) * mass * H * lower * (grid.face_center(cell, d) - middle)[1 - d];
+        turning +=
+            (d == 0 ? -1 : 1) * mass * (all * lower - of_inner * solid) * (grid.face_center(cell, d) - middle)[1 - d];
     });
     if (!std::isfinite(courant)) courant = std::numeric_limits<double>::infinity();
     if (courant > result.courant.value) {

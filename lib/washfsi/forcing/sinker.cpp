@@ -46,7 +46,7 @@ std::optional<Candidate<Dim>> Sinker<Dim>::sink(const Point<Dim>& seed) const {
   const double bend = bending(bent);
   double flat = along * layout_.moments.retraction(depth / along);
   const double held = is_held_behind(*foot, inwards) ? held_stress(flat, bend) : 0;
-  const double stirred = layout_.inside.turns_along ? 0 : stirred_stress(largest_of<Dim>(bent), along);
+  const double stirred = layout_.inside.turns ? 0 : stirred_stress(largest_of<Dim>(bent), along);
   flat /= 1 - std::min(most_stress, flat * std::max(held, stirred));
   return Candidate<Dim>{*foot + std::clamp(flat + bend, 0.0, depth) * inwards, *foot,
                         static_cast<int>(std::clamp(bend / (smooth_bend * cell_), 0.0, 2.0))};

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/measure/body_measure.hpp"
 
-#include <utility>
-
 namespace washfsi {
 
 namespace {
@@ -53,34 +51,6 @@ void BodyMeasure<Dim>::declare(QuantityList& quantities) {
 }
 
 template <int Dim>
-Loads<Dim> BodyMeasure<Dim>::inner_momentum() const {
-  const Model<Dim>& model = system_.model;
-  return model.mask.inner_momentum(model.fluid.velocity(), model.liquid.density(), system_.state.clock.time);
-}
-
-template <int Dim>
-void BodyMeasure<Dim>::prepare() {
-  if (system_.model.walls) inner_momentum_ = inner_momentum();
-}
-
-// The loads so far have the inertia of water that moves with the bodies.
-template <int Dim>
-void BodyMeasure<Dim>::add_inner_inertia(double dt) {
-  if (!system_.model.walls) return;
-  const Loads<Dim> before = std::exchange(inner_momentum_, inner_momentum());
-  const double middle = system_.state.clock.time - 0.5 * dt;
-  for (std::size_t b = 0; b < loads_.size(); ++b) {
-    const RigidMotion<Dim>& motion = system_.model.bodies[b].motion;
-    const Load<Dim>& now = inner_momentum_[b];
-    Load<Dim> rate;
-    rate.force = (now.force - before[b].force) / dt;
-    rate.torque = (now.torque - before[b].torque) / dt +
-                  cross<Dim>(motion.velocity(motion.center_at(middle), middle), 0.5 * (now.force + before[b].force));
-    for (Load<Dim>* load : {&loads_[b], &balance_loads_[b]}) *load += rate;
-  }
-}
-
-template <int Dim>
 void BodyMeasure<Dim>::observe(const Observation<Dim>& seen) {
   if (loads_.empty()) return;
   const Model<Dim>& model = system_.model;
@@ -99,7 +69,6 @@ void BodyMeasure<Dim>::observe(const Observation<Dim>& seen) {
     balance_loads_ = control_volumes_->loads({fluid.velocity_before(), fluid.velocity(), fluid.pressure(), density,
                                               system_.step.force, model.mask.fluid_share(), model.liquid.viscosity(),
                                               time, seen.dt, fluid.driving().gradient()});
-  add_inner_inertia(seen.dt);
   for (std::size_t b = 0; b < loads_.size(); ++b)
     for (Load<Dim>* load : {&loads_[b], &balance_loads_[b]}) *load += seen.contact.bodies[b];
   mask_dissipation_ = model.mask.dissipation(fluid.velocity_before(), density, seen.dt);

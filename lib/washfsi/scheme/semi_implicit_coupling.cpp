@@ -84,10 +84,7 @@ Points<Dim> SemiImplicitCoupling<Dim>::move(System<Dim>& system, double dt, cons
                                             const Points<Dim>& forces) {
   const petsc::LogPart part("cloth_solve");
   const MPI_Comm comm = system.model.grid.comm();
-  // the slip that is allowed has what a packed load leaves of its equations in it
-  const double share =
-      is_packed(system.model) ? std::max(options_.tolerance, 0.1 * options_.slip_tolerance) : options_.tolerance;
-  const double tolerance = share * std::hypot(norm(comm, free_velocities), norm(comm, velocities_));
+  const double tolerance = options_.tolerance * std::hypot(norm(comm, free_velocities), norm(comm, velocities_));
   if (options_.mobility == Mobility::row_sums) return move_by_row_sums(system, dt, free_velocities, forces, tolerance);
   return system.model.forces.limit_motion() ? move_by_forces(system, dt, free_velocities, forces, tolerance)
                                             : move_by_matrix(system, dt, free_velocities, forces, tolerance);
