@@ -30,7 +30,8 @@ CaseOptions<2> flying_fibres() {
     group.sheet.fabric = LinearFabric({.ke_s = 100, .kb_s = 1e-4});
     options.model.cloths.push_back(group);
     PlacementOptions<2> placement;
-    placement.center = {0.03 + 0.045 * (n % 2), 0.0125 + 0.025 * (n / 2)};
+    const int column = n % 2, row = n / 2;
+    placement.center = {0.03 + 0.045 * column, 0.0125 + 0.025 * row};
     options.placements.push_back(placement);
   }
   return options;

@@ -170,10 +170,11 @@ Point<Dim> Sinker<Dim>::to_nearest_edge(const Point<Dim>& place, const Point<Dim
     look(-tangent);
   }
   if constexpr (Dim == 3)
-    for (double turn = 0.5 * std::numbers::pi / directions; turn > 0.04; turn *= 0.5) {
-      const Point<Dim> way = nearest, aside = std::tan(turn) * normal.cross(way);
-      look((way + aside).normalized());
-      look((way - aside).normalized());
+    for (int halvings = 1; halvings <= 3; ++halvings) {  // to a fortieth of a turn
+      const Point<Dim> aside = std::tan(std::numbers::pi / directions / (1 << halvings)) * normal.cross(nearest);
+      const Point<Dim> left = (nearest + aside).normalized(), right = (nearest - aside).normalized();
+      look(left);
+      look(right);
     }
   return nearest;
 }
