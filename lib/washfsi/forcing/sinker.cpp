@@ -8,7 +8,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "washfsi/grid/index.hpp"
+#include "washfsi/forcing/sheet_normal.hpp"
 
 namespace washfsi {
 
@@ -137,8 +137,8 @@ Point<Dim> Sinker<Dim>::refined(const Point<Dim>& place, const Point<Dim>& way, 
 // from the edge's own face, is moved to the outline that the sheet may fill, or to the middle of a narrower sheet.
 template <int Dim>
 Candidate<Dim> Sinker<Dim>::in_sheet(Point<Dim> place, const Point<Dim>& out) const {
-  place = centred(place, sheet_normal(place));  // beside its middle a sheet's normal is not sure
-  const Point<Dim> normal = sheet_normal(place);
+  place = centred(place, sheet_normal<Dim>(shape_, place, cell_));  // beside its middle a sheet's normal is not sure
+  const Point<Dim> normal = sheet_normal<Dim>(shape_, place, cell_);
   place = centred(place, normal);
   const Point<Dim> along_sheet = out - out.dot(normal) * normal;
   Points<Dim> edges;  // the ways to them
@@ -208,24 +208,6 @@ template <int Dim>
 Point<Dim> Sinker<Dim>::centred(const Point<Dim>& place, const Point<Dim>& normal) const {
   const double along = normal.cwiseProduct(layout_.cell).norm();
   return place + 0.5 * (extent(place, normal, along, along) - extent(place, -normal, along, along)) * normal;
-}
-
-// The direction in which one leaves a sheet soonest on both sides.
-template <int Dim>
-Point<Dim> Sinker<Dim>::sheet_normal(const Point<Dim>& place) const {
-  Eigen::Matrix<double, Dim, Dim> moments = Eigen::Matrix<double, Dim, Dim>::Zero();
-  Box<Dim> around;
-  around.lower.fill(-1);
-  around.upper.fill(2);
-  for_each<Dim>(around, [&](const Index<Dim>& step) {
-    Point<Dim> way;
-    for (int d = 0; d < Dim; ++d) way[d] = static_cast<double>(step[d]);
-    if (way.isZero(0)) return;
-    way.normalize();
-    moments += std::max(0.0, shape_.distance(place + cell_ * way)) * way * way.transpose();
-  });
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, Dim, Dim>> axes(moments);
-  return axes.eigenvectors().col(Dim - 1);
 }
 
 // How far a sheet goes on from a place in it.

@@ -37,7 +37,6 @@ class Sinker {
   static int sharpness(const Points<Dim>& edges);
   bool keep_within(Point<Dim>& place, const Point<Dim>& way, bool to_edge) const;
   Point<Dim> centred(const Point<Dim>& place, const Point<Dim>& normal) const;
-  Point<Dim> sheet_normal(const Point<Dim>& place) const;
   double extent(const Point<Dim>& place, const Point<Dim>& tangent, double most, double along) const;
   static Points<Dim> tangents(const Point<Dim>& normal);
   using Curvatures = Eigen::Matrix<double, Dim, Dim>;

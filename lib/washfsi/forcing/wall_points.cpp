@@ -5,8 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <Eigen/Eigenvalues>
-
+#include "washfsi/forcing/sheet_normal.hpp"
 #include "washfsi/geometry/near_search.hpp"
 
 namespace washfsi {
@@ -29,7 +28,7 @@ class FaceFinder {
       slope[d] = (shape_.distance(place + aside) - shape_.distance(place - aside)) / (2 * step);
     }
     if (slope.norm() > steepest_ridge) return {slope.normalized()};
-    const Point<Dim> across = across_ridge(place);
+    const Point<Dim> across = sheet_normal<Dim>(shape_, place, cell_);
     return {across, -across};
   }
 
@@ -41,22 +40,6 @@ class FaceFinder {
   }
 
  private:
-  // The direction in which one leaves a thin part soonest on both sides.
-  Point<Dim> across_ridge(const Point<Dim>& place) const {
-    Eigen::Matrix<double, Dim, Dim> moments = Eigen::Matrix<double, Dim, Dim>::Zero();
-    Box<Dim> around;
-    around.lower.fill(-1);
-    around.upper.fill(2);
-    for_each<Dim>(around, [&](const Index<Dim>& step) {
-      Point<Dim> way;
-      for (int d = 0; d < Dim; ++d) way[d] = static_cast<double>(step[d]);
-      if (way.isZero(0)) return;
-      way.normalize();
-      moments += std::max(0.0, shape_.distance(place + cell_ * way)) * way * way.transpose();
-    });
-    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, Dim, Dim>>(moments).eigenvectors().col(Dim - 1);
-  }
-
   const Shape<Dim>& shape_;
   double cell_;
 };
