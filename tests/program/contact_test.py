@@ -211,6 +211,10 @@ class Contact(ProgramTest):
             history = self.history(1, *FIBRES, "-contact", "barrier", "-coupling_scheme", coupling, "-time_step", step)
             with self.subTest(coupling=coupling):
                 self.assertEqual(history["intersections"].max(), 0)
+        again = self.history(2, *FIBRES, "-contact", "barrier", "-coupling_scheme", "midpoint", "-time_step", 1e-4)
+        self.assertGreater(history["friction_power"].max(), 0)
+        for name in ("time", "loose_center_x", "loose_center_y", "friction_power"):
+            self.assertLess(relative_difference(again[name], history[name]), 1e-6, name)
         rows = self.history(1, *FIBRES, "-contact", "barrier", "-coupling_mobility", "row_sums", "-time_step", 1e-3)
         self.assertEqual(rows["intersections"].max(), 0)
 
@@ -270,6 +274,29 @@ class Contact(ProgramTest):
         creep = np.diff(stuck["sled_center_x"])[late] / np.diff(stuck["time"])[late]
         print(f"creep {creep.max():.3g} m/s, sliding {speed:.3g} m/s")
         self.assertLess(creep.max(), 0.01 * speed)
+
+    def test_friction_in_explicit_steps_is_that_of_coulomb(self):
+        for case, height, given in (([*BLOCK, "-contact_body_friction", 0.3], 0.007547, 0.3),
+                                    ([*SLED, *RUBS], 0.0038394, 0.4)):
+            options = [*case, "-coupling_scheme", "explicit", "-sled_center", f"-0.1,0.013,{height}"]
+            history = self.history(1, *options, "-time_step", 5e-5, "-sled_load", f"{PULL},0,-{PRESS}")
+            late = history["time"] > 0.05
+            time, place = history["time"][late], history["sled_center_x"][late]
+            friction = (PULL - 2 * np.polyfit(time, place, 2)[0]) / PRESS
+            speed = np.gradient(place, time)
+            driven, work = PULL * AREA * (place[-1] - place[0]), np.sum((history["friction_power"] * history["dt"])[late])
+            left = driven - work - 0.5 * AREA * (speed[-1]**2 - speed[0]**2)
+            print(f"coefficient {friction:.4f}, {left / driven:.2%} of the work open")
+            self.assertLess(abs(friction - given), 0.01 * given)
+            self.assertLess(abs(left), 0.02 * driven)
+            self.assertGreaterEqual(history["friction_power"].min(), 0)
+        creeps = []
+        for step in (1e-4, 5e-5):
+            stuck = self.history(1, *BLOCK, "-contact_body_friction", 0.3, "-coupling_scheme", "explicit", "-time_step", step,
+                                 "-sled_center", "-0.1,0.013,0.007547", "-sled_load", f"27,0,-{PRESS}")
+            creeps.append((np.diff(stuck["sled_center_x"]) / np.diff(stuck["time"]))[-1])
+        self.assertLess(creeps[0], 5e-3)
+        self.assertLess(creeps[1], 0.6 * creeps[0])
 
     def test_friction_on_a_body_is_that_of_coulomb(self):
         late = slice(100, None)

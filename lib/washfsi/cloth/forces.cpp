@@ -9,6 +9,11 @@
 namespace washfsi {
 
 template <int Dim>
+bool Forces<Dim>::rub() const {
+  return std::any_of(forces_.begin(), forces_.end(), [](const auto& force) { return force->rubs(); });
+}
+
+template <int Dim>
 const MarkerForce<Dim>* Forces<Dim>::without_jacobian() const {
   for (const auto& force : forces_)
     if (force->dependence() == Dependence::places) return force.get();

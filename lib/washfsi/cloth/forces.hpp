@@ -49,6 +49,9 @@ class Forces {
   /// Sets a matrix, laid out, to factor times K.
   void set_stiffness(const Points<Dim>& positions, GeometricStiffness geometric, double factor, Mat matrix) const;
 
+  /// Whether any force is of friction.
+  bool rub() const;
+
   /// Whether markers must not go anywhere; the part of a motion from 0 to 1 that all can make at once; and that motion,
   /// shortened for those markers alone that cannot make it.
   bool limit_motion() const;

@@ -25,6 +25,12 @@ struct Acceleration {
   Points<Dim> known;  ///< of this rank's markers [m/s2]
 };
 
+/// A step in which forces are held as they are at its start.
+struct ExplicitStep {
+  double dt = 0;                   ///< [s]; 0: none
+  std::vector<double> mobilities;  ///< the most speed that a force over a time gives each of this rank's markers [1/kg]
+};
+
 /// The markers when a step begins, and the end of that step, at which a force is to act.
 template <int Dim>
 struct StepStart {
@@ -32,6 +38,7 @@ struct StepStart {
   double time;                               ///< at which the forces act [s]
   double dt;                                 ///< for which the markers move until then [s]; 0: not at all
   Acceleration<Dim> acceleration = {};       ///< from the motion to the end; none where they do not move
+  ExplicitStep held = {};                    ///< the step for which the forces at these places are held, if they are
 };
 
 /// What the longest explicit step needs of a marker.
@@ -59,6 +66,9 @@ class MarkerForce {
   virtual std::string origin() const = 0;
   /// Whether its energy is stored in the cloth itself.
   virtual bool is_elastic() const { return false; }
+
+  /// Whether it has friction, and so needs to know an explicit step.
+  virtual bool rubs() const { return false; }
 
   /// Called before a step, by some schemes twice: looks at what is near, and keeps it until the next call. With dt = 0
   /// at the step's start, for the forces as they are there; with dt > 0 for those at the end, which may be solved for.

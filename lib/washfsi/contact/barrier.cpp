@@ -42,10 +42,11 @@ template <int Dim>
 void Barrier<Dim>::begin_step(const StepStart<Dim>& start) {
   const Points<Dim> all = around_.cloths.of_all_ranks(start.positions);
   if (start.dt == 0) {
-    begin_friction(all, 0);
-    if (covers(all) && farthest_from_places(all) <= distance_) return;  // else the nearest images may be others now
-    reaches_.assign(all.size(), least_reach());
-    return look_round(all);
+    if (!covers(all) || farthest_from_places(all) > distance_) {  // then the nearest images may be others now
+      reaches_.assign(all.size(), least_reach());
+      look_round(all);
+    }
+    return begin_explicit_friction(all, start);
   }
   constexpr double to_spare = 1.3;
   const Points<Dim> velocities = around_.cloths.of_all_ranks(start.velocities);
@@ -54,18 +55,31 @@ void Barrier<Dim>::begin_step(const StepStart<Dim>& start) {
     reaches_.push_back(std::max(least_reach(), to_spare * start.dt * velocity.norm()));
   look_round(all);
   lay_out();
-  begin_friction(all, start.dt);
+  friction_.begin(rubbing_pairs(all), all, start.dt);
+  seen_.clear();
 }
 
-// With what touches now; in no time nothing slides.
+// What touches now.
 template <int Dim>
-void Barrier<Dim>::begin_friction(const Points<Dim>& all, double dt) {
+std::vector<typename PairFriction<Dim>::Pair> Barrier<Dim>::rubbing_pairs(const Points<Dim>& all) const {
   std::vector<typename PairFriction<Dim>::Pair> pairs;
-  if (options_.friction > 0 && dt > 0)
+  if (options_.friction > 0)
     for (const Touch& touch : touches_at(all))
       pairs.push_back({*touch.pair, touch.gap, options_.friction * touch.push});
-  friction_.begin(std::move(pairs), all, dt);
+  return pairs;
+}
+
+// In no time nothing slides.
+template <int Dim>
+void Barrier<Dim>::begin_explicit_friction(const Points<Dim>& all, const StepStart<Dim>& start) {
   seen_.clear();
+  if (start.held.dt == 0 || options_.friction == 0) return friction_.begin({}, all, 0);
+  Points<Dim> mobilities(start.held.mobilities.size(), Point<Dim>::Zero());
+  for (std::size_t m = 0; m < mobilities.size(); ++m) mobilities[m][0] = start.held.mobilities[m];
+  std::vector<double> of_all;
+  for (const auto& mobility : around_.cloths.of_all_ranks(mobilities)) of_all.push_back(mobility[0]);
+  friction_.begin_explicit(rubbing_pairs(all), all, around_.cloths.of_all_ranks(start.velocities), of_all,
+                           start.held.dt);
 }
 
 template <int Dim>
@@ -273,13 +287,6 @@ void Barrier<Dim>::add_bound(std::span<StiffnessBound> bounds) const {
   for (std::size_t m = 0; m < bounds.size(); ++m) bounds[m].stiffness += 0.25 * std::max(least, sums[m]);
 }
 
-template <int Dim>
-PairPoints<Dim> Barrier<Dim>::motions_of(const FacetPair<Dim>& pair, const Points<Dim>& all) const {
-  PairPoints<Dim> motions;
-  for (std::size_t i = 0; i < motions.size(); ++i) motions[i] = all[pair.markers[i]];
-  return motions;
-}
-
 // No marker goes farther than some spacings at a time, so that what comes near remains little.
 template <int Dim>
 double Barrier<Dim>::free_part(const Points<Dim>& from, const Points<Dim>& motion) {
@@ -292,7 +299,7 @@ double Barrier<Dim>::free_part(const Points<Dim>& from, const Points<Dim>& motio
   cover(starts, scaled);
   double free = 1;
   for (const auto& pair : pairs_)
-    free = std::min(free, washfsi::free_part<Dim>(pair.kind, pair.at(starts), motions_of(pair, scaled)));
+    free = std::min(free, washfsi::free_part<Dim>(pair.kind, pair.at(starts), pair.motions(scaled)));
   part *= free;
   return -largest(around_.cloths.comm(), -part);
 }
@@ -310,7 +317,7 @@ void Barrier<Dim>::hold_back(const Points<Dim>& from, Points<Dim>& motion) {
   for (int n = 0;; ++n) {
     std::vector<double> parts(motions.size(), 1.0);
     for (const auto& pair : pairs_) {
-      const double free = washfsi::free_part<Dim>(pair.kind, pair.at(starts), motions_of(pair, motions));
+      const double free = washfsi::free_part<Dim>(pair.kind, pair.at(starts), pair.motions(motions));
       if (free == 1) continue;
       for (const std::size_t m : pair.markers) parts[m] = std::min(parts[m], n < most_rounds ? shorter * free : 0);
     }

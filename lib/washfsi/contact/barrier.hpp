@@ -25,6 +25,7 @@ class Barrier : public ContactForce<Dim> {
 
   Dependence dependence() const override { return Dependence::potential; }
   std::string origin() const override { return "-contact barrier"; }
+  bool rubs() const override { return options_.friction > 0; }
   void begin_step(const StepStart<Dim>& start) override;
   void add_force(const Points<Dim>& positions, const Points<Dim>& velocities, Points<Dim>& forces) const override;
   void add_energy(const Points<Dim>& positions, std::span<double> of_groups) const override;
@@ -66,12 +67,12 @@ class Barrier : public ContactForce<Dim> {
   std::vector<Touch> touches_at(const Points<Dim>& all) const;
   Touch touch(const FacetPair<Dim>& pair, const Gap<Dim>& gap, const PairPoints<Dim>& places) const;
   bool owns(std::size_t marker) const { return marker >= begin_ && marker < begin_ + around_.cloths.owned(); }
-  PairPoints<Dim> motions_of(const FacetPair<Dim>& pair, const Points<Dim>& all) const;
   template <class Visit>
   void visit_own(const FacetPair<Dim>& pair, const Visit& visit) const;
   void add_blocks(const FacetPair<Dim>& pair, const Gap<Dim>& gap, const StiffnessBlock<Dim>& block,
                   std::vector<StiffnessBlock<Dim>>& blocks) const;
-  void begin_friction(const Points<Dim>& all, double dt);
+  std::vector<typename PairFriction<Dim>::Pair> rubbing_pairs(const Points<Dim>& all) const;
+  void begin_explicit_friction(const Points<Dim>& all, const StepStart<Dim>& start);
 
   BarrierOptions options_;
   Surroundings<Dim> around_;

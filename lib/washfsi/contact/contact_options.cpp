@@ -25,10 +25,9 @@ ContactOptions ContactOptions::from_options(Options& options) {
     block.real("pressure", contact.pressure, "Pa", non_negative,
                "push of the cushion on cloth at a body's surface; 0: no cushion");
     block.real("stiffness", contact.stiffness, "Pa", positive, "of the barrier");
-    block.real("friction", contact.friction, "-", non_negative,
-               "coefficient between cloths, with the barrier (semi_implicit, implicit)");
+    block.real("friction", contact.friction, "-", non_negative, "coefficient between cloths, with the barrier");
     block.real("body_friction", contact.body_friction, "-", non_negative,
-               "coefficient of cloths on bodies and walls, with the barrier (semi_implicit, implicit)");
+               "coefficient of cloths on bodies and walls, with the barrier");
     block.boolean("drainage", contact.drainage,
                   "water between cloths that are nearer than a cell drains along them, by the law of squeezed films "
                   "(semi_implicit, implicit)");

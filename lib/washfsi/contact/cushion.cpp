@@ -57,31 +57,34 @@ void Cushion<Dim>::begin_step(const StepStart<Dim>& start) {
   begin_friction(start);
 }
 
-// With the normal forces of the step's start; in no time nothing slides.
+// With the normal forces of the step's start; in no time nothing slides. In an explicit step markers and surfaces slide
+// as they do at its start.
 template <int Dim>
 void Cushion<Dim>::begin_friction(const StepStart<Dim>& start) {
   rubbing_.clear();
+  const bool held = start.held.dt > 0;
+  const double dt = held ? start.held.dt : start.dt;
   std::vector<Rub<Dim>> rubs;
-  if (options_.friction > 0 && start.dt > 0) {
+  if (options_.friction > 0 && dt > 0) {
     const PosedBodies<Dim> posed(around_.bodies, time_ - start.dt);
     for (Plane plane : planes_) {
       if (plane.body < posed.size()) plane.distance = posed.distance(plane.body, around_.grid.folded(plane.start));
-      const double pressed = push(plane, start.positions).pressure;
-      if (pressed == 0) continue;
-      rubbing_.push_back({plane, way_of_surface(plane, start.dt)});
-      rubs.push_back({plane.normal, options_.friction * pressed});
+      const double limit = options_.friction * push(plane, start.positions).pressure;
+      if (limit == 0) continue;
+      const Point<Dim> way = dt * velocity_of_surface(plane, time_ - 0.5 * start.dt);
+      rubbing_.push_back({plane, held ? Point<Dim>(way - dt * start.velocities[plane.marker]) : way});
+      rubs.push_back({plane.normal, limit, held ? 2 * dt * dt * limit * start.held.mobilities[plane.marker] : 0});
     }
   }
-  friction_.begin(std::move(rubs), start.dt);
+  friction_.begin(std::move(rubs), dt);
 }
 
 template <int Dim>
-Point<Dim> Cushion<Dim>::way_of_surface(const Plane& plane, double dt) const {
+Point<Dim> Cushion<Dim>::velocity_of_surface(const Plane& plane, double time) const {
   const Point<Dim> place = around_.grid.folded(plane.start);
-  if (plane.body < around_.bodies.size())
-    return dt * around_.bodies[plane.body].motion.velocity(place, time_ - 0.5 * dt);
+  if (plane.body < around_.bodies.size()) return around_.bodies[plane.body].motion.velocity(place, time);
   const Side<Dim>& side = around_.boundary.side(plane.axis, plane.end);
-  return dt * (side.motion ? side.motion(place, time_ - 0.5 * dt) : side.velocity);
+  return side.motion ? side.motion(place, time) : side.velocity;
 }
 
 template <int Dim>

@@ -42,6 +42,7 @@ class Cushion : public ContactForce<Dim> {
 
   Dependence dependence() const override { return Dependence::potential; }
   std::string origin() const override { return "-contact_pressure"; }
+  bool rubs() const override { return options_.friction > 0; }
   void begin_step(const StepStart<Dim>& start) override;
   void add_force(const Points<Dim>& positions, const Points<Dim>& velocities, Points<Dim>& forces) const override;
   void add_energy(const Points<Dim>& positions, std::span<double> of_groups) const override;
@@ -67,7 +68,7 @@ class Cushion : public ContactForce<Dim> {
   void find_bodies(const PosedBodies<Dim>& posed, std::size_t marker, const Point<Dim>& start, double reach);
   void find_sides(std::size_t marker, const Point<Dim>& start, double reach);
   void begin_friction(const StepStart<Dim>& start);
-  Point<Dim> way_of_surface(const Plane& plane, double dt) const;
+  Point<Dim> velocity_of_surface(const Plane& plane, double time) const;
   Points<Dim> ways(const Points<Dim>& positions) const;
   template <class Visit>
   void visit_rubs(const Points<Dim>& positions, const Visit& visit) const;
@@ -84,7 +85,7 @@ class Cushion : public ContactForce<Dim> {
   /// A marker that rubs on a plane in this step.
   struct Rubbing {
     Plane plane;
-    Point<Dim> way;  ///< of the surface in the step [m]
+    Point<Dim> way;  ///< of the surface in the step, of an explicit one over its marker [m]
   };
   std::vector<Rubbing> rubbing_;
   Friction<Dim> friction_;

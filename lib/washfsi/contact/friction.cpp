@@ -12,8 +12,9 @@ struct Creep {
   double g, rate, energy;  // g, dg/dy, F
 };
 
-Creep creep(double y, double e) {
-  const double part = y / e;
+template <int Dim>
+Creep creep(double y, const Rub<Dim>& rub, double dt) {
+  const double e = std::max(Friction<Dim>::creep_speed * dt, rub.stops), part = y / e;
   if (part >= 1) return {y, 1, y - e / 3};
   return {e / (2 - part), 1 / ((2 - part) * (2 - part)), y * part * (1 - part / 3)};
 }
@@ -40,7 +41,7 @@ void Friction<Dim>::linearise(const Points<Dim>& ways) {
     const Point<Dim> now = slide(rubs_[r], ways[r]), &before = slides_[r];
     if (now == before) continue;
     const double y = before.norm();
-    const Creep law = creep(y, creep_speed * dt_);
+    const Creep law = creep(y, rubs_[r], dt_);
     Point<Dim> direction = now / law.g;
     if (y > 0) direction -= law.rate / (law.g * y) * before.dot(now - before) * directions_[r];
     directions_[r] = direction / std::max(1.0, direction.norm());
@@ -60,7 +61,7 @@ std::vector<RubForce<Dim>> Friction<Dim>::forces(const Points<Dim>& ways) const 
 template <int Dim>
 RubForce<Dim> Friction<Dim>::force(const Rub<Dim>& rub, const Point<Dim>& direction, const Point<Dim>& slide) const {
   const double y = slide.norm();
-  const Creep law = creep(y, creep_speed * dt_);
+  const Creep law = creep(y, rub, dt_);
   StiffnessBlock<Dim> stiffness = StiffnessBlock<Dim>::Identity() - rub.normal * rub.normal.transpose();
   if (y > 0) stiffness -= 0.5 * law.rate / y * (direction * slide.transpose() + slide * direction.transpose());
   const double strength = rub.limit / law.g;

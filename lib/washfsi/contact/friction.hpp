@@ -12,6 +12,7 @@ template <int Dim>
 struct Rub {
   Point<Dim> normal;  ///< from the second to the first
   double limit;       ///< friction coefficient times normal force [N; per unit depth in the plane]
+  double stops = 0;   ///< slide below which the whole of it, in an explicit step, would more than stop them [m]
 };
 
 /// What a rub does when the first surface has slid over the second by some way.
@@ -32,6 +33,8 @@ struct RubForce {
 /// g q = u, g = |u|/f(|u|)  (Chan, Golub and Mulet, SIAM J. Sci. Comput. 20 (1999) 1964): with u eliminated for it
 ///   limit/g (1 - n n^T - g'/2 (q u^T + u q^T)/|u|),      |q| <= 1
 /// is positive, pull over slide at first, when q = 0, and the Hessian in the end.
+/// In an explicit step of length dt the way is that of the velocities at its start, and e at least so long that the
+/// pull does not turn the slide round: 2 limit dt^2 mobility.
 template <int Dim>
 class Friction {
  public:

@@ -18,6 +18,9 @@ class PairFriction {
 
   /// A step of length dt from these places begins; dt = 0: nothing slides.
   void begin(std::vector<Pair> pairs, const Points<Dim>& all, double dt);
+  /// An explicit step, in which what is at these places slides as it does now; mobilities as in `ExplicitStep`.
+  void begin_explicit(std::vector<Pair> pairs, const Points<Dim>& all, const Points<Dim>& velocities,
+                      const std::vector<double>& mobilities, double dt);
   /// Newton's method goes on from these places.
   void linearise(const Points<Dim>& all);
   /// What `visit` gives is of these places.
@@ -32,9 +35,10 @@ class PairFriction {
 
  private:
   Points<Dim> ways(const Points<Dim>& all) const;
+  std::vector<double> stops(const std::vector<double>& mobilities, double dt) const;
 
   std::vector<Pair> pairs_;
-  Points<Dim> starts_;  ///< of all markers [m]
+  Points<Dim> starts_;  ///< of all markers; of an explicit step where they would have come from [m]
   Friction<Dim> friction_;
   std::vector<RubForce<Dim>> forces_;
 };

@@ -24,6 +24,13 @@ struct FacetPair {
       places[i] = i < markers_of_first(kind) ? all[markers[i]] : Point<Dim>(all[markers[i]] + shift);
     return places;
   }
+
+  /// Its markers' part of the motions of all.
+  PairPoints<Dim> motions(const Points<Dim>& all) const {
+    PairPoints<Dim> motions;
+    for (std::size_t i = 0; i < motions.size(); ++i) motions[i] = all[markers[i]];
+    return motions;
+  }
 };
 
 /// Finds the pairs of facets that may come near to each other, of one cloth with itself too. Each rank finds those that

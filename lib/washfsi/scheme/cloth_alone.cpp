@@ -10,7 +10,7 @@ namespace {
 template <int Dim>
 void half_step(System<Dim>& system, double dt, double time) {
   auto& [model, state, step] = system;
-  begin_step(system, state.positions, time, 0);
+  begin_explicit_step(system, state.positions, time, dt);
   const Points<Dim> forces = all_forces(system, state.positions);
   for (std::size_t m = 0; m < forces.size(); ++m) {
     const double mass = model.cloths.marker_masses()[m], drag = model.cloth_drag * model.cloths.marker_areas()[m];

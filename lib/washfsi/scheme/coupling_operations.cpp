@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "washfsi/scheme/step_bound.hpp"
 #include "washfsi/support/collective.hpp"
 
 namespace washfsi {
@@ -23,6 +24,18 @@ template <int Dim>
 void begin_step(System<Dim>& system, const Points<Dim>& positions, double time, double dt,
                 const Acceleration<Dim>& acceleration) {
   system.model.forces.begin_step({positions, system.state.velocities, time, dt, acceleration});
+}
+
+template <int Dim>
+void begin_explicit_step(System<Dim>& system, const Points<Dim>& positions, double time, double dt) {
+  Model<Dim>& model = system.model;
+  ExplicitStep held{dt, {}};
+  if (model.forces.rub()) {
+    if (model.has_fluid) model.locate_cloth(positions);
+    held.mobilities = mobility_per_area<Dim>(model);
+    for (std::size_t m = 0; m < held.mobilities.size(); ++m) held.mobilities[m] /= model.cloths.marker_areas()[m];
+  }
+  model.forces.begin_step({positions, system.state.velocities, time, 0, {}, std::move(held)});
 }
 
 template <int Dim>
@@ -99,6 +112,8 @@ template double norm<2>(MPI_Comm, const Points<2>&);
 template double norm<3>(MPI_Comm, const Points<3>&);
 template void begin_step<2>(System<2>&, const Points<2>&, double, double, const Acceleration<2>&);
 template void begin_step<3>(System<3>&, const Points<3>&, double, double, const Acceleration<3>&);
+template void begin_explicit_step<2>(System<2>&, const Points<2>&, double, double);
+template void begin_explicit_step<3>(System<3>&, const Points<3>&, double, double);
 template Points<2> all_forces<2>(System<2>&, const Points<2>&);
 template Points<3> all_forces<3>(System<3>&, const Points<3>&);
 template void spread_cloth<2>(System<2>&, const Points<2>&, const Points<2>&);

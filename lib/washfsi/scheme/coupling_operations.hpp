@@ -13,6 +13,10 @@ template <int Dim>
 void begin_step(System<Dim>& system, const Points<Dim>& positions, double time, double dt,
                 const Acceleration<Dim>& acceleration = {});
 
+/// The same for forces at these places and this time, which are then held for dt.
+template <int Dim>
+void begin_explicit_step(System<Dim>& system, const Points<Dim>& positions, double time, double dt);
+
 /// All forces at these places; keeps the places.
 template <int Dim>
 Points<Dim> all_forces(System<Dim>& system, const Points<Dim>& positions);

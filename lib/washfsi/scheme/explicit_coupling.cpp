@@ -9,7 +9,7 @@ template <int Dim>
 void ExplicitCoupling<Dim>::take(System<Dim>& system, double dt) {
   auto& [model, state, step] = system;
   const double time = state.clock.time;
-  begin_step(system, state.positions, time, 0);
+  begin_explicit_step(system, state.positions, time, dt);
   spread_cloth(system, state.positions, all_forces(system, state.positions));
 
   hold_bodies(system, time + dt);

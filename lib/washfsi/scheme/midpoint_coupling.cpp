@@ -10,7 +10,7 @@ void MidpointCoupling<Dim>::take(System<Dim>& system, double dt) {
   auto& [model, state, step] = system;
   const double time = state.clock.time;
   const Points<Dim> middle = moved(system, 0.5 * dt * state.velocities);
-  begin_step(system, middle, time + 0.5 * dt, 0);
+  begin_explicit_step(system, middle, time + 0.5 * dt, dt);
   spread_cloth(system, middle, all_forces(system, middle));
   const Points<Dim> before = marker_velocities(model, model.fluid.velocity(), time);
 

@@ -9,9 +9,6 @@
 
 namespace washfsi {
 
-namespace {
-
-// Velocity of each marker per force on unit areas of all cloths and time [m2/kg].
 template <int Dim>
 std::vector<double> mobility_per_area(const Model<Dim>& model) {
   const std::vector<double>&areas = model.cloths.marker_areas(), &masses = model.cloths.marker_masses();
@@ -21,8 +18,6 @@ std::vector<double> mobility_per_area(const Model<Dim>& model) {
   for (std::size_t m = 0; m < masses.size(); ++m) mobility.push_back(areas[m] / masses[m]);
   return mobility;
 }
-
-}  // namespace
 
 template <int Dim>
 double cloth_step_bound(const Model<Dim>& model) {
@@ -80,6 +75,8 @@ double BodySpeeds<Dim>::at(double time) const {
 
 template class BodySpeeds<2>;
 template class BodySpeeds<3>;
+template std::vector<double> mobility_per_area<2>(const Model<2>&);
+template std::vector<double> mobility_per_area<3>(const Model<3>&);
 template double cloth_step_bound<2>(const Model<2>&);
 template double cloth_step_bound<3>(const Model<3>&);
 template double flow_time<2>(const Model<2>&, const BodySpeeds<2>&);

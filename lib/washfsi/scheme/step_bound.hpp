@@ -12,6 +12,10 @@ namespace washfsi {
 template <int Dim>
 double cloth_step_bound(const Model<Dim>& model);
 
+/// Velocity of each marker per force on unit areas of all cloths and time [m2/kg]. Needs `transfer.locate`. Collective.
+template <int Dim>
+std::vector<double> mobility_per_area(const Model<Dim>& model);
+
 /// How fast bodies will move, for steps that must not be surprised by one that starts off.
 template <int Dim>
 class BodySpeeds {
