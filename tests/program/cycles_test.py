@@ -14,7 +14,8 @@ WASH = ["-options_file", SOURCE / "inputs" / "wash.opts", "-grid_cells", "12,12,
         "-time_step", 4e-3, "-cycle_time", 0.02]
 CYCLE, END, PAUSE = 0.02, 0.084, 0.048  # [s]
 PLATE = ["-options_file", SOURCE / "inputs" / "falling_plate.opts", "-cycle_time", 0.1, "-max_steps", 1]
-KEPT_OR_LOST = ("kinetic_energy_change", "towel_elastic_energy_change", "dissipated", "mask_dissipated", "cloth_dissipated")
+KEPT_OR_LOST = ("kinetic_energy_change", "towel_elastic_energy_change", "dissipated", "mask_dissipated", "advection_dissipated",
+                "cloth_dissipated")
 
 
 class Cycles(ProgramTest):

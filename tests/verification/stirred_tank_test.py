@@ -40,7 +40,8 @@ def power_number(cells, options):
     torque = -history["impeller_torque_z"][history["time"] > START]
     dt = history["dt"]
     work, lost = (history["impeller_power"] * dt).sum(), (history["mask_dissipation"] * dt).sum()
-    left = work - history["kinetic_energy"][-1] - (history["dissipation"] * dt).sum() - lost
+    scheme = (history["numerical_dissipation"] * dt).sum() if "numerical_dissipation" in history else 0
+    left = work - history["kinetic_energy"][-1] - (history["dissipation"] * dt).sum() - lost - scheme
     scale = SPEED / (DENSITY * TURNS_A_SECOND ** 3 * DIAMETER ** 5)
     return torque.mean() * scale, torque.std() / torque.mean(), left / work, lost / work
 

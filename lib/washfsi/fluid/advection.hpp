@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+
 #include "washfsi/grid/stencils.hpp"
 
 namespace washfsi {
@@ -32,6 +34,8 @@ struct WideMean {
 /// its difference alone, a third of the other or less.
 template <int Dim, template <int> class MeanOf = Mean>
 struct CentralFlux {
+  /// Whether it has a say on a c-face.
+  [[gnu::always_inline]] inline bool departs(const Index<Dim>&, int) const { return true; }
   template <class Velocity>
   [[gnu::always_inline]] inline double carrier(const Velocity& u, const Index<Dim>& face, int c, int d) const {
     return MeanOf<Dim>::before(u, face, d, c);
@@ -57,6 +61,28 @@ struct UpwindFlux : CentralFlux<Dim> {
     // van Leer: half the harmonic mean of the slopes, 0 at an extremum
     const double step = (product > 0 ? product : 0) / (product > 0 ? side + jump : 1);
     return carrier >= 0 ? here + step : there - step;
+  }
+};
+
+/// The mean beside walls that are not on the grid gives way to the value from upwind, face by face: what a wall does
+/// within a cell is short waves to the mean, and how they fall depends on where the wall lies in its cell.
+template <int Dim, class Nearness>
+struct WallsideFlux : CentralFlux<Dim> {
+  const Nearness& near;  ///< from 0 to 1, on faces
+
+  explicit WallsideFlux(const Nearness& of_faces) : near(of_faces) {}
+
+  [[gnu::always_inline]] inline bool departs(const Index<Dim>& face, int c) const {
+    double sum = near(face, c);
+    for (int d = 0; d < Dim; ++d) sum += near(shifted<Dim>(face, d, 1), c) + near(shifted<Dim>(face, d, -1), c);
+    return sum > 0;
+  }
+  template <class Velocity>
+  [[gnu::always_inline]] inline double carried(const Velocity& u, const Index<Dim>& face, int c, int d,
+                                               double carrier) const {
+    const double mean = CentralFlux<Dim>::carried(u, face, c, d, carrier);
+    const double part = std::max(near(face, c), near(shifted<Dim>(face, d, 1), c));
+    return mean + part * (UpwindFlux<Dim>{}.carried(u, face, c, d, carrier) - mean);
   }
 };
 

@@ -23,6 +23,7 @@ FractionalStep<Dim>::FractionalStep(const Grid<Dim>& grid, Boundary<Dim>& bounda
       density_(options.density),
       pressure_tolerance_(options.pressure_tolerance),
       projects_(options.projection),
+      limits_at_walls_(options.limits_at_walls && options.advection == Advection::central),
       advection_scheme_(options.advection),
       advection_bend_(options.advection_steps > 2 ? parabolas_part : 0),
       flow_dm_(departs_from_central() || boundary.has_outflow() ? grid.wide_face_dm() : grid.face_dm()),
@@ -126,21 +127,37 @@ void FractionalStep<Dim>::sum_explicit_terms(const Form& viscosity, Vec local_u,
 template <int Dim>
 void FractionalStep<Dim>::advect(Vec local_velocity, Vec density) {
   const ConstFaceView<Dim> u(flow_dm_, local_velocity), rho(grid_.face_dm(), density);
+  const Spacing<Dim> h(grid_.spacing());
+  {
+    const FaceView<Dim> result(grid_.face_dm(), advection_);
+    grid_.for_each_inner_face(
+        [&](const Index<Dim>& face, auto c) { result(face, c) = advection<Dim>(u, face, c, h, CentralFlux<Dim>{}); });
+  }
+  if (limits_at_walls_ && fields_.walls && fields_.walls->nearness()) {
+    const petsc::LocalVector local(grid_.face_dm());
+    WASH_PETSC(VecZeroEntries(local));  // beyond the box too
+    WASH_PETSC(DMGlobalToLocal(grid_.face_dm(), fields_.walls->nearness(), INSERT_VALUES, local));
+    const ConstFaceView<Dim> near(grid_.face_dm(), local);
+    replace_advection(u, rho, WallsideFlux<Dim, ConstFaceView<Dim>>(near));
+  }
+  if (advection_scheme_ == Advection::upwind) replace_advection(u, rho, UpwindFlux<Dim>{});
+  if (advection_scheme_ == Advection::wide_central) replace_advection(u, rho, CentralFlux<Dim, WideMean>{});
+}
+
+template <int Dim>
+template <class Flux>
+void FractionalStep<Dim>::replace_advection(const ConstFaceView<Dim>& u, const ConstFaceView<Dim>& rho,
+                                            const Flux& flux) {
   const FaceView<Dim> result(grid_.face_dm(), advection_);
   const Spacing<Dim> h(grid_.spacing());
-  grid_.for_each_inner_face(
-      [&](const Index<Dim>& face, auto c) { result(face, c) = advection<Dim>(u, face, c, h, CentralFlux<Dim>{}); });
-  const auto replace_by = [&](const auto& flux) {
-    double dissipated = 0;
-    grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
-      const double advected = advection<Dim>(u, face, c, h, flux);
-      dissipated += rho(face, c) * u(face, c) * (advected - result(face, c));
-      result(face, c) = advected;
-    });
-    numerical_dissipation_ = ordered_sum(grid_.comm(), dissipated * grid_.cell_volume());
-  };
-  if (advection_scheme_ == Advection::upwind) replace_by(UpwindFlux<Dim>{});
-  if (advection_scheme_ == Advection::wide_central) replace_by(CentralFlux<Dim, WideMean>{});
+  double dissipated = 0;
+  grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
+    if (!flux.departs(face, c)) return;
+    const double advected = advection<Dim>(u, face, c, h, flux);
+    dissipated += rho(face, c) * u(face, c) * (advected - result(face, c));
+    result(face, c) = advected;
+  });
+  numerical_dissipation_ = ordered_sum(grid_.comm(), dissipated * grid_.cell_volume());
 }
 
 template <int Dim>

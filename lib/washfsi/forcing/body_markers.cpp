@@ -22,6 +22,18 @@ std::vector<double> sample_times(const RigidMotion<Dim>& motion, double size) {
   return times;
 }
 
+// Whether no ball of a radius of two cells fits into the shape where a marker is: at edges, and in thin parts.
+template <int Dim>
+bool fits_no_ball(const Shape<Dim>& shape, const Point<Dim>& marker, double cell) {
+  const double radius = 2 * cell, half = 0.5 * cell;
+  Point<Dim> out;
+  for (int d = 0; d < Dim; ++d)
+    out[d] = shape.distance(marker + half * Point<Dim>::Unit(d)) - shape.distance(marker - half * Point<Dim>::Unit(d));
+  const double depth = -shape.distance(marker);
+  const Point<Dim> middle = marker - (radius - depth) * out.normalized();
+  return out.norm() < half || shape.distance(middle) > -0.9 * radius;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -36,6 +48,8 @@ BodyMarkers<Dim>::BodyMarkers(const Grid<Dim>& grid, const std::vector<Body<Dim>
     for (std::size_t p = 0; p < patches.size(); ++p) starts_.push_back(arms_.size() + patches.starts[p]);
     arms_.insert(arms_.end(), patches.markers.begin(), patches.markers.end());
     body_of_.insert(body_of_.end(), patches.size(), b);
+    for (const auto& marker : patches.markers)
+      sharp_.push_back(fits_no_ball<Dim>(*bodies[b].shape, marker, layout.cell.maxCoeff()));
   }
   starts_.push_back(arms_.size());
   seen_.assign(arms_.size() * bodies.size(), {Point<Dim>::Zero(), -depth_});

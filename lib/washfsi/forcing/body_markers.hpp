@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+
 #include "washfsi/body/body.hpp"
 #include "washfsi/forcing/surface_markers.hpp"
 #include "washfsi/grid/grid.hpp"
@@ -18,6 +20,9 @@ class BodyMarkers {
   std::size_t body_of(std::size_t patch) const { return body_of_[patch]; }
   std::size_t start(std::size_t patch) const { return starts_[patch]; }
   const Point<Dim>& arm(std::size_t marker) const { return arms_[marker]; }  ///< in its body's frame [m]
+  /// Whether a marker lies at an edge or in a thin part, where layers part from the body; whether any does.
+  bool is_sharp(std::size_t marker) const { return sharp_[marker]; }
+  bool any_is_sharp() const { return std::find(sharp_.begin(), sharp_.end(), true) != sharp_.end(); }
   /// The markers of one body in its frame.
   const MarkerPatches<Dim>& of_body(std::size_t body) const { return by_body_[body]; }
 
@@ -38,6 +43,7 @@ class BodyMarkers {
   double depth_;  ///< of markers behind a flat surface [m]
   std::vector<MarkerPatches<Dim>> by_body_;
   Points<Dim> arms_;                  ///< of all markers, in their bodies' frames
+  std::vector<bool> sharp_;           ///< of all markers
   std::vector<std::size_t> body_of_;  ///< of each patch
   std::vector<std::size_t> starts_;   ///< of each patch among the markers, and the end
 

@@ -6,6 +6,7 @@
 
 #include "washfsi/coupling/marker_vectors.hpp"
 #include "washfsi/fluid/krylov.hpp"
+#include "washfsi/forcing/edge_nearness.hpp"
 #include "washfsi/support/collective.hpp"
 
 namespace washfsi {
@@ -45,6 +46,7 @@ SurfaceForcing<Dim>::SurfaceForcing(const Grid<Dim>& grid, const Boundary<Dim>& 
   forces_.assign(owned(), Point<Dim>::Zero());
   kept_ = forces_;
   create_solver();
+  if (treatment.limits_advection && markers_.any_is_sharp()) nearness_ = grid.face_vector();
   update(0);
 }
 
@@ -104,6 +106,10 @@ void SurfaceForcing<Dim>::update(double time) {
     if (acts) shares_[p - begin_] = 1.0 / static_cast<double>(markers_.start(p + 1) - markers_.start(p));
   }
   transfer_.locate(places);
+  if (!nearness_) return;
+  std::vector<bool> at_edges(states_.size(), false);
+  for_each_acting([&](std::size_t, std::size_t m) { at_edges[m] = markers_.is_sharp(markers_.start(begin_) + m); });
+  find_edge_nearness<Dim>(grid_, transfer_, at_edges, nearness_);
 }
 
 // Calls visit(patch, marker) for all markers that act, both counted from this rank's first.

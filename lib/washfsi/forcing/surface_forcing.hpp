@@ -31,6 +31,7 @@ class SurfaceForcing : public WallForces {
   /// their bodies' frames, from the next trial on; zeros hold all.
   void let_slide(const Points<Dim>& normals, double part);
 
+  Vec nearness() const override { return nearness_; }
   void begin_trial(const TimeStep& step, Vec density) override;
   void add_held(Vec force) override;
   void push(Vec velocity) override;
@@ -92,6 +93,7 @@ class SurfaceForcing : public WallForces {
   Points<Dim> slide_normals_, normals_;                   ///< of this rank's patches: in their bodies' frames; in space
   double slides_ = 0;                                     ///< by what part
   double time_ = 0;                                       ///< of `update`
+  petsc::Vector nearness_;                                ///< of faces; null unless asked for
   petsc::Matrix matrix_;
   petsc::Solver solver_;
   petsc::Vector right_, solution_;

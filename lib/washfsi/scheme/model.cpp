@@ -44,6 +44,13 @@ std::unique_ptr<SurfaceForcing<Dim>> make_walls(const Grid<Dim>& grid, const Bou
   return std::make_unique<SurfaceForcing<Dim>>(grid, boundary, bodies, options.treatment, options.fluid.density);
 }
 
+template <int Dim>
+FluidOptions<Dim> fluid_options(const ModelOptions<Dim>& options, bool held_by_markers) {
+  FluidOptions<Dim> fluid = options.fluid;
+  fluid.limits_at_walls = held_by_markers && options.treatment.limits_advection;
+  return fluid;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -82,7 +89,7 @@ Model<Dim>::Model(MPI_Comm comm, const ModelOptions<Dim>& options, std::vector<B
                    : nullptr),
       liquid(grid, boundary, options.fluid.density, options.fluid.viscosity, options.fluid.viscosity_models,
              options.fluid.wall_model),
-      fluid(grid, boundary, options.fluid),
+      fluid(grid, boundary, fluid_options(options, walls != nullptr)),
       cloths(comm, options.cloths),
       forces(cloths),
       transfer(grid, boundary, options.delta),
