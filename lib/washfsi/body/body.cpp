@@ -49,7 +49,7 @@ BodyTreatment BodyTreatment::from_options(Options& options) {
     block.real("body_slip_tolerance", treatment.slip_tolerance, "-", tight,
                "rms slip that is left at the walls' markers, over the largest speed (direct_forcing)");
     block.boolean("body_limits_advection", treatment.limits_advection,
-                  "beside the walls' markers -advection central gives way to upwind (direct_forcing)");
+                  "beside edges and thin parts -advection central gives way to upwind (direct_forcing)");
   });
   const bool puts_wall = treatment.method != BodyMethod::mapping && treatment.method != BodyMethod::mapping_variable;
   if (treatment.edge == MaskEdge::smooth && puts_wall)

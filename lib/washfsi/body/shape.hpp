@@ -28,6 +28,17 @@ class Shape {
   virtual void add_parts(const Pose<Dim>& pose, std::vector<Part>& parts) const { parts.push_back({this, pose}); }
 };
 
+/// Gradient of a shape's distance, over differences of `step` [m] to either side.
+template <int Dim>
+Point<Dim> distance_gradient(const Shape<Dim>& shape, const Point<Dim>& place, double step) {
+  Point<Dim> gradient;
+  for (int d = 0; d < Dim; ++d) {
+    const Point<Dim> aside = step * Point<Dim>::Unit(d);
+    gradient[d] = (shape.distance(place + aside) - shape.distance(place - aside)) / (2 * step);
+  }
+  return gradient;
+}
+
 template <int Dim>
 using ShapePtr = std::unique_ptr<Shape<Dim>>;
 

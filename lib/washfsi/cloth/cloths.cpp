@@ -92,14 +92,15 @@ std::vector<std::array<PetscInt, 4>> Cloths<Dim>::quads(const Piece& piece) cons
 }
 
 template <int Dim>
-Points<Dim> Cloths<Dim>::of_all_ranks(const Points<Dim>& values) const {
+template <class Values>
+Values Cloths<Dim>::gathered(const Values& values, MPI_Datatype type) const {
   const auto ranks = static_cast<std::size_t>(ranks_of(comm_));
   std::vector<int> counts(ranks), starts(ranks, 0);
   const int mine = static_cast<int>(values.size());
   MPI_Allgather(&mine, 1, MPI_INT, counts.data(), 1, MPI_INT, comm_);
   std::exclusive_scan(counts.begin(), counts.end(), starts.begin(), 0);
-  Points<Dim> all(static_cast<std::size_t>(total_));
-  MPI_Allgatherv(values.data(), mine, point_type_, all.data(), counts.data(), starts.data(), point_type_, comm_);
+  Values all(static_cast<std::size_t>(total_));
+  MPI_Allgatherv(values.data(), mine, type, all.data(), counts.data(), starts.data(), type, comm_);
   return all;
 }
 
@@ -170,6 +171,10 @@ std::vector<double> Cloths<Dim>::largest_stretches(const Points<Dim>& positions)
 
 template class PointType<2>;
 template class PointType<3>;
+template Points<2> Cloths<2>::gathered(const Points<2>&, MPI_Datatype) const;
+template Points<3> Cloths<3>::gathered(const Points<3>&, MPI_Datatype) const;
+template std::vector<double> Cloths<2>::gathered(const std::vector<double>&, MPI_Datatype) const;
+template std::vector<double> Cloths<3>::gathered(const std::vector<double>&, MPI_Datatype) const;
 template class Cloths<2>;
 template class Cloths<3>;
 

@@ -58,7 +58,8 @@ class Cloths {
   /// The quads of a piece, each as its four markers in the order round it; a fibre has none.
   std::vector<std::array<PetscInt, 4>> quads(const Piece& piece) const;
   /// Values of all markers of all ranks, in marker order. Collective.
-  Points<Dim> of_all_ranks(const Points<Dim>& values) const;
+  Points<Dim> of_all_ranks(const Points<Dim>& values) const { return gathered(values, point_type_); }
+  std::vector<double> of_all_ranks(const std::vector<double>& values) const { return gathered(values, MPI_DOUBLE); }
   /// Undeformed area that each of this rank's markers stands for [m2; m in the plane].
   const std::vector<double>& marker_areas() const { return marker_areas_; }
   /// That area over the one of a marker inside its cloth: below 1 on the edges of a nodal lattice.
@@ -96,6 +97,8 @@ class Cloths {
   void find_markers();
   Patch patch_of(std::size_t number, PetscInt own_first, PetscInt own_end) const;
   void build_halo(const petsc::Layout& layout);
+  template <class Values>
+  Values gathered(const Values& values, MPI_Datatype type) const;
   template <class Find>
   auto values_by_patch(const Find& find) const;
 

@@ -74,12 +74,8 @@ template <int Dim>
 void Barrier<Dim>::begin_explicit_friction(const Points<Dim>& all, const StepStart<Dim>& start) {
   seen_.clear();
   if (start.held.dt == 0 || options_.friction == 0) return friction_.begin({}, all, 0);
-  Points<Dim> mobilities(start.held.mobilities.size(), Point<Dim>::Zero());
-  for (std::size_t m = 0; m < mobilities.size(); ++m) mobilities[m][0] = start.held.mobilities[m];
-  std::vector<double> of_all;
-  for (const auto& mobility : around_.cloths.of_all_ranks(mobilities)) of_all.push_back(mobility[0]);
-  friction_.begin_explicit(rubbing_pairs(all), all, around_.cloths.of_all_ranks(start.velocities), of_all,
-                           start.held.dt);
+  friction_.begin_explicit(rubbing_pairs(all), all, around_.cloths.of_all_ranks(start.velocities),
+                           around_.cloths.of_all_ranks(start.held.mobilities), start.held.dt);
 }
 
 template <int Dim>

@@ -6,11 +6,11 @@
 namespace washfsi {
 
 template <int Dim>
-void PairFriction<Dim>::begin(std::vector<Pair> pairs, const Points<Dim>& all, double dt) {
+void PairFriction<Dim>::begin(std::vector<Pair> pairs, Points<Dim> starts, double dt) {
   pairs_ = std::move(pairs);
-  starts_ = all;
+  starts_ = std::move(starts);
   std::vector<Rub<Dim>> rubs;
-  for (const Pair& pair : pairs_) rubs.push_back({pair.gap.normal, pair.limit});
+  for (const Pair& pair : pairs_) rubs.push_back({pair.gap.normal, pair.limit, pair.stops});
   friction_.begin(std::move(rubs), dt);
   forces_.clear();
 }
@@ -18,30 +18,24 @@ void PairFriction<Dim>::begin(std::vector<Pair> pairs, const Points<Dim>& all, d
 template <int Dim>
 void PairFriction<Dim>::begin_explicit(std::vector<Pair> pairs, const Points<Dim>& all, const Points<Dim>& velocities,
                                        const std::vector<double>& mobilities, double dt) {
-  pairs_ = std::move(pairs);
-  starts_ = all + -dt * velocities;
-  const std::vector<double> stop = stops(mobilities, dt);
-  std::vector<Rub<Dim>> rubs;
-  for (std::size_t r = 0; r < pairs_.size(); ++r) rubs.push_back({pairs_[r].gap.normal, pairs_[r].limit, stop[r]});
-  friction_.begin(std::move(rubs), dt);
-  look_at(all);
+  set_stops(pairs, mobilities, dt);
+  begin(std::move(pairs), all + -dt * velocities, dt);
 }
 
 // By all that rubs on each marker of a pair, in the direction that all of it may have.
 template <int Dim>
-std::vector<double> PairFriction<Dim>::stops(const std::vector<double>& mobilities, double dt) const {
-  std::vector<double> limits(mobilities.size(), 0.0), stops;
+void PairFriction<Dim>::set_stops(std::vector<Pair>& pairs, const std::vector<double>& mobilities, double dt) {
+  std::vector<double> limits(mobilities.size(), 0.0);
   const auto over_markers = [](const Pair& pair, const auto& visit) {
     for (std::size_t i = 0; i < pair_markers<Dim>; ++i) visit(pair.facets.markers[i], std::abs(pair.gap.shares[i]));
   };
-  for (const Pair& pair : pairs_)
+  for (const Pair& pair : pairs)
     over_markers(pair, [&](std::size_t marker, double share) { limits[marker] += share * pair.limit; });
-  for (const Pair& pair : pairs_) {
+  for (Pair& pair : pairs) {
     double speed = 0;  // of the slide, over dt
     over_markers(pair, [&](std::size_t marker, double share) { speed += share * mobilities[marker] * limits[marker]; });
-    stops.push_back(2 * dt * dt * speed);
+    pair.stops = 2 * dt * dt * speed;
   }
-  return stops;
 }
 
 template <int Dim>

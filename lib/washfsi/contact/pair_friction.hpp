@@ -12,12 +12,13 @@ class PairFriction {
  public:
   struct Pair {
     FacetPair<Dim> facets;
-    Gap<Dim> gap;  ///< at the step's start
-    double limit;  ///< friction coefficient times normal force there [N; per unit depth in the plane]
+    Gap<Dim> gap;      ///< at the step's start
+    double limit;      ///< friction coefficient times normal force there [N; per unit depth in the plane]
+    double stops = 0;  ///< as of a `Rub`
   };
 
   /// A step of length dt from these places begins; dt = 0: nothing slides.
-  void begin(std::vector<Pair> pairs, const Points<Dim>& all, double dt);
+  void begin(std::vector<Pair> pairs, Points<Dim> starts, double dt);
   /// An explicit step, in which what is at these places slides as it does now; mobilities as in `ExplicitStep`.
   void begin_explicit(std::vector<Pair> pairs, const Points<Dim>& all, const Points<Dim>& velocities,
                       const std::vector<double>& mobilities, double dt);
@@ -35,7 +36,7 @@ class PairFriction {
 
  private:
   Points<Dim> ways(const Points<Dim>& all) const;
-  std::vector<double> stops(const std::vector<double>& mobilities, double dt) const;
+  static void set_stops(std::vector<Pair>& pairs, const std::vector<double>& mobilities, double dt);
 
   std::vector<Pair> pairs_;
   Points<Dim> starts_;  ///< of all markers; of an explicit step where they would have come from [m]

@@ -23,7 +23,7 @@ FractionalStep<Dim>::FractionalStep(const Grid<Dim>& grid, Boundary<Dim>& bounda
       density_(options.density),
       pressure_tolerance_(options.pressure_tolerance),
       projects_(options.projection),
-      limits_at_walls_(options.limits_at_walls && options.advection == Advection::central),
+      limits_at_edges_(options.limits_at_edges),
       advection_scheme_(options.advection),
       advection_bend_(options.advection_steps > 2 ? parabolas_part : 0),
       flow_dm_(departs_from_central() || boundary.has_outflow() ? grid.wide_face_dm() : grid.face_dm()),
@@ -133,7 +133,7 @@ void FractionalStep<Dim>::advect(Vec local_velocity, Vec density) {
     grid_.for_each_inner_face(
         [&](const Index<Dim>& face, auto c) { result(face, c) = advection<Dim>(u, face, c, h, CentralFlux<Dim>{}); });
   }
-  if (limits_at_walls_ && fields_.walls && fields_.walls->nearness()) {
+  if (limits_at_edges_) {
     const petsc::LocalVector local(grid_.face_dm());
     WASH_PETSC(VecZeroEntries(local));  // beyond the box too
     WASH_PETSC(DMGlobalToLocal(grid_.face_dm(), fields_.walls->nearness(), INSERT_VALUES, local));

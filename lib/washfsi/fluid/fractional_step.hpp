@@ -87,7 +87,7 @@ class FractionalStep {
   }
   /// Whether advection is other than central, and then the power that it took out of the flow in the last step beyond
   /// central advection, which takes none [W; W/m in the plane].
-  bool departs_from_central() const { return advection_scheme_ != Advection::central || limits_at_walls_; }
+  bool departs_from_central() const { return advection_scheme_ != Advection::central || limits_at_edges_; }
   double numerical_dissipation() const { return numerical_dissipation_; }
 
   /// Force density [N/m3] by which solids held the water in the last `predict`; zero in fluid.
@@ -121,7 +121,7 @@ class FractionalStep {
   const Grid<Dim>& grid_;
   Boundary<Dim>& boundary_;  ///< its open sides take part in the step
   double density_, pressure_tolerance_;
-  bool projects_, limits_at_walls_;
+  bool projects_, limits_at_edges_;
   Advection advection_scheme_;
   double advection_bend_;  ///< of `adams_bashforth`
   DM flow_dm_;             ///< with the ghosts that advection and open sides need

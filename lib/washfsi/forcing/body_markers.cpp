@@ -25,13 +25,10 @@ std::vector<double> sample_times(const RigidMotion<Dim>& motion, double size) {
 // Whether no ball of a radius of two cells fits into the shape where a marker is: at edges, and in thin parts.
 template <int Dim>
 bool fits_no_ball(const Shape<Dim>& shape, const Point<Dim>& marker, double cell) {
-  const double radius = 2 * cell, half = 0.5 * cell;
-  Point<Dim> out;
-  for (int d = 0; d < Dim; ++d)
-    out[d] = shape.distance(marker + half * Point<Dim>::Unit(d)) - shape.distance(marker - half * Point<Dim>::Unit(d));
-  const double depth = -shape.distance(marker);
+  const double radius = 2 * cell, depth = -shape.distance(marker);
+  const Point<Dim> out = distance_gradient<Dim>(shape, marker, 0.5 * cell);
   const Point<Dim> middle = marker - (radius - depth) * out.normalized();
-  return out.norm() < half || shape.distance(middle) > -0.9 * radius;
+  return out.norm() < 0.5 || shape.distance(middle) > -0.9 * radius;
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ template <int Dim>
 std::optional<Candidate<Dim>> Sinker<Dim>::sink(const Point<Dim>& seed) const {
   const double from_surface = shape_.distance(seed);
   if (from_surface < 0 || from_surface > reach * layout_.cell.maxCoeff()) return {};
-  const Point<Dim> out = gradient(seed, fine * cell_);
+  const Point<Dim> out = distance_gradient<Dim>(shape_, seed, fine * cell_);
   const std::optional<Point<Dim>> foot = foot_of(seed);
   if (!foot || out.norm() < 0.5) return {};
   const Point<Dim> normal = out.normalized();
@@ -41,7 +41,7 @@ std::optional<Candidate<Dim>> Sinker<Dim>::sink(const Point<Dim>& seed) const {
   const auto [inmost, depth] = inmost_behind(*foot, normal, along);
   if (depth < along * layout_.moments.sheet_reach()) return in_sheet(inmost, normal);
   // at an edge the way is that between its faces
-  const Point<Dim> inwards = -gradient(*foot, coarse * cell_).normalized();
+  const Point<Dim> inwards = -distance_gradient<Dim>(shape_, *foot, coarse * cell_).normalized();
   const Curvatures bent = curvatures(*foot);
   const double bend = bending(bent);
   double flat = along * layout_.moments.retraction(depth / along);
@@ -77,16 +77,6 @@ double Sinker<Dim>::stirred_stress(double curvature, double along) const {
   return eddies * curvature * std::clamp(1 / (curvature * along) - narrow, 0.0, 1.0);
 }
 
-template <int Dim>
-Point<Dim> Sinker<Dim>::gradient(const Point<Dim>& place, double step) const {
-  Point<Dim> slope;
-  for (int d = 0; d < Dim; ++d) {
-    const Point<Dim> aside = step * Point<Dim>::Unit(d);
-    slope[d] = (shape_.distance(place + aside) - shape_.distance(place - aside)) / (2 * step);
-  }
-  return slope;
-}
-
 // By Newton's method; nothing where the distance is no distance.
 template <int Dim>
 std::optional<Point<Dim>> Sinker<Dim>::foot_of(const Point<Dim>& seed) const {
@@ -94,7 +84,7 @@ std::optional<Point<Dim>> Sinker<Dim>::foot_of(const Point<Dim>& seed) const {
   for (int step = 0; step < 6; ++step) {
     const double distance = shape_.distance(place);
     if (std::abs(distance) < 1e-3 * cell_) return place;
-    const Point<Dim> slope = gradient(place, fine * cell_);
+    const Point<Dim> slope = distance_gradient<Dim>(shape_, place, fine * cell_);
     if (slope.norm() < 0.3) return {};
     place -= distance / slope.squaredNorm() * slope;
   }
@@ -120,7 +110,7 @@ std::pair<Point<Dim>, double> Sinker<Dim>::inmost_behind(const Point<Dim>& foot,
     slow = slower;
     inmost = slow ? refined(inmost, way, step) : next;  // at a ridge, from which the way may go on along it
     depth = std::max(depth, -shape_.distance(inmost));
-    const Point<Dim> slope = gradient(inmost, coarse * cell_);
+    const Point<Dim> slope = distance_gradient<Dim>(shape_, inmost, coarse * cell_);
     if (slope.norm() > 0.1) way = -slope.normalized();
   }
   return {inmost, depth};

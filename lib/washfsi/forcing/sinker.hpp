@@ -25,7 +25,6 @@ class Sinker {
  private:
   static constexpr int directions = 8;                // along a sheet, in half a turn
   static constexpr double fine = 0.05, coarse = 0.4;  // differences, in cells: of a surface, across ridges of the depth
-  Point<Dim> gradient(const Point<Dim>& place, double step) const;
   bool is_held_behind(const Point<Dim>& foot, const Point<Dim>& inwards) const;
   double held_stress(double flat, double bend) const;
   double stirred_stress(double curvature, double along) const;

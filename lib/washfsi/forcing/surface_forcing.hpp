@@ -93,7 +93,7 @@ class SurfaceForcing : public WallForces {
   Points<Dim> slide_normals_, normals_;                   ///< of this rank's patches: in their bodies' frames; in space
   double slides_ = 0;                                     ///< by what part
   double time_ = 0;                                       ///< of `update`
-  petsc::Vector nearness_;                                ///< of faces; null unless asked for
+  petsc::Vector nearness_;                                ///< of faces; null where `nearness` is
   petsc::Matrix matrix_;
   petsc::Solver solver_;
   petsc::Vector right_, solution_;

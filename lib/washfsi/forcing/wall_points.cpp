@@ -21,12 +21,7 @@ class FaceFinder {
   // Out of the shape from a place on its surface, or from the middle of a thin part, where the distance is a ridge.
   Points<Dim> ways_out(const Point<Dim>& place) const {
     constexpr double steepest_ridge = 0.7;
-    const double step = 0.5 * cell_;
-    Point<Dim> slope;
-    for (int d = 0; d < Dim; ++d) {
-      const Point<Dim> aside = step * Point<Dim>::Unit(d);
-      slope[d] = (shape_.distance(place + aside) - shape_.distance(place - aside)) / (2 * step);
-    }
+    const Point<Dim> slope = distance_gradient<Dim>(shape_, place, 0.5 * cell_);
     if (slope.norm() > steepest_ridge) return {slope.normalized()};
     const Point<Dim> across = sheet_normal<Dim>(shape_, place, cell_);
     return {across, -across};

@@ -29,9 +29,9 @@ void begin_step(System<Dim>& system, const Points<Dim>& positions, double time, 
 template <int Dim>
 void begin_explicit_step(System<Dim>& system, const Points<Dim>& positions, double time, double dt) {
   Model<Dim>& model = system.model;
+  if (model.has_fluid) model.locate_cloth(positions);
   ExplicitStep held{dt, {}};
   if (model.forces.rub()) {
-    if (model.has_fluid) model.locate_cloth(positions);
     held.mobilities = mobility_per_area<Dim>(model);
     for (std::size_t m = 0; m < held.mobilities.size(); ++m) held.mobilities[m] /= model.cloths.marker_areas()[m];
   }
@@ -45,9 +45,8 @@ Points<Dim> all_forces(System<Dim>& system, const Points<Dim>& positions) {
 }
 
 template <int Dim>
-void spread_cloth(System<Dim>& system, const Points<Dim>& positions, const Points<Dim>& forces) {
+void spread_cloth(System<Dim>& system, const Points<Dim>& forces) {
   auto& [model, state, step] = system;
-  model.locate_cloth(positions);
   WASH_PETSC(VecZeroEntries(step.force));
   step.given = forces;
   step.wall_reaction = model.transfer.spread(forces, step.force);
@@ -116,8 +115,8 @@ template void begin_explicit_step<2>(System<2>&, const Points<2>&, double, doubl
 template void begin_explicit_step<3>(System<3>&, const Points<3>&, double, double);
 template Points<2> all_forces<2>(System<2>&, const Points<2>&);
 template Points<3> all_forces<3>(System<3>&, const Points<3>&);
-template void spread_cloth<2>(System<2>&, const Points<2>&, const Points<2>&);
-template void spread_cloth<3>(System<3>&, const Points<3>&, const Points<3>&);
+template void spread_cloth<2>(System<2>&, const Points<2>&);
+template void spread_cloth<3>(System<3>&, const Points<3>&);
 template void hold_walls<2>(Model<2>&, double);
 template void hold_walls<3>(Model<3>&, double);
 template void hold_bodies<2>(System<2>&, double);

@@ -13,7 +13,7 @@ template <int Dim>
 void begin_step(System<Dim>& system, const Points<Dim>& positions, double time, double dt,
                 const Acceleration<Dim>& acceleration = {});
 
-/// The same for forces at these places and this time, which are then held for dt.
+/// The same for forces at these places and this time, which are then held for dt. Locates the cloth.
 template <int Dim>
 void begin_explicit_step(System<Dim>& system, const Points<Dim>& positions, double time, double dt);
 
@@ -21,9 +21,9 @@ void begin_explicit_step(System<Dim>& system, const Points<Dim>& positions, doub
 template <int Dim>
 Points<Dim> all_forces(System<Dim>& system, const Points<Dim>& positions);
 
-/// Fixes spread, interpolate and the density at these places, and spreads the forces into the step's force density.
+/// Spreads the forces from where the cloth was located last into the step's force density.
 template <int Dim>
-void spread_cloth(System<Dim>& system, const Points<Dim>& positions, const Points<Dim>& forces);
+void spread_cloth(System<Dim>& system, const Points<Dim>& forces);
 
 /// Places the markers that hold the walls, if any do, as they are at `time`, and moves the sides beneath bodies.
 template <int Dim>

@@ -10,7 +10,7 @@ void ExplicitCoupling<Dim>::take(System<Dim>& system, double dt) {
   auto& [model, state, step] = system;
   const double time = state.clock.time;
   begin_explicit_step(system, state.positions, time, dt);
-  spread_cloth(system, state.positions, all_forces(system, state.positions));
+  spread_cloth(system, all_forces(system, state.positions));
 
   hold_bodies(system, time + dt);
   move_water(system, dt);

@@ -42,9 +42,9 @@ Points<Dim> ImplicitCoupling<Dim>::fluid_step(System<Dim>& system, double dt, co
   step.pushed_at = state.positions + dt * velocities;
   // at half the way the damping is just beta Ke dE11/dt: a turning edge is not strained
   const Points<Dim> middle = state.positions + 0.5 * dt * velocities;
-  spread_cloth(system, step.pushed_at,
-               model.forces.of_places(step.pushed_at) + model.forces.of_velocities(middle, velocities) +
-                   model.forces.constant());
+  model.locate_cloth(step.pushed_at);
+  spread_cloth(system, model.forces.of_places(step.pushed_at) + model.forces.of_velocities(middle, velocities) +
+                           model.forces.constant());
   model.fluid.restore_pressure();
   move_water(system, dt);
   const Points<Dim> water = marker_velocities(model, model.fluid.next_velocity(), state.clock.time + dt);

@@ -11,7 +11,7 @@ void MidpointCoupling<Dim>::take(System<Dim>& system, double dt) {
   const double time = state.clock.time;
   const Points<Dim> middle = moved(system, 0.5 * dt * state.velocities);
   begin_explicit_step(system, middle, time + 0.5 * dt, dt);
-  spread_cloth(system, middle, all_forces(system, middle));
+  spread_cloth(system, all_forces(system, middle));
   const Points<Dim> before = marker_velocities(model, model.fluid.velocity(), time);
 
   hold_bodies(system, time + dt);

@@ -41,14 +41,15 @@ std::unique_ptr<SurfaceForcing<Dim>> make_walls(const Grid<Dim>& grid, const Bou
                                                 const std::vector<Body<Dim>>& bodies,
                                                 const ModelOptions<Dim>& options) {
   if (options.treatment.method != BodyMethod::direct_forcing || bodies.empty()) return nullptr;
-  return std::make_unique<SurfaceForcing<Dim>>(grid, boundary, bodies, options.treatment, options.fluid.density);
+  BodyTreatment treatment = options.treatment;
+  treatment.limits_advection &= options.fluid.advection == Advection::central;
+  return std::make_unique<SurfaceForcing<Dim>>(grid, boundary, bodies, treatment, options.fluid.density);
 }
 
 template <int Dim>
-FluidOptions<Dim> fluid_options(const ModelOptions<Dim>& options, bool held_by_markers) {
-  FluidOptions<Dim> fluid = options.fluid;
-  fluid.limits_at_walls = held_by_markers && options.treatment.limits_advection;
-  return fluid;
+FluidOptions<Dim> with_edges(FluidOptions<Dim> options, const SurfaceForcing<Dim>* walls) {
+  options.limits_at_edges = walls && walls->nearness();
+  return options;
 }
 
 }  // namespace
@@ -89,7 +90,7 @@ Model<Dim>::Model(MPI_Comm comm, const ModelOptions<Dim>& options, std::vector<B
                    : nullptr),
       liquid(grid, boundary, options.fluid.density, options.fluid.viscosity, options.fluid.viscosity_models,
              options.fluid.wall_model),
-      fluid(grid, boundary, fluid_options(options, walls != nullptr)),
+      fluid(grid, boundary, with_edges<Dim>(options.fluid, walls.get())),
       cloths(comm, options.cloths),
       forces(cloths),
       transfer(grid, boundary, options.delta),

@@ -225,9 +225,9 @@ void SemiImplicitCoupling<Dim>::take(System<Dim>& system, double dt) {
   const Points<Dim> forces = at_start + (1 / weights_.end) * last_inertia(system);
   begin_motion(system, dt);
   const Points<Dim> places = state.positions + 0.5 * dt * state.velocities;
-  spread_cloth(system, places,
-               weights_.end * forces + weights_.start * at_start + weights_.before * state.forces_before +
-                   model.forces.constant());
+  model.locate_cloth(places);
+  spread_cloth(system, weights_.end * forces + weights_.start * at_start + weights_.before * state.forces_before +
+                           model.forces.constant());
   hold_bodies(system, end);
   predict(system, dt);
   model.fluid.project();
