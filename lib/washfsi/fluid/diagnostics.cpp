@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "washfsi/grid/stencils.hpp"
+#include "washfsi/grid/strain_rate.hpp"
 
 namespace washfsi {
 
@@ -47,8 +47,8 @@ double squared_strain(const Grid<Dim>& grid, const ConstFaceView<Dim>& u, const 
   for_each_component<Dim>([&](auto c) {
     for_each<Dim>(grid.owned(), [&](const Index<Dim>& cell) {
       const Index<Dim> next = shifted<Dim>(cell, c, 1);
-      const double stretching = (u(next, c) - u(cell, c)) * h.inverse[c];
-      if (is_wet(cell, c) || is_wet(next, c)) sum += mu.in_cell(cell) * 2 * stretching * stretching;
+      const double rate = stretching<Dim>(u, cell, c, h);
+      if (is_wet(cell, c) || is_wet(next, c)) sum += mu.in_cell(cell) * 2 * rate * rate;
     });
     for_each_component<Dim>([&](auto d) {
       if constexpr (d < c) {
@@ -58,8 +58,8 @@ double squared_strain(const Grid<Dim>& grid, const ConstFaceView<Dim>& u, const 
         for_each<Dim>(edges, [&](const Index<Dim>& edge) {
           const Index<Dim> below = shifted<Dim>(edge, d, -1), beside = shifted<Dim>(edge, c, -1);
           if (!is_wet(edge, c) && !is_wet(below, c) && !is_wet(edge, d) && !is_wet(beside, d)) return;
-          const double shear = (u(edge, c) - u(below, c)) * h.inverse[d] + (u(edge, d) - u(beside, d)) * h.inverse[c];
-          sum += mu.on_edge(edge, c, d) * ends.part(edge, c) * ends.part(edge, d) * shear * shear;
+          const double rate = shear_rate<Dim>(u, edge, c, d, h);
+          sum += mu.on_edge(edge, c, d) * ends.part(edge, c) * ends.part(edge, d) * rate * rate;
         });
       }
     });

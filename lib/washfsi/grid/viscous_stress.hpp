@@ -7,7 +7,7 @@
 #pragma once
 
 #include "washfsi/grid/boundary.hpp"
-#include "washfsi/grid/stencils.hpp"
+#include "washfsi/grid/strain_rate.hpp"
 
 namespace washfsi {
 
@@ -82,8 +82,7 @@ class CellViscosity {
   /// tau_cd on an edge.
   template <class Velocity>
   [[gnu::always_inline]] inline double shear(const Velocity& u, const Index<Dim>& edge, int c, int d) const {
-    return on_edge(edge, c, d) * ((u(edge, c) - u(shifted<Dim>(edge, d, -1), c)) * h_.inverse[d] +
-                                  (u(edge, d) - u(shifted<Dim>(edge, c, -1), d)) * h_.inverse[c]);
+    return on_edge(edge, c, d) * shear_rate<Dim>(u, edge, c, d, h_);
   }
 
   ConstCellView<Dim> mu_;
