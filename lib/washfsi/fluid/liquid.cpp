@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/fluid/liquid.hpp"
 
+#include "washfsi/grid/cell_share.hpp"
+
 namespace washfsi {
 
 template <int Dim>
@@ -67,18 +69,13 @@ void Liquid<Dim>::let_models_add(const StepFlow& flow) {
   if (flow.fluid_share) weigh_added(flow.fluid_share);
 }
 
-// By the mean of a cell's faces. Those in the sides of the box count as the fluid beside them.
+// By the share of fluid in a cell.
 template <int Dim>
 void Liquid<Dim>::weigh_added(Vec fluid_share) {
-  const petsc::LocalVector local(grid_.face_dm());
-  WASH_PETSC(VecSet(local, 1.0));
-  WASH_PETSC(DMGlobalToLocal(grid_.face_dm(), fluid_share, INSERT_VALUES, local));
-  const ConstFaceView<Dim> share(grid_.face_dm(), local);
+  const CellShare<Dim> share(grid_, fluid_share);
   const CellView<Dim> mu(grid_.cell_dm(), global_viscosity_);
   for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) {
-    double sum = 0;
-    for (int d = 0; d < Dim; ++d) sum += share(cell, d) + share(shifted<Dim>(cell, d, 1), d);
-    mu(cell) = pure_viscosity_ + sum / (2 * Dim) * (mu(cell) - pure_viscosity_);
+    mu(cell) = pure_viscosity_ + share(cell) * (mu(cell) - pure_viscosity_);
   });
 }
 
