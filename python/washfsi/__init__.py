@@ -8,10 +8,11 @@
 """
 
 from washfsi.errors import ResultsError, RunError
+from washfsi.phases import Phases
 from washfsi.results import Results
 from washfsi.running import run
 from washfsi.series import Fields, Frame, Markers, Surfaces
 from washfsi.table import Table, read_table
 
-__all__ = ["Fields", "Frame", "Markers", "Results", "ResultsError", "RunError", "Surfaces", "Table", "read_table",
-           "run"]
+__all__ = ["Fields", "Frame", "Markers", "Phases", "Results", "ResultsError", "RunError", "Surfaces", "Table",
+           "read_table", "run"]

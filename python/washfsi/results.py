@@ -6,6 +6,7 @@ import json
 import pathlib
 
 from washfsi.errors import ResultsError
+from washfsi.phases import read_phases
 from washfsi.series import Fields, Markers, Surfaces
 from washfsi.table import read_table
 
@@ -75,6 +76,11 @@ class Results:
     def statistics(self):
         """Returns means and stresses of the flow over the axis that is left, as a table."""
         return self._table("statistics")
+
+    @functools.cached_property
+    def phases(self):
+        """Returns the means over azimuth and cycles, phase by phase."""
+        return read_phases(self.folder / "phases.h5")
 
     @functools.cached_property
     def markers(self):

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/measure/measures.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "washfsi/measure/cloth_force_measure.hpp"
@@ -33,6 +34,19 @@ double first_period(const std::vector<Body<Dim>>& bodies) {
   return 0;
 }
 
+// With what the user leaves to the bodies.
+PhaseOptions completed(PhaseOptions phases, double cycle_time, const Model<3>& model, const MachineAxis& machine) {
+  if (phases.period == 0) phases.period = cycle_time;
+  if (phases.center) return phases;
+  const auto turns = [](const Body<3>& body) { return body.motion.only_turns() && !body.motion.at_rest(); };
+  const auto turning = std::ranges::find_if(model.bodies, turns);
+  if (turning != model.bodies.end())
+    phases.center = turning->motion.center_at(0);
+  else
+    phases.center = Point<3>(machine.axis[0], machine.axis[1], 0.5 * (model.grid.lower()[2] + model.grid.upper()[2]));
+  return phases;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -47,6 +61,7 @@ MeasureOptions MeasureOptions::from_options(Options& options, const Point<Dim>& 
                "of the cycles in cycles.csv; 0: the period of the first body that moves periodically");
   });
   measure.statistics = StatisticsOptions::from_options(options);
+  measure.phases = PhaseOptions::from_options(options, measure.statistics, Dim);
   if constexpr (Dim == 3) measure.machine = MachineAxis::from_options(options, lower, upper);
   return measure;
 }
@@ -73,9 +88,20 @@ Measures<Dim>::Measures(const System<Dim>& system, const MeasureOptions& options
     statistics_ = std::make_unique<FlowStatistics<Dim>>(system.model.grid, options.statistics);
     quantities_.keep("statistics", statistics_->kept(), QuantityList::IfOthers::begin_anew);
   }
-  cycles_.emplace(quantities_, options.cycle_time > 0 ? options.cycle_time : first_period(system.model.bodies),
-                  "cycle");
+  const double cycle_time = options.cycle_time > 0 ? options.cycle_time : first_period(system.model.bodies);
+  take_phases(options, cycle_time);
+  cycles_.emplace(quantities_, cycle_time, "cycle");
   whole_run_.emplace(quantities_, Cycles::whole_run, "run");
+}
+
+template <int Dim>
+void Measures<Dim>::take_phases(const MeasureOptions& options, double cycle_time) {
+  if constexpr (Dim == 3) {
+    if (options.phases.count == 0) return;
+    const PhaseOptions phases = completed(options.phases, cycle_time, system_.model, options.machine);
+    phases_ = std::make_unique<PhaseStatistics>(system_.model.grid, phases);
+    quantities_.keep("phases", phases_->kept(), QuantityList::IfOthers::begin_anew);
+  }
 }
 
 template <int Dim>
@@ -103,6 +129,7 @@ void Measures<Dim>::observe_start(double dt) {
   if (system_.state.clock.step == 0) quantities_.accumulate();  // else as the checkpoint has them
   for (auto* cycles : {&cycles_, &whole_run_}) (*cycles)->begin(system_.state.clock.time);
   if (statistics_) statistics_->begin();
+  if (phases_) phases_->begin();
 }
 
 template <int Dim>
@@ -139,6 +166,10 @@ void Measures<Dim>::observe(double dt, bool all) {
     for (const auto& measure : further_) measure->observe(seen);
   }
   if (statistics_) statistics_->observe(system_.state.clock.time, dt, {velocity, model.fluid.pressure()});
+  if (phases_)
+    phases_->observe(system_.state.clock.time, dt,
+                     {velocity, model.fluid_share(), model.liquid.pure_density(), model.liquid.pure_viscosity(),
+                      model.liquid.viscosity()});
   quantities_.accumulate();
   for (auto* cycles : {&cycles_, &whole_run_}) (*cycles)->observe(system_.state.clock.time, seen.interval);
 }

@@ -12,6 +12,7 @@
 #include "washfsi/measure/intersection_measure.hpp"
 #include "washfsi/measure/wall_measure.hpp"
 #include "washfsi/statistics/flow_statistics.hpp"
+#include "washfsi/statistics/phase_statistics.hpp"
 
 namespace washfsi {
 
@@ -21,6 +22,7 @@ struct MeasureOptions {
   double cycle_time = 0;       ///< [s]; 0: the period of the first body that moves periodically
   MachineAxis machine;         ///< in space
   StatisticsOptions statistics;
+  PhaseOptions phases;  ///< in space
 
   /// In a box with these corners [m].
   template <int Dim>
@@ -57,6 +59,8 @@ class Measures {
   const FlowDiagnostics<Dim>& flow() const { return flow_.flow(); }
   /// Of the flow; null if none are taken.
   const FlowStatistics<Dim>* statistics() const { return statistics_.get(); }
+  /// Over cycles of the machine; null if none are taken.
+  const PhaseStatistics* phases() const { return phases_.get(); }
   /// What cloth.h5 has of each of this rank's markers, now. Collective.
   std::vector<MarkerField> marker_fields() const;
   ClothMeasure<Dim>& cloth() { return cloth_; }
@@ -64,6 +68,7 @@ class Measures {
 
  private:
   ContactLoads<Dim> contact() const;
+  void take_phases(const MeasureOptions& options, double cycle_time);
 
   const System<Dim>& system_;
   FlowMeasure<Dim> flow_;
@@ -74,6 +79,7 @@ class Measures {
   IntersectionMeasure<Dim> intersections_;
   std::vector<std::unique_ptr<Measure<Dim>>> further_;
   std::unique_ptr<FlowStatistics<Dim>> statistics_;
+  std::unique_ptr<PhaseStatistics> phases_;
   QuantityList quantities_;
   std::optional<Cycles> cycles_, whole_run_;
   double unmeasured_time_ = 0;  ///< since all was taken last [s]

@@ -9,6 +9,7 @@
 
 #include "washfsi/output/marker_table.hpp"
 #include "washfsi/simulation/version.hpp"
+#include "washfsi/statistics/write_phases.hpp"
 #include "washfsi/statistics/write_statistics.hpp"
 #include "washfsi/support/hdf5_file.hpp"
 
@@ -59,7 +60,7 @@ void Results<Dim>::remove_ends(MPI_Comm comm, const std::string& folder) {
   std::error_code ignored;  // what cannot be removed cannot be written either, which tells more
   if (rank_of(comm) == 0) {
     for (const char* name : {"checkpoint.h5", "checkpoint_before.h5", "summary.json", "cloth_final.csv",
-                             "statistics.h5", "statistics.csv"})
+                             "statistics.h5", "statistics.csv", "phases.h5"})
       std::filesystem::remove(folder + "/" + name, ignored);
     std::filesystem::remove_all(folder + "/profiles", ignored);
   }
@@ -163,6 +164,7 @@ void Results<Dim>::write_final() const {
     profile.write(system_.model.grid, system_.model.boundary, system_.model.fluid.velocity(),
                   system_.model.fluid.pressure(), system_.state.clock.time, folder_);
   if (measures_.statistics()) write_statistics<Dim>(*measures_.statistics(), folder_);
+  if (measures_.phases()) write_phases(*measures_.phases(), folder_);
   if (cloth_)
     write_marker_table<Dim>(system_.model.grid.comm(), folder_ + "/cloth_final.csv", system_.model.cloths,
                             system_.state.positions, system_.state.velocities);

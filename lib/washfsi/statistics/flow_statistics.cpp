@@ -35,20 +35,13 @@ std::size_t FlowStatistics<Dim>::spectra_begin() const {
 
 template <int Dim>
 void FlowStatistics<Dim>::begin() {
-  const std::vector<double> own = key();
-  const std::span<double> read = std::span(numbers_).subspan(key_at, own.size());
-  if (!std::ranges::equal(own, read)) std::ranges::fill(numbers_, 0.0);
-  std::ranges::copy(own, read.begin());
+  keep_if_same(numbers_, key_at, key());
 }
 
 template <int Dim>
 void FlowStatistics<Dim>::observe(double time, double dt, const FlowMoment& flow) {
-  constexpr double rounding = 1e-9;
-  double& waiting = numbers_[waiting_at];
-  waiting += std::clamp(time - options_.start, 0.0, dt);
-  if (waiting <= rounding * dt || waiting < (1 - rounding) * options_.interval) return;
-  sample(waiting, flow);
-  waiting = 0;
+  const double weight = Sampling{options_.start, options_.interval}.due(time, dt, numbers_[waiting_at]);
+  if (weight > 0) sample(weight, flow);
 }
 
 template <int Dim>

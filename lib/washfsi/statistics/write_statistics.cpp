@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/statistics/write_statistics.hpp"
 
-#include "washfsi/output/frame_folder.hpp"
 #include "washfsi/output/history.hpp"
-#include "washfsi/support/collective.hpp"
-#include "washfsi/support/errors.hpp"
-#include "washfsi/support/hdf5_file.hpp"
+#include "washfsi/statistics/shared_file.hpp"
 
 namespace washfsi {
 
@@ -29,40 +26,31 @@ std::vector<double> places_along(const Grid<Dim>& grid, int axis) {
   return places;
 }
 
-// What all ranks hold; rank 0 writes it.
-void write_shared(MPI_Comm comm, Hdf5File& file, const std::string& name, const std::string& unit,
-                  const std::vector<hsize_t>& shape, const std::vector<double>& values) {
-  const std::vector<hsize_t> none(shape.size(), 0);
-  const bool writes = rank_of(comm) == 0;
-  write_with_unit(file, name, unit, {shape, none, writes ? shape : none}, writes ? values : std::vector<double>());
-}
-
 template <int Dim>
-void write_means(const FlowStatistics<Dim>& statistics, Hdf5File& file) {
+void write_means(const FlowStatistics<Dim>& statistics, const SharedFile& file) {
   std::vector<hsize_t> shape;
   for (const int axis : statistics.bins().axes()) {
     const std::vector<double> places = places_along<Dim>(statistics.grid(), axis);
-    write_shared(statistics.grid().comm(), file, std::string("/") + "xyz"[axis], "m", {places.size()}, places);
+    file.write(std::string("/") + "xyz"[axis], "m", {places.size()}, places);
     shape.insert(shape.begin(), places.size());
   }
   if (shape.empty()) shape.push_back(1);
   for (const std::string& name : moment_names<Dim>())
-    write_shared(statistics.grid().comm(), file, (name.size() == 1 ? "/mean/" : "/stress/") + name, unit_of(name),
-                 shape, statistics.mean(name));
+    file.write((name.size() == 1 ? "/mean/" : "/stress/") + name, unit_of(name), shape, statistics.mean(name));
 }
 
 template <int Dim>
-void write_spectra(const FlowStatistics<Dim>& statistics, Hdf5File& file) {
+void write_spectra(const FlowStatistics<Dim>& statistics, const SharedFile& file) {
   for (std::size_t n = 0; n < statistics.places().size(); ++n) {
     const SpectrumPlace& place = statistics.places()[n];
     const std::string group = "/spectra/" + std::to_string(n);
     std::vector<double> wave_numbers;
     for (std::size_t k = 0; k < place.modes; ++k)
       wave_numbers.push_back(static_cast<double>(k) * place.wave_number_step);
-    write_shared(statistics.grid().comm(), file, group + "/wave_number", "1/m", {place.modes}, wave_numbers);
-    write_shared(statistics.grid().comm(), file, group + "/energy", "m3/s2", {Dim, place.modes}, statistics.spectra(n));
-    file.set_attribute(group, "place", place.height);
-    file.set_text(group, "along", std::string(1, "xyz"[place.along]));
+    file.write(group + "/wave_number", "1/m", {place.modes}, wave_numbers);
+    file.write(group + "/energy", "m3/s2", {Dim, place.modes}, statistics.spectra(n));
+    file.file().set_attribute(group, "place", place.height);
+    file.file().set_text(group, "along", std::string(1, "xyz"[place.along]));
   }
 }
 
@@ -85,16 +73,12 @@ void write_table_of_means(const FlowStatistics<Dim>& statistics, const std::stri
 
 template <int Dim>
 void write_statistics(const FlowStatistics<Dim>& statistics, const std::string& folder) {
-  const MPI_Comm comm = statistics.grid().comm();
-  const std::string path = folder + "/statistics.h5", temporary = path + ".part";
-  Hdf5File file(comm, temporary, Hdf5File::Mode::create);
-  file.set_attribute("/", "averaged_time", statistics.averaged_time());
-  file.set_attribute("/", "start", statistics.start());
-  write_means(statistics, file);
-  write_spectra(statistics, file);
-  file.close();
-  const bool committed = rank_of(comm) != 0 || commit_file(temporary, path);
-  if (any_rank(comm, !committed)) throw FileError(path + ": cannot be written");
+  write_shared_file(statistics.grid().comm(), folder + "/statistics.h5", [&](const SharedFile& file) {
+    file.file().set_attribute("/", "averaged_time", statistics.averaged_time());
+    file.file().set_attribute("/", "start", statistics.start());
+    write_means(statistics, file);
+    write_spectra(statistics, file);
+  });
   write_table_of_means(statistics, folder);
 }
 

@@ -11,6 +11,7 @@ from washfsi.errors import ResultsError
 from washfsi.plot.history import draw_history
 from washfsi.plot.movie import make_movie
 from washfsi.plot.perspective import draw_perspective
+from washfsi.plot.phases import draw_phases
 from washfsi.plot.scene import choose_frames, read_scene, vorticity_limit
 from washfsi.plot.snapshot import draw_snapshot
 from washfsi.plot.statistics import draw_statistics
@@ -62,6 +63,8 @@ def plot(options):
             save(tracks, results.folder / "tracks.png")
     if (results.folder / "statistics.csv").is_file():
         save(draw_statistics(results.statistics, results.case), results.folder / "statistics.png")
+    if (results.folder / "phases.h5").is_file():
+        save(draw_phases(results.phases, results.case), results.folder / "phases.png")
     if options.movie:
         make_movie(results, options.movie)
 

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/statistics/phase_statistics.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "washfsi/support/errors.hpp"
+
+namespace washfsi {
+
+namespace {
+
+constexpr std::size_t before_rings = 2;  // of a phase: samples, time
+
+}  // namespace
+
+PhaseStatistics::PhaseStatistics(const Grid<3>& grid, const PhaseOptions& options)
+    : grid_(grid), options_(options), bins_(grid, options.axis, options.center.value(), options.bins) {
+  if (options.period == 0 && options.count > 1)
+    throw InputError("-statistics_phase_period is missing: no body moves periodically and there is no -cycle_time");
+  constexpr double most = 1e8;  // numbers that every rank and the checkpoint hold
+  if (static_cast<double>(count() * bins_.count() * ring_sum_count) > most)
+    throw InputError("-statistics_phases " + std::to_string(options.count) + ": too many with " +
+                     std::to_string(bins_.count()) + " bins each; at most 1e8 numbers are kept, " +
+                     std::to_string(ring_sum_count) + " of each bin");
+  numbers_.assign(phase_begin(count()), 0.0);
+}
+
+// What tells these statistics from others with as many numbers.
+std::vector<double> PhaseStatistics::key() const {
+  const Point<3>& center = *options_.center;
+  return {static_cast<double>(options_.count),
+          options_.period,
+          options_.sampling.start,
+          static_cast<double>(options_.axis),
+          center[(options_.axis + 1) % 3],
+          center[(options_.axis + 2) % 3],
+          static_cast<double>(bins_.radii().size())};
+}
+
+std::size_t PhaseStatistics::phase_begin(std::size_t phase) const {
+  return key_at + key().size() + phase * (before_rings + bins_.count() * ring_sum_count);
+}
+
+void PhaseStatistics::begin() {
+  keep_if_same(numbers_, key_at, key());
+}
+
+std::size_t PhaseStatistics::phase_at(double time) const {
+  if (options_.period == 0) return 0;
+  const double within = std::fmod(time, options_.period) / options_.period;
+  return std::min(static_cast<std::size_t>(within * static_cast<double>(count())), count() - 1);
+}
+
+void PhaseStatistics::observe(double time, double dt, const LiquidMoment& flow) {
+  const double weight = options_.sampling.due(time, dt, numbers_[waiting_at]);
+  if (weight == 0) return;
+  double* number = &numbers_[phase_begin(phase_at(time - 0.5 * weight))];
+  *number++ += 1;
+  *number++ += weight;
+  for (const double value : ring_sums(grid_, bins_, flow)) *number++ += weight * value;
+}
+
+std::span<const double, ring_sum_count> PhaseStatistics::sums(std::size_t phase, std::size_t bin) const {
+  const std::span<const double> all(numbers_);
+  return all.subspan(phase_begin(phase) + before_rings + bin * ring_sum_count).first<ring_sum_count>();
+}
+
+RingMeans PhaseStatistics::means(std::size_t phase, std::size_t bin) const {
+  return RingMeans::of(sums(phase, bin));
+}
+
+double PhaseStatistics::liquid_share(std::size_t phase, std::size_t bin) const {
+  const double all = averaged_time(phase) * bins_.cells(bin);
+  return all > 0 ? sums(phase, bin)[0] / all : 0;
+}
+
+}  // namespace washfsi

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Rings round the axis of a machine: bins of the radius r and of the place z along the axis, which hold all of the
+// azimuth. Components along r, theta and z are right-handed: seen from the axis' end theta is counter-clockwise.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "washfsi/grid/grid.hpp"
+
+namespace washfsi {
+
+class RingBins {
+ public:
+  /// `counts` of bins of r and of z, which reach over all of the box; 0: as wide as a cell, in r as its
+  /// longer side. Collective.
+  RingBins(const Grid<3>& grid, int axis, const Point<3>& center, const std::array<PetscInt, 2>& counts);
+
+  std::size_t count() const { return radii_.size() * heights_.size(); }
+  const std::vector<double>& radii() const { return radii_; }      ///< the bins' middles [m]
+  const std::vector<double>& heights() const { return heights_; }  ///< theirs along the axis, in the box [m]
+  /// Cells whose centres are in a bin; bins are numbered with r fastest.
+  double cells(std::size_t bin) const { return cells_[bin]; }
+
+  /// Where a place is.
+  struct Place {
+    std::size_t bin;
+    double aside;       ///< r less that of the bin's middle, in widths of a bin
+    Point<2> outwards;  ///< unit vector along r in the two directions that follow the axis; 0 on the axis
+  };
+  Place at(const Point<3>& place) const;
+  /// Components of a vector at a place, along r, theta and z; on the axis only that along z, as r has no direction.
+  Point<3> along(const Place& place, const Point<3>& vector) const;
+
+ private:
+  int axis_, first_, second_;  ///< right-handed: x, y, z or what follows in turn
+  Point<3> center_;
+  double lowest_;         ///< of the box along the axis [m]
+  double width_, depth_;  ///< of a bin along r and z [m]
+  std::vector<double> radii_, heights_, cells_;
+};
+
+}  // namespace washfsi
