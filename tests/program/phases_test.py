@@ -58,7 +58,8 @@ class Phases(ProgramTest):
 
     def test_pictures_have_a_row_for_each_phase(self):
         self.datasets("run", *PHASES, "-time_end", "0.12")  # nothing of the last phase
-        outcome = subprocess.run([SOURCE / "scripts" / "plot", self.folder / "run"], capture_output=True, text=True, check=False)
+        outcome = subprocess.run([SOURCE / "scripts" / "plot", self.folder / "run"], capture_output=True, text=True,
+                                 check=False)
         self.assertEqual(outcome.returncode, 0, outcome.stderr)
         self.assertGreater((self.folder / "run" / "phases.png").stat().st_size, 10_000)
         figure = draw_phases(Results(self.folder / "run").phases, "tank")

@@ -52,8 +52,7 @@ PhaseOptions PhaseOptions::from_options(Options& options, const StatisticsOption
   options.block("", "Phase averages", [&](OptionBlock& block) {
     block.integer(
         "statistics_phases", phases.count, few,
-        "number of equal phases of a period of each of which the mean flow round the machine's axis is taken, "
-        "in space; 0: none");
+        "number of equal phases of a period, of each of which the mean flow round an axis is taken in 3D; 0: none");
     block.real("statistics_phase_period", phases.period, "s", non_negative, "the period; 0: that of the cycles");
     read_axis(block, phases);
     block.integer("statistics_phase_bins_r", phases.bins[0], few, "bins of the radius; 0: each a cell wide");

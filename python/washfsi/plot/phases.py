@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 
 from washfsi.plot.style import OUTLINE_COLOR, SOLID_COLOR, WIDTH, wrapped
 
-ARROWS = 16  # along the longer side of a panel
+ARROWS = 18  # along the longer side of the plane
 LEAST_SHARE = 0.05  # of liquid in a bin that is drawn
 DECADES = 3  # of the dissipation that are shown
 
@@ -35,15 +35,19 @@ def panels_of(phases):
             ("dissipation [m$^2$/s$^3$]", lost, "magma", LogNorm(most / 10**DECADES, most))]
 
 
+def every_few(middles, way):
+    """Returns which bins have an arrow, about one each `way` [m]."""
+    every = max(1, round(way / (middles[1] - middles[0]))) if len(middles) > 1 else 1
+    return slice(every // 2, None, every)
+
+
 def draw_arrows(axes, phases, phase, wet, fastest):
-    """Draws the velocity in the plane, every few bins; `fastest` [m/s] is as long as the way to the next arrow."""
-    every = max(1, round(max(wet.shape) / ARROWS))
-    first = every // 2
-    some = (slice(first, None, every), slice(first, None, every))
+    """Draws the velocity in the plane, every few bins; `fastest` [m/s] is as long as the way to the next but one."""
+    way = max(np.ptp(phases["r"]), np.ptp(phases["z"])) / ARROWS or 1.0
+    some = (every_few(phases["z"], way), every_few(phases["r"], way))
     r, z = np.meshgrid(phases["r"], phases["z"])
     along, up = (np.where(wet, phases[f"mean/{name}"][phase], np.nan)[some] for name in ("u_r", "u_z"))
-    step = every * (phases["r"][1] - phases["r"][0] if len(phases["r"]) > 1 else 1.0)
-    axes.quiver(r[some], z[some], along, up, color=OUTLINE_COLOR, angles="xy", scale_units="xy", scale=fastest / (1.3 * step),
+    axes.quiver(r[some], z[some], along, up, color=OUTLINE_COLOR, angles="xy", scale_units="xy", scale=fastest / (2 * way),
                 width=0.008)
 
 
