@@ -73,6 +73,14 @@ class DirectForcing(ProgramTest):
         self.assertLess(np.ptp(means), 0.04 * np.mean(means), means)
         self.assertLess(abs(np.mean(means) / 2.85 - 1), 0.12, means)
 
+    def test_a_vane_thinner_than_a_cell_may_start_at_once(self):
+        # no cell's middle lies in it, and its first step was as long as allowed: a CFL number of 2.7
+        history = self.history("vane", *DIRECT, "-grid_cells", "64,64", "-fluid_viscosity", 1e-5, "-bodies", "ball", "-ball_shape", "box",
+                               "-ball_size", "0.6,0.01", "-ball_center", "0.5,0.5", "-ball_angular_speed", 1, "-time_step", 0.05,
+                               "-time_cfl", 0.5, "-time_end", 0.1)
+        self.assertLess(history["cfl"].max(), 0.6)
+        self.assertLess(history["dt"][0], 0.01)
+
     def test_swapped_axes_do_not_matter_to_a_plate(self):
         here, _ = self.plate_with_thin_layers("x", 0.25)
         swapped, _ = self.plate_with_thin_layers("y", 0.25, swapped=True)

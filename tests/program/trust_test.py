@@ -41,9 +41,9 @@ class Trust(ProgramTest):
                           "endloop\nendfacet\n" for facet in facets)
         (self.folder / "rock.stl").write_text(f"solid rock\n{corners}endsolid rock\n")
 
-    def findings(self, *options):
+    def findings(self, *options, ranks=1):
         """Returns the lines on what was looked at, by its name."""
-        lines = [line for line in self.run_well(1, *options).splitlines() if line[:6] in ("  ok  ", "  warn", "  fail")]
+        lines = [line for line in self.run_well(ranks, *options).splitlines() if line[:6] in ("  ok  ", "  warn", "  fail")]
         return {line[8:30].strip(): line for line in lines}
 
     def assert_found(self, found, name, verdict, text):
@@ -125,6 +125,14 @@ class Trust(ProgramTest):
                 for word in (f"-shirt_{name}", value)]
         self.assert_found(self.findings(*SHEET, "-cloths", "towel,shirt", *same), "distance of cloths", "fail",
                           "place them apart")
+
+    def test_markers_that_each_rank_holds(self):
+        large = ["-grid_cells", "16,16,16", "-fluid", "none", "-cloths", "towel", "-towel_size", 0.2, "-towel_center", "0.5,0.5,0.5",
+                 "-coupling_scheme", "explicit", "-contact", "none", "-time_step", 1e-6, "-time_end", 1, "-check", "-towel_markers"]
+        name = "markers on each rank"
+        self.assert_found(self.findings(*large, 320, ranks=2), name, "warn", "all 1.02e+05, on 2 ranks")
+        self.assertNotIn(name, self.findings(*large, 320))
+        self.assertNotIn(name, self.findings(*large, 100, ranks=2))
 
     def test_intervals_beyond_the_run(self):
         found = self.findings(*SHEET, "-checkpoint_interval", 100)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Walls of markers (`-body_method direct_forcing`): what passes through thin ones, and what must not matter to loads.
 
-Prints the tables of docs/verification/marker_walls.md. Arguments: `leaks`, `places` and `plates`, by default all.
+Prints the tables of docs/verification/marker_walls.md. Arguments: `leaks`, `places`, `plates`, `towed` and `squares`, by default all.
 """
 
 import math
@@ -125,8 +125,50 @@ def plates():
     return passed
 
 
+def drag_in_a_ring(size, cells, viscosity, place, towed, *options):
+    """Mean drag coefficient from t = 1 to 2 of a plate 0.1 thick, `size` across, in a box that repeats itself along the stream: at rest
+    in water that starts at once, a part of a cell along the stream aside, or towed through water at rest, which is the same."""
+    dim, wide = 1 + len(size), 6 if len(size) == 1 else 4
+    along = ["-fluid_initial", "uniform", "-fluid_initial_velocity"] if not towed else ["-plate_velocity"]
+    sides = [word for axis, kind in zip("xyz"[:dim], ("periodic", "slip", "slip")) for end in ("lower", "upper")
+             for word in (f"-bc_{axis}_{end}", kind)]
+    history, _ = run("-grid_cells", ",".join([str(8 * cells)] + [str(wide * cells)] * (dim - 1)),
+                     "-grid_lower", ",".join(["-4"] + [str(-wide // 2)] * (dim - 1)), "-grid_upper", ",".join(["4"] + [str(wide // 2)] * (dim - 1)),
+                     *sides, "-fluid_viscosity", viscosity, "-bodies", "plate", "-plate_shape", "box",
+                     "-plate_size", ",".join(map(str, (0.1, *size))), "-plate_center", ",".join([str(1 + place / cells)] + ["0"] * (dim - 1)),
+                     *along, ",".join([str(-1 if towed else 1)] + ["0"] * (dim - 1)), "-time_step", 0.02, "-time_cfl", 0.2, "-time_end", 2,
+                     *options)
+    late = history["time"] > 1
+    return 2 * np.average(history["plate_force_x"][late], weights=history["dt"][late]) / math.prod(size)
+
+
+def towed():
+    """Whether a plate at rest in a stream has the load of one that is towed through water at rest; prints both."""
+    passed = True
+    print_record_head("Re", "cells across", "Cd at rest, at four places along the stream", "apart", "towed", "towed, from their mean")
+    for viscosity in (0.05, 0.01):
+        for cells in (4, 8, 16):
+            found = [drag_in_a_ring([1], cells, viscosity, place, False) for place in (0, 0.25, 0.5, 0.75)]
+            own, mean = drag_in_a_ring([1], cells, viscosity, 0, True), np.mean(found)
+            apart, off = np.ptp(found) / mean, own / mean - 1
+            print_record(round(1 / viscosity), cells, ", ".join(f"{value:.3f}" for value in found), f"{100 * apart:.1f} %",
+                         f"{own:.3f}", f"{100 * off:+.1f} %", arguments=["towed"])
+            passed &= viscosity < 0.05 or (apart < MOST_APART and abs(off) < MOST_APART)  # at Re = 20
+    return passed
+
+
+def squares():
+    """The load of square plates of some cells across a stream beside that of 16 cells; prints them."""
+    print_record_head("Re", "cells across", "Cd at rest", "towed")
+    for viscosity, grids, options in ((0.05, (4, 8, 16), ()), (0.01, (4, 8, 16), ()), (1e-5, (4, 8), ("-turbulence", "vreman"))):
+        for cells in grids:
+            found = [drag_in_a_ring([1, 1], cells, viscosity, 0, moves, *options) for moves in (False, True)]
+            print_record(f"{1 / viscosity:.0f}", cells, *(f"{value:.3f}" for value in found), arguments=["squares"])
+    return True
+
+
 def main():
-    parts = {"leaks": leaks, "places": places, "plates": plates}
+    parts = {"leaks": leaks, "places": places, "plates": plates, "towed": towed, "squares": squares}
     return 0 if all([parts[word]() for word in ARGUMENTS or parts]) else 1
 
 

@@ -142,6 +142,7 @@ Covered<Dim> Mask<Dim>::covered(const Point<Dim>& place, const Point<Dim>& own, 
     if (H >= least) continue;
     least = H;
     velocity = H * own + (1 - H) * bodies_[b].motion.velocity(place, time);
+    if (H == 0) break;
   }
   return {velocity, 1 - least};
 }

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <limits>
 #include <queue>
+#include <utility>
 
 #include "washfsi/geometry/near_search.hpp"
 
@@ -29,10 +30,12 @@ class Elimination {
       : candidates_(candidates), scale_(spacing.cwiseInverse()) {
     const NearSearch<Dim> search = search_among(candidates, spacing);
     for (std::size_t m = 0; m < candidates_.size(); ++m) {
-      pairs_.emplace_back();
-      for (const std::size_t other : search.near(Bounds<Dim>::round(candidates_[m].place, influence * spacing)))
+      auto& pairs = pairs_.emplace_back();
+      search.visit_near(Bounds<Dim>::round(candidates_[m].place, influence * spacing), [&](std::size_t other) {
         if (const double distance = apart(m, other); other != m && distance < influence)
-          pairs_.back().push_back({other, distance});
+          pairs.push_back({other, distance});
+      });
+      std::ranges::sort(pairs, {}, &Pair::other);  // so that sums do not depend on the bins
     }
   }
 
@@ -118,6 +121,19 @@ class Elimination {
   std::vector<char> gone_;
 };
 
+// The middle nearest to a place within some spacings, among equals the first, and how far off it is; without one, the
+// number of middles.
+template <int Dim>
+std::pair<std::size_t, double> nearest_within(double reach, const NearSearch<Dim>& search, const Point<Dim>& place,
+                                              const std::vector<Candidate<Dim>>& middles, const Point<Dim>& spacing) {
+  std::pair<std::size_t, double> best{middles.size(), std::numeric_limits<double>::max()};
+  search.visit_near(Bounds<Dim>::round(place, reach * spacing), [&](std::size_t m) {
+    const double apart = (middles[m].place - place).cwiseQuotient(spacing).norm();
+    if (apart < best.second || (apart == best.second && m < best.first)) best = {m, apart};
+  });
+  return best;
+}
+
 // The nearest middle of each candidate; the number of middles where none is within two spacings.
 template <int Dim>
 std::vector<std::size_t> nearest(const std::vector<Candidate<Dim>>& candidates,
@@ -125,13 +141,9 @@ std::vector<std::size_t> nearest(const std::vector<Candidate<Dim>>& candidates,
   const NearSearch<Dim> search = search_among(middles, spacing);
   std::vector<std::size_t> result;
   for (const auto& candidate : candidates) {
-    result.push_back(middles.size());
-    double least = std::numeric_limits<double>::max();
-    for (const std::size_t m : search.near(Bounds<Dim>::round(candidate.place, 2 * spacing)))
-      if (const double apart = (middles[m].place - candidate.place).cwiseQuotient(spacing).norm(); apart < least) {
-        least = apart;
-        result.back() = m;
-      }
+    auto [middle, apart] = nearest_within<Dim>(1, search, candidate.place, middles, spacing);
+    if (apart > 1) middle = nearest_within<Dim>(2, search, candidate.place, middles, spacing).first;
+    result.push_back(middle);
   }
   return result;
 }

@@ -38,13 +38,6 @@ void NearSearch<Dim>::choose_bins(const Point<Dim>& bin, const Bounds<Dim>& aske
   }
 }
 
-template <int Dim>
-bool NearSearch<Dim>::overlap(const Bounds<Dim>& a, const Bounds<Dim>& b) const {
-  for (int d = 0; d < Dim; ++d)
-    if (!space_.periodic[d] && (a.lower[d] > b.upper[d] || a.upper[d] < b.lower[d])) return false;
-  return true;
-}
-
 // Along a periodic axis the first may lie before the first bin, and the last beyond the last one, by less than a
 // period.
 template <int Dim>
@@ -65,27 +58,9 @@ typename NearSearch<Dim>::Range NearSearch<Dim>::range_of(const Bounds<Dim>& bou
 }
 
 template <int Dim>
-template <class Visit>
-void NearSearch<Dim>::visit_bins(const Range& range, const Visit& visit) const {
-  Bin bin = range.first;
-  for (int d = 0; d < Dim;) {
-    std::size_t place = 0;
-    for (int e = Dim; e-- > 0;) {
-      const long folded = ((bin[e] % count_[e]) + count_[e]) % count_[e];
-      place = place * static_cast<std::size_t>(count_[e]) + static_cast<std::size_t>(folded);
-    }
-    visit(place);
-    for (d = 0; d < Dim && ++bin[d] > range.last[d]; ++d) bin[d] = range.first[d];
-  }
-}
-
-template <int Dim>
 std::vector<std::size_t> NearSearch<Dim>::near(const Bounds<Dim>& bounds) const {
   std::vector<std::size_t> found;
-  visit_bins(range_of(bounds), [&](std::size_t place) {
-    for (std::size_t n = starts_[place]; n < starts_[place + 1]; ++n)
-      if (overlap(boxes_[numbers_[n]], bounds)) found.push_back(numbers_[n]);
-  });
+  visit_near(bounds, [&](std::size_t number) { found.push_back(number); });
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;

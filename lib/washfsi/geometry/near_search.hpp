@@ -65,6 +65,14 @@ class NearSearch {
   /// The numbers of the boxes that overlap these bounds, in ascending order; along a periodic axis others may be among
   /// them.
   std::vector<std::size_t> near(const Bounds<Dim>& bounds) const;
+  /// Calls visit(number) for each of them, in no order, and several times for what lies in several bins; points do not.
+  template <class Visit>
+  void visit_near(const Bounds<Dim>& bounds, const Visit& visit) const {
+    visit_bins(range_of(bounds), [&](std::size_t place) {
+      for (std::size_t n = starts_[place]; n < starts_[place + 1]; ++n)
+        if (overlap(boxes_[numbers_[n]], bounds)) visit(numbers_[n]);
+    });
+  }
 
  private:
   using Bin = std::array<long, Dim>;
@@ -73,9 +81,24 @@ class NearSearch {
   };
   void choose_bins(const Point<Dim>& bin, const Bounds<Dim>& asked);
   Range range_of(const Bounds<Dim>& bounds) const;
-  bool overlap(const Bounds<Dim>& a, const Bounds<Dim>& b) const;
+  bool overlap(const Bounds<Dim>& a, const Bounds<Dim>& b) const {
+    for (int d = 0; d < Dim; ++d)
+      if (!space_.periodic[d] && (a.lower[d] > b.upper[d] || a.upper[d] < b.lower[d])) return false;
+    return true;
+  }
+  std::size_t folded(long bin, int axis) const {
+    return static_cast<std::size_t>(space_.periodic[axis] ? ((bin % count_[axis]) + count_[axis]) % count_[axis] : bin);
+  }
   template <class Visit>
-  void visit_bins(const Range& range, const Visit& visit) const;
+  void visit_bins(const Range& range, const Visit& visit) const {
+    Bin bin = range.first;
+    for (int d = 0; d < Dim;) {
+      std::size_t place = 0;
+      for (int e = Dim; e-- > 0;) place = place * static_cast<std::size_t>(count_[e]) + folded(bin[e], e);
+      visit(place);
+      for (d = 0; d < Dim && ++bin[d] > range.last[d]; ++d) bin[d] = range.first[d];
+    }
+  }
 
   std::vector<Bounds<Dim>> boxes_;
   PeriodicSpace<Dim> space_;

@@ -42,16 +42,27 @@ double flow_time(const Model<Dim>& model, const BodySpeeds<Dim>& bodies) {
   return speed > 0 ? model.grid.spacing().minCoeff() / speed : std::numeric_limits<double>::infinity();
 }
 
+// How far from its centre a body comes, of what reaches into the middles of cells or so near to them. Collective.
 template <int Dim>
-BodySpeeds<Dim>::BodySpeeds(const Model<Dim>& model) : model_(model), arms_(model.bodies.size(), 0.0) {
-  const PosedBodies<Dim> posed(model.bodies, 0);
-  for_each<Dim>(model.grid.owned(), [&](const Index<Dim>& cell) {
-    const Point<Dim> place = model.grid.cell_center(cell);
-    for (std::size_t b = 0; b < arms_.size(); ++b)
-      if (posed.distance(b, place) <= 0)
-        arms_[b] = std::max(arms_[b], (place - model.bodies[b].motion.center_at(0)).norm());
+double arm_of(const Grid<Dim>& grid, const PosedBodies<Dim>& posed, std::size_t body, const Point<Dim>& center,
+              double near) {
+  double arm = 0;
+  for_each<Dim>(grid.owned(), [&](const Index<Dim>& cell) {
+    const Point<Dim> place = grid.cell_center(cell);
+    if (posed.distance(body, place) <= near) arm = std::max(arm, (place - center).norm());
   });
-  for (double& arm : arms_) arm = largest(model.grid.comm(), arm);
+  return largest(grid.comm(), arm);
+}
+
+template <int Dim>
+BodySpeeds<Dim>::BodySpeeds(const Model<Dim>& model) : model_(model) {
+  const PosedBodies<Dim> posed(model.bodies, 0);
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const Point<Dim> center = model.bodies[b].motion.center_at(0);
+    const double arm = arm_of(model.grid, posed, b, center, 0);
+    // a sheet may lie between the middles
+    arms_.push_back(arm > 0 ? arm : arm_of(model.grid, posed, b, center, 0.5 * model.grid.spacing().norm()));
+  }
 }
 
 template <int Dim>

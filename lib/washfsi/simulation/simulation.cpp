@@ -78,12 +78,16 @@ void Simulation<Dim>::refuse_doubts() const {
                    ", the first of " + doubts.front().name + ", " + doubts.front().text);
 }
 
-// Whether walls of markers begin to hold water that moves already.
+// Whether walls of markers begin to hold water that moves already, or move off at once in water at rest.
 template <int Dim>
-bool Simulation<Dim>::stops_water() const {
+bool Simulation<Dim>::starts_at_once() const {
   double speed = 0;
   WASH_PETSC(VecNorm(system_->model.fluid.velocity(), NORM_INFINITY, &speed));
-  return system_->model.walls && speed > 0;
+  const bool moves_off = std::ranges::any_of(system_->model.bodies, [&](const auto& body) {
+    const auto motion = body.motion.state(clock().time);
+    return motion.angular_velocity != 0 || !motion.velocity.isZero(0);
+  });
+  return system_->model.walls && (speed > 0 || moves_off);
 }
 
 template <int Dim>
@@ -92,8 +96,8 @@ void Simulation<Dim>::choose_time_step() {
   refuse_unseen_motion<Dim>(system_->model.bodies, run_.time_step);
   if (state_.cloth_bound == 0) find_cloth_bound();
   if (state_.dt > 0) return;  // the user's, or that of the checkpoint
-  // walls that stop water at once make it twice as fast beside them, and at edges the faster the finer the grid
-  const double courant = (run_.time_cfl > 0 ? run_.time_cfl : 0.3) * (stops_water() ? 0.125 : 1);
+  // walls that meet water at once make it twice as fast beside them, and at edges the faster the finer the grid
+  const double courant = (run_.time_cfl > 0 ? run_.time_cfl : 0.3) * (starts_at_once() ? 0.125 : 1);
   state_.dt = std::min(longest_step(), courant * flow_time<Dim>(system_->model, *body_speeds_));
   if (!std::isfinite(state_.dt))
     throw InputError("-time_step is missing: nothing moves at the start from which it could be chosen");

@@ -24,7 +24,7 @@ class Simulation {
   void run();
 
  private:
-  bool stops_water() const;
+  bool starts_at_once() const;
   void choose_time_step();
   void find_cloth_bound();
   double longest_step() const;
