@@ -8,11 +8,11 @@ import h5py
 import numpy as np
 
 from washfsi.errors import ResultsError
-from washfsi.series import text_of
+from washfsi.series import ByName, text_of
 
 
 @dataclass
-class Phases:
+class Phases(ByName):
     """What phases.h5 holds. Fields have the phase first, then z, then r; they are not a number where there was no liquid."""
 
     period: float  # [s]; 0 of a single phase of no period
@@ -21,15 +21,6 @@ class Phases:
     center: np.ndarray  # a place on it [m]
     data: dict = field(repr=False)
     units: dict = field(repr=False)
-
-    def __getitem__(self, name):
-        try:
-            return self.data[name]
-        except KeyError:
-            raise KeyError(f"no dataset '{name}'; there are {', '.join(self.data)}") from None
-
-    def __iter__(self):
-        return iter(self.data)
 
     def __len__(self):
         """Returns the number of phases."""

@@ -13,14 +13,10 @@ from washfsi.table import Table
 POLYLINE, QUADRILATERAL = 2, 5  # XDMF's numbers of these types of cells
 
 
-@dataclass
-class Frame:
-    """The datasets of one moment, by name."""
+class ByName:
+    """Lets what holds `data`, arrays by name, be asked for one."""
 
-    time: float  # [s]
-    step: int
-    data: dict = field(repr=False)
-    units: dict = field(default_factory=dict)
+    data: dict
 
     def __getitem__(self, name):
         try:
@@ -30,6 +26,16 @@ class Frame:
 
     def __iter__(self):
         return iter(self.data)
+
+
+@dataclass
+class Frame(ByName):
+    """The datasets of one moment, by name."""
+
+    time: float  # [s]
+    step: int
+    data: dict = field(repr=False)
+    units: dict = field(default_factory=dict)
 
 
 def text_of(attribute):

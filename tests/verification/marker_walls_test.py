@@ -132,12 +132,14 @@ def drag_in_a_ring(size, cells, viscosity, place, towed, *options):
     along = ["-fluid_initial", "uniform", "-fluid_initial_velocity"] if not towed else ["-plate_velocity"]
     sides = [word for axis, kind in zip("xyz"[:dim], ("periodic", "slip", "slip")) for end in ("lower", "upper")
              for word in (f"-bc_{axis}_{end}", kind)]
-    history, _ = run("-grid_cells", ",".join([str(8 * cells)] + [str(wide * cells)] * (dim - 1)),
-                     "-grid_lower", ",".join(["-4"] + [str(-wide // 2)] * (dim - 1)), "-grid_upper", ",".join(["4"] + [str(wide // 2)] * (dim - 1)),
-                     *sides, "-fluid_viscosity", viscosity, "-bodies", "plate", "-plate_shape", "box",
-                     "-plate_size", ",".join(map(str, (0.1, *size))), "-plate_center", ",".join([str(1 + place / cells)] + ["0"] * (dim - 1)),
-                     *along, ",".join([str(-1 if towed else 1)] + ["0"] * (dim - 1)), "-time_step", 0.02, "-time_cfl", 0.2, "-time_end", 2,
-                     *options)
+
+    def point(first, others):
+        return ",".join(map(str, [first] + [others] * (dim - 1)))
+
+    history, _ = run("-grid_cells", point(8 * cells, wide * cells), "-grid_lower", point(-4, -wide // 2), "-grid_upper",
+                     point(4, wide // 2), *sides, "-fluid_viscosity", viscosity, "-bodies", "plate", "-plate_shape", "box", "-plate_size", ",".join(map(str, (0.1, *size))),
+                     "-plate_center", point(1 + place / cells, 0), *along, point(-1 if towed else 1, 0), "-time_step", 0.02,
+                     "-time_cfl", 0.2, "-time_end", 2, *options)
     late = history["time"] > 1
     return 2 * np.average(history["plate_force_x"][late], weights=history["dt"][late]) / math.prod(size)
 
