@@ -137,7 +137,8 @@ def drag_in_a_ring(size, cells, viscosity, place, towed, *options):
         return ",".join(map(str, [first] + [others] * (dim - 1)))
 
     history, _ = run("-grid_cells", point(8 * cells, wide * cells), "-grid_lower", point(-4, -wide // 2), "-grid_upper",
-                     point(4, wide // 2), *sides, "-fluid_viscosity", viscosity, "-bodies", "plate", "-plate_shape", "box", "-plate_size", ",".join(map(str, (0.1, *size))),
+                     point(4, wide // 2), *sides, "-fluid_viscosity", viscosity, "-bodies", "plate", "-plate_shape", "box",
+                     "-plate_size", ",".join(map(str, (0.1, *size))),
                      "-plate_center", point(1 + place / cells, 0), *along, point(-1 if towed else 1, 0), "-time_step", 0.02,
                      "-time_cfl", 0.2, "-time_end", 2, *options)
     late = history["time"] > 1
