@@ -87,11 +87,12 @@ class Elimination {
   }
 
   // Takes back, the last first, what no other is too near any more.
-  void fill_gaps(const std::vector<std::size_t>& order) {
-    for (auto place = order.rbegin(); place != order.rend(); ++place)
-      if (std::none_of(pairs_[*place].begin(), pairs_[*place].end(),
+  void fill_gaps(std::vector<std::size_t> order) {
+    std::ranges::reverse(order);
+    for (const std::size_t place : order)
+      if (std::none_of(pairs_[place].begin(), pairs_[place].end(),
                        [&](const Pair& pair) { return pair.distance < 1 && !gone_[pair.other]; }))
-        gone_[*place] = 0;
+        gone_[place] = 0;
   }
 
   std::vector<Candidate<Dim>> left() const {
