@@ -57,11 +57,7 @@ class Driving(ProgramTest):
                 self.assertLess(relative_difference(table[name], tables[0][name]), 1e-8, name)
 
     def test_restart_goes_on_bit_for_bit(self):
-        straight = self.history("straight", *CHANNEL_3D, "-time_end", "0.4", ranks=2)
-        self.history("split", *CHANNEL_3D, "-time_end", "0.2", ranks=2)
-        split = self.history("split", *CHANNEL_3D, "-time_end", "0.4", "-restart", "split/checkpoint.h5", ranks=2)
-        for name, values in straight.items():
-            np.testing.assert_array_equal(split[name], values, name)
+        self.assert_restart_goes_on(self.history, CHANNEL_3D, 0.2, 0.4)
 
     def test_start_depends_on_the_seed(self):
         energies = [self.history(f"seed_{seed}", *CHANNEL_3D, "-fluid_initial_seed", seed, "-time_end", "0.02")

@@ -91,11 +91,7 @@ class Phases(ProgramTest):
                     self.assertLess(relative_difference(np.nan_to_num(found[name]), np.nan_to_num(values)), 1e-7, name)
 
     def test_restart_goes_on_bit_for_bit(self):
-        straight = self.datasets("straight", *PHASES, "-time_end", "0.26", ranks=2)
-        self.datasets("split", *PHASES, "-time_end", "0.13", ranks=2)
-        split = self.datasets("split", *PHASES, "-time_end", "0.26", "-restart", "split/checkpoint.h5", ranks=2)
-        for name, values in straight.items():
-            np.testing.assert_array_equal(split[name], values, name)
+        self.assert_restart_goes_on(self.datasets, PHASES, 0.13, 0.26)
 
     def test_other_averages_begin_at_a_restart(self):
         self.run_well(1, *TANK, "-time_end", "0.1", "-output_dir", "run")

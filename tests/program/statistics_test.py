@@ -49,11 +49,7 @@ class Statistics(ProgramTest):
                 self.assertLess(relative_difference(found[name], values) if np.abs(values).max() > 1e-9 else 0, 1e-8, name)
 
     def test_restart_goes_on_bit_for_bit(self):
-        straight = self.datasets("straight", "-time_end", "0.4", ranks=2)
-        self.datasets("split", "-time_end", "0.2", ranks=2)
-        split = self.datasets("split", "-time_end", "0.4", "-restart", "split/checkpoint.h5", ranks=2)
-        for name, values in straight.items():
-            np.testing.assert_array_equal(split[name], values, name)
+        self.assert_restart_goes_on(self.datasets, [], 0.2, 0.4)
 
     def test_statistics_begin_at_a_restart_of_a_run_without(self):
         self.run_well(1, *CHANNEL_3D, "-time_end", "0.1", "-output_dir", "run")

@@ -47,6 +47,14 @@ class ProgramTest(unittest.TestCase):
         self.assertEqual(outcome.returncode, 0, outcome.stdout + outcome.stderr)
         return outcome.stdout
 
+    def assert_restart_goes_on(self, results_of, case, middle, end):
+        """Compares, to the bit, the arrays that `results_of` reads of a run and of one that stopped in between, on two ranks."""
+        straight = results_of("straight", *case, "-time_end", end, ranks=2)
+        results_of("split", *case, "-time_end", middle, ranks=2)
+        split = results_of("split", *case, "-time_end", end, "-restart", "split/checkpoint.h5", ranks=2)
+        for name, values in straight.items():
+            np.testing.assert_array_equal(split[name], values, name)
+
 
 def command(ranks, *options):
     """Returns the command line that runs the program: one rank without mpirun, as it starts much sooner."""
