@@ -102,6 +102,12 @@ def places():
     return passed
 
 
+def late_drag(history):
+    """Mean drag from t = 1 on, over half the density, in a stream of speed 1."""
+    late = history["time"] > 1
+    return 2 * np.average(history["plate_force_x"][late], weights=history["dt"][late])
+
+
 def drag_of_plate(cells, shift):
     """Mean drag coefficient from t = 1 to 2 of a plate 0.1 thick across a stream of Re = 100 that starts at once."""
     history, _ = run("-grid_cells", f"{8 * cells},{6 * cells}", "-grid_lower", "-2,-3", "-grid_upper", "6,3",
@@ -109,8 +115,7 @@ def drag_of_plate(cells, shift):
                      "-bc_y_upper", "slip", "-fluid_initial", "uniform", "-fluid_initial_velocity", "1,0", "-fluid_viscosity", 0.01,
                      "-bodies", "plate", "-plate_shape", "box", "-plate_size", "0.1,1", "-plate_center", f"0,{shift / cells}",
                      "-time_cfl", 0.2, "-time_end", 2)
-    late = history["time"] > 1
-    return 2 * np.average(history["plate_force_x"][late], weights=history["dt"][late])
+    return late_drag(history)
 
 
 def plates():
@@ -141,8 +146,7 @@ def drag_in_a_ring(size, cells, viscosity, place, towed, *options):
                      "-plate_size", ",".join(map(str, (0.1, *size))),
                      "-plate_center", point(1 + place / cells, 0), *along, point(-1 if towed else 1, 0), "-time_step", 0.02,
                      "-time_cfl", 0.2, "-time_end", 2, *options)
-    late = history["time"] > 1
-    return 2 * np.average(history["plate_force_x"][late], weights=history["dt"][late]) / math.prod(size)
+    return late_drag(history) / math.prod(size)
 
 
 def towed():
