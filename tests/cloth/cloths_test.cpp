@@ -75,7 +75,7 @@ TEST(Cloths, StiffnessIsTheJacobianOfTheForces) {
   for (const bool closed : {false, true}) {
     const Cloths<2> cloths(PETSC_COMM_WORLD, two_groups(ElasticModel::energy, closed));
     const Points<2> x = crumpled_fibre<2>(34, 0.1, 11);
-    const Forces<2> forces = cloth_forces(cloths, part_of(cloths, x));
+    Forces<2> forces = cloth_forces(cloths, part_of(cloths, x));
     petsc::Matrix matrix;
     forces.lay_out_stiffness(matrix);
     forces.set_stiffness(part_of(cloths, x), GeometricStiffness::all, 1, matrix);
@@ -151,7 +151,7 @@ TEST(Cloths, StiffnessOfSheetsIsTheJacobianOfTheForces) {
   const Cloths<3> cloths(PETSC_COMM_WORLD, sheets(ElasticModel::energy));
   const Points<3> x = crumpled(cloths), u = random_points<3>(87, 23);
   const auto part = [&](const Points<3>& values) { return part_of(cloths, values); };
-  const Forces<3> forces = cloth_forces(cloths, part(x));
+  Forces<3> forces = cloth_forces(cloths, part(x));
   petsc::Matrix matrix;
   forces.lay_out_stiffness(matrix);
   forces.set_stiffness(part(x), GeometricStiffness::all, 1, matrix);

@@ -94,7 +94,7 @@ TEST(Forces, OfAllKindsAreTheGradientOfTheirEnergies) {
 TEST(Forces, LayOutTheirStiffnessAnewWhenOthersMeet) {
   const auto system = start_system<2>(PETSC_COMM_WORLD, fibre_with_spring(), {});
   disturb(*system, 0.004);
-  const Forces<2>& forces = system->model.forces;
+  Forces<2>& forces = system->model.forces;
   const Points<2>& x = system->state.positions;
   petsc::Matrix matrix;
   begin_step(*system, 0);

@@ -108,41 +108,31 @@ std::vector<long> Forces<Dim>::pattern() const {
 }
 
 template <int Dim>
-void Forces<Dim>::lay_out_stiffness(petsc::Matrix& matrix) const {
-  std::vector<PetscInt> rows, columns;
+void Forces<Dim>::lay_out_stiffness(petsc::Matrix& matrix) {
+  std::vector<typename StiffnessRows<Dim>::Place> places;
   const Points<Dim> anywhere(cloths_.owned(), Point<Dim>::Zero());
-  const auto list = [&](PetscInt row, PetscInt column, const StiffnessBlock<Dim>&) {
-    for (PetscInt a = 0; a < Dim; ++a)
-      for (PetscInt b = 0; b < Dim; ++b) {
-        rows.push_back(row * Dim + a);
-        columns.push_back(column * Dim + b);
-      }
-  };
+  const auto list = [&](PetscInt row, PetscInt column, const StiffnessBlock<Dim>&) { places.push_back({row, column}); };
   for (const auto& force : forces_)
     if (is_of_places(*force)) force->visit_stiffness(anywhere, GeometricStiffness::all, list);
-  const PetscInt own_rows = (cloths_.end() - cloths_.begin()) * Dim;
-  WASH_PETSC(MatCreate(cloths_.comm(), matrix.put()));
-  WASH_PETSC(MatSetSizes(matrix, own_rows, own_rows, PETSC_DETERMINE, PETSC_DETERMINE));
-  WASH_PETSC(MatSetBlockSize(matrix, Dim));
-  WASH_PETSC(MatSetType(matrix, MATAIJ));
-  WASH_PETSC(MatSetPreallocationCOO(matrix, static_cast<PetscCount>(rows.size()), rows.data(), columns.data()));
+  rows_ = StiffnessRows<Dim>(cloths_.begin(), cloths_.owned(), places);
+  rows_.create(cloths_.comm(), matrix);
   WASH_PETSC(MatSetOption(matrix, MAT_SYMMETRIC, PETSC_TRUE));
 }
 
 template <int Dim>
 void Forces<Dim>::set_stiffness(const Points<Dim>& positions, GeometricStiffness geometric, double factor,
                                 Mat matrix) const {
-  std::vector<double> values;
-  const auto list = [&](PetscInt, PetscInt, const StiffnessBlock<Dim>& block) {
-    for (int a = 0; a < Dim; ++a)
-      for (int b = 0; b < Dim; ++b) values.push_back(factor * block(a, b));
+  std::vector<StiffnessBlock<Dim>> blocks(rows_.count(), StiffnessBlock<Dim>::Zero());
+  std::size_t visited = 0;
+  const auto add = [&](PetscInt, PetscInt, const StiffnessBlock<Dim>& block) {
+    blocks[rows_.number_of(visited++)] += factor * block;
   };
   for (const auto& force : forces_)
     if (is_of_places(*force)) {
       force->linearise(positions);
-      force->visit_stiffness(positions, geometric, list);
+      force->visit_stiffness(positions, geometric, add);
     }
-  WASH_PETSC(MatSetValuesCOO(matrix, values.data(), INSERT_VALUES));
+  rows_.set(blocks, matrix);
 }
 
 template <int Dim>

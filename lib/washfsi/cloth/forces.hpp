@@ -5,6 +5,7 @@
 
 #include "washfsi/cloth/cloths.hpp"
 #include "washfsi/cloth/marker_force.hpp"
+#include "washfsi/cloth/stiffness_rows.hpp"
 
 namespace washfsi {
 
@@ -42,11 +43,11 @@ class Forces {
 
   /// K d, with K minus the Jacobian of `of_places`.
   Points<Dim> stiffness_product(const Points<Dim>& positions, const Points<Dim>& direction) const;
-  /// Gives a matrix with a row for each coordinate of each marker the places of K's entries; to be done anew when
+  /// Makes a matrix with a row for each coordinate of each marker and the places of K's entries; to be done anew when
   /// `pattern` has changed.
-  void lay_out_stiffness(petsc::Matrix& matrix) const;
+  void lay_out_stiffness(petsc::Matrix& matrix);
   std::vector<long> pattern() const;
-  /// Sets a matrix, laid out, to factor times K.
+  /// Sets a matrix, laid out for this pattern, to factor times K.
   void set_stiffness(const Points<Dim>& positions, GeometricStiffness geometric, double factor, Mat matrix) const;
 
   /// Whether any force is of friction.
@@ -70,6 +71,7 @@ class Forces {
 
   const Cloths<Dim>& cloths_;
   std::vector<std::unique_ptr<MarkerForce<Dim>>> forces_;
+  StiffnessRows<Dim> rows_;  ///< of the pattern that was laid out last
 };
 
 extern template class Forces<2>;

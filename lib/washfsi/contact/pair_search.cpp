@@ -81,9 +81,9 @@ void PairSearch<Dim>::find_edges(const Query& query, std::vector<FacetPair<Dim>>
     const NearSearch<3> search = search_of(boxes, space_);
     const auto area = [&](const auto& e) { return (facets_.marker_areas[e[0]] + facets_.marker_areas[e[1]]) / 6; };
     for (std::size_t a = 0; a < boxes.size(); ++a)
-      for (const std::size_t b : search.near(boxes[a])) {
+      for (const std::size_t b : search.near(boxes[a], a + 1)) {
         const auto &first = facets_.edges[a], &second = facets_.edges[b];
-        if (b <= a || share_a_marker(first, second)) continue;
+        if (share_a_marker(first, second)) continue;
         const double lengths = facets_.edge_lengths[a] * facets_.edge_lengths[b];
         keep_if_near(query,
                      {PairKind::edge_edge,

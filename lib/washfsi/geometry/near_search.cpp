@@ -58,9 +58,11 @@ typename NearSearch<Dim>::Range NearSearch<Dim>::range_of(const Bounds<Dim>& bou
 }
 
 template <int Dim>
-std::vector<std::size_t> NearSearch<Dim>::near(const Bounds<Dim>& bounds) const {
+std::vector<std::size_t> NearSearch<Dim>::near(const Bounds<Dim>& bounds, std::size_t from) const {
   std::vector<std::size_t> found;
-  visit_near(bounds, [&](std::size_t number) { found.push_back(number); });
+  visit_near(bounds, [&](std::size_t number) {
+    if (number >= from) found.push_back(number);
+  });
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;

@@ -62,9 +62,9 @@ class NearSearch {
   NearSearch(std::vector<Bounds<Dim>> boxes, const Point<Dim>& bin, const Bounds<Dim>& asked,
              const PeriodicSpace<Dim>& space = {});
 
-  /// The numbers of the boxes that overlap these bounds, in ascending order; along a periodic axis others may be among
-  /// them.
-  std::vector<std::size_t> near(const Bounds<Dim>& bounds) const;
+  /// The numbers, from one on, of the boxes that overlap these bounds, in ascending order; along a periodic axis others
+  /// may be among them.
+  std::vector<std::size_t> near(const Bounds<Dim>& bounds, std::size_t from = 0) const;
   /// Calls visit(number) for each of them, in no order, and several times for what lies in several bins; points do not.
   template <class Visit>
   void visit_near(const Bounds<Dim>& bounds, const Visit& visit) const {

@@ -43,30 +43,52 @@ bool cross(const std::array<Point<3>, 2>& e, const std::array<Point<3>, 3>& t) {
   return a != 0 && a == b && b == c;
 }
 
-// Lower and upper ends of a thing along one axis.
+// Lower and upper ends of a thing along all axes.
+template <int Dim>
 struct Span {
-  double lower, upper;
+  Point<Dim> lower, upper;
   std::size_t thing;
   bool is_image;
 };
 
-// In ascending order; where space repeats itself, folded, and those that reach beyond the end once more before its
-// start.
-template <int Dim, class Things>
-std::vector<Span> spans_along(int axis, const Things& things, const Points<Dim>& all, double length) {
-  std::vector<Span> spans;
-  for (std::size_t n = 0; n < things.size(); ++n) {
-    double lower = all[things[n][0]][axis], upper = lower;
-    for (const std::size_t m : things[n]) {
-      lower = std::min(lower, all[m][axis]);
-      upper = std::max(upper, all[m][axis]);
-    }
-    const double fold = length > 0 ? length * std::floor(lower / length) : 0;
-    spans.push_back({lower - fold, upper - fold, n, false});
-    if (length > 0 && upper - fold >= length) spans.push_back({lower - fold - length, upper - fold - length, n, true});
+template <int Dim, std::size_t Count>
+Span<Dim> span_of(const std::array<std::size_t, Count>& markers, const Points<Dim>& all, std::size_t thing) {
+  Span<Dim> span{all[markers[0]], all[markers[0]], thing, false};
+  for (const std::size_t m : markers) {
+    span.lower = span.lower.cwiseMin(all[m]);
+    span.upper = span.upper.cwiseMax(all[m]);
   }
-  std::sort(spans.begin(), spans.end(), [](const Span& one, const Span& other) { return one.lower < other.lower; });
+  return span;
+}
+
+// In ascending order along an axis; where space repeats itself, folded, and those that reach beyond the end once more
+// before its start.
+template <int Dim, class Things>
+std::vector<Span<Dim>> spans_along(int axis, const Things& things, const Points<Dim>& all, double length) {
+  std::vector<Span<Dim>> spans;
+  spans.reserve(things.size());
+  const auto add_shifted = [&](Span<Dim> span, double shift) {
+    span.lower[axis] -= shift;
+    span.upper[axis] -= shift;
+    spans.push_back(span);
+  };
+  for (std::size_t n = 0; n < things.size(); ++n) {
+    Span<Dim> span = span_of<Dim>(things[n], all, n);
+    const double fold = length > 0 ? length * std::floor(span.lower[axis] / length) : 0;
+    add_shifted(span, fold);
+    span.is_image = true;
+    if (length > 0 && span.upper[axis] - fold >= length) add_shifted(span, fold + length);
+  }
+  std::sort(spans.begin(), spans.end(), [=](const auto& a, const auto& b) { return a.lower[axis] < b.lower[axis]; });
   return spans;
+}
+
+// Along an axis that repeats itself all may meet.
+template <int Dim>
+bool may_meet(const Span<Dim>& a, const Span<Dim>& b, const Point<Dim>& lengths, int sorted_along) {
+  for (int d = 0; d < Dim; ++d)
+    if ((lengths[d] == 0 || d == sorted_along) && (a.upper[d] < b.lower[d] || b.upper[d] < a.lower[d])) return false;
+  return !(a.is_image && b.is_image);
 }
 
 // The axis along which the markers lie farthest apart.
@@ -123,18 +145,18 @@ void IntersectionCount<Dim>::count(const Points<Dim>& positions) {
   example_.reset();
   if (all.empty() || faces_.empty()) return;
   const int axis = longest_axis<Dim>(all);
-  const std::vector<Span> edges = spans_along<Dim>(axis, edges_, all, lengths_[axis]),
-                          faces = spans_along<Dim>(axis, faces_, all, lengths_[axis]);
+  const std::vector<Span<Dim>> edges = spans_along<Dim>(axis, edges_, all, lengths_[axis]),
+                               faces = spans_along<Dim>(axis, faces_, all, lengths_[axis]);
   double longest = 0;
-  for (const Span& face : faces) longest = std::max(longest, face.upper - face.lower);
+  for (const auto& face : faces) longest = std::max(longest, face.upper[axis] - face.lower[axis]);
   const auto rank = static_cast<std::size_t>(rank_of(cloths_.comm())),
              ranks = static_cast<std::size_t>(ranks_of(cloths_.comm()));
-  for (const Span& edge : edges) {
+  for (const auto& edge : edges) {
     if (edge.thing % ranks != rank) continue;
-    auto face = std::lower_bound(faces.begin(), faces.end(), edge.lower - longest,
-                                 [](const Span& span, double value) { return span.lower < value; });
-    for (; face != faces.end() && face->lower <= edge.upper; ++face)
-      if (face->upper >= edge.lower && !(face->is_image && edge.is_image)) test(edge.thing, face->thing, all);
+    auto face = std::lower_bound(faces.begin(), faces.end(), edge.lower[axis] - longest,
+                                 [&](const auto& span, double value) { return span.lower[axis] < value; });
+    for (; face != faces.end() && face->lower[axis] <= edge.upper[axis]; ++face)
+      if (may_meet(edge, *face, lengths_, axis)) test(edge.thing, face->thing, all);
   }
   total_ = ordered_sum(cloths_.comm(), total_);
   share_example();

@@ -11,8 +11,7 @@
 namespace washfsi {
 
 template <int Dim>
-ClothSolver<Dim>::ClothSolver(const Forces<Dim>& forces, const Points<Dim>& positions,
-                              const ClothSolverDefaults& defaults)
+ClothSolver<Dim>::ClothSolver(Forces<Dim>& forces, const Points<Dim>& positions, const ClothSolverDefaults& defaults)
     : forces_(forces) {
   lay_out_matrix();
   MPI_Comm comm = PetscObjectComm(reinterpret_cast<PetscObject>(static_cast<Mat>(matrix_)));

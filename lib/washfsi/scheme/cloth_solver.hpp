@@ -16,7 +16,7 @@ template <int Dim>
 class ClothSolver {
  public:
   /// `positions` are any that the cloths may have. Collective. Errors: InputError.
-  ClothSolver(const Forces<Dim>& forces, const Points<Dim>& positions, const ClothSolverDefaults& defaults);
+  ClothSolver(Forces<Dim>& forces, const Points<Dim>& positions, const ClothSolverDefaults& defaults);
   ClothSolver(const ClothSolver&) = delete;
   ClothSolver& operator=(const ClothSolver&) = delete;
 
@@ -40,7 +40,7 @@ class ClothSolver {
   void forget_last_solve();
   void aim_at(double residual);
 
-  const Forces<Dim>& forces_;
+  Forces<Dim>& forces_;
   petsc::NonlinearSolver solver_;
   petsc::Matrix matrix_, matrix_free_;
   std::vector<long> pattern_;  ///< of the matrix

@@ -34,13 +34,12 @@ struct NamedScheme {
   std::string name;
   bool takes_inertia;  ///< whether the cloths may carry their own mass
   bool takes_seepage;  ///< whether they may let water through
-  std::function<std::unique_ptr<CouplingScheme<Dim>>(const System<Dim>&, const CouplingOptions&)> make;
+  std::function<std::unique_ptr<CouplingScheme<Dim>>(System<Dim>&, const CouplingOptions&)> make;
 };
 
 template <int Dim, class Scheme>
 NamedScheme<Dim> named(const char* name) {
-  return {name, Scheme::takes_inertia, Scheme::takes_seepage,
-          [](const System<Dim>& system, const CouplingOptions& options) {
+  return {name, Scheme::takes_inertia, Scheme::takes_seepage, [](System<Dim>& system, const CouplingOptions& options) {
             if constexpr (std::is_default_constructible_v<Scheme>)
               return std::make_unique<Scheme>();
             else
@@ -118,7 +117,7 @@ namespace {
 
 // Explicit, unless the user or a contact that limits the motion wants it implicit.
 template <int Dim>
-std::unique_ptr<CouplingScheme<Dim>> cloth_alone(const CouplingOptions& options, const System<Dim>& system) {
+std::unique_ptr<CouplingScheme<Dim>> cloth_alone(const CouplingOptions& options, System<Dim>& system) {
   if (options.scheme_given && options.scheme != "explicit" && options.scheme != "implicit")
     throw InputError("-" + options.scheme_option + " " + options.scheme +
                      ": without fluid (-fluid none) only explicit or implicit");
@@ -133,7 +132,7 @@ std::unique_ptr<CouplingScheme<Dim>> cloth_alone(const CouplingOptions& options,
 }  // namespace
 
 template <int Dim>
-std::unique_ptr<CouplingScheme<Dim>> make_coupling_scheme(const CouplingOptions& options, const System<Dim>& system) {
+std::unique_ptr<CouplingScheme<Dim>> make_coupling_scheme(const CouplingOptions& options, System<Dim>& system) {
   if (!system.model.has_fluid) return cloth_alone(options, system);
   if (system.model.cloths.marker_count() == 0) return std::make_unique<FluidAlone<Dim>>();
   const NamedScheme<Dim>& scheme = scheme_named<Dim>(options.scheme);
@@ -148,7 +147,7 @@ std::unique_ptr<CouplingScheme<Dim>> make_coupling_scheme(const CouplingOptions&
   return scheme.make(system, options);
 }
 
-template std::unique_ptr<CouplingScheme<2>> make_coupling_scheme<2>(const CouplingOptions&, const System<2>&);
-template std::unique_ptr<CouplingScheme<3>> make_coupling_scheme<3>(const CouplingOptions&, const System<3>&);
+template std::unique_ptr<CouplingScheme<2>> make_coupling_scheme<2>(const CouplingOptions&, System<2>&);
+template std::unique_ptr<CouplingScheme<3>> make_coupling_scheme<3>(const CouplingOptions&, System<3>&);
 
 }  // namespace washfsi

@@ -76,6 +76,6 @@ class CouplingScheme {
 
 /// The scheme for a system. Errors: InputError if it does not fit the cloths.
 template <int Dim>
-std::unique_ptr<CouplingScheme<Dim>> make_coupling_scheme(const CouplingOptions& options, const System<Dim>& system);
+std::unique_ptr<CouplingScheme<Dim>> make_coupling_scheme(const CouplingOptions& options, System<Dim>& system);
 
 }  // namespace washfsi

@@ -14,7 +14,7 @@
 namespace washfsi {
 
 template <int Dim>
-ImplicitClothAlone<Dim>::ImplicitClothAlone(const System<Dim>& system, const CouplingOptions& options)
+ImplicitClothAlone<Dim>::ImplicitClothAlone(System<Dim>& system, const CouplingOptions& options)
     : options_(options), solver_(system.model.forces, system.state.positions, {SNESNEWTONLS, true, true}) {
   if (const MarkerForce<Dim>* force = system.model.forces.without_jacobian())
     throw InputError(force->origin() + ": has no Jacobian; use -coupling_scheme explicit");

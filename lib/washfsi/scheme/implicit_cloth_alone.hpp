@@ -18,7 +18,7 @@ template <int Dim>
 class ImplicitClothAlone : public CouplingScheme<Dim> {
  public:
   /// Errors: InputError if a force has no Jacobian.
-  ImplicitClothAlone(const System<Dim>& system, const CouplingOptions& options);
+  ImplicitClothAlone(System<Dim>& system, const CouplingOptions& options);
   double step_bound(const System<Dim>& system) const override;
 
  private:

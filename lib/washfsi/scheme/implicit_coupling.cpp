@@ -14,7 +14,7 @@
 namespace washfsi {
 
 template <int Dim>
-ImplicitCoupling<Dim>::ImplicitCoupling(const System<Dim>& system, const CouplingOptions& options)
+ImplicitCoupling<Dim>::ImplicitCoupling(System<Dim>& system, const CouplingOptions& options)
     : options_(options),
       solver_(system.model.forces, system.state.positions,
               system.model.forces.limit_motion()

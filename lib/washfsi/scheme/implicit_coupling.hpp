@@ -26,7 +26,7 @@ class ImplicitCoupling : public CouplingScheme<Dim> {
   static constexpr bool takes_inertia = true;
   static constexpr bool takes_seepage = true;
 
-  ImplicitCoupling(const System<Dim>& system, const CouplingOptions& options);
+  ImplicitCoupling(System<Dim>& system, const CouplingOptions& options);
   double step_bound(const System<Dim>& system) const override;
 
  private:

@@ -33,7 +33,7 @@ Points<Dim> last_inertia(const System<Dim>& system) {
 }  // namespace
 
 template <int Dim>
-SemiImplicitCoupling<Dim>::SemiImplicitCoupling(const System<Dim>& system, const CouplingOptions& options)
+SemiImplicitCoupling<Dim>::SemiImplicitCoupling(System<Dim>& system, const CouplingOptions& options)
     : options_(options),
       solver_(system.model.forces, system.state.positions,
               {SNESNEWTONLS, options.mobility == Mobility::row_sums, options.mobility == Mobility::matrix,

@@ -45,7 +45,7 @@ class SemiImplicitCoupling : public CouplingScheme<Dim> {
   static constexpr bool takes_inertia = true;
   static constexpr bool takes_seepage = true;
 
-  SemiImplicitCoupling(const System<Dim>& system, const CouplingOptions& options);
+  SemiImplicitCoupling(System<Dim>& system, const CouplingOptions& options);
   double step_bound(const System<Dim>& system) const override;
 
  private:
