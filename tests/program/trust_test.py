@@ -66,6 +66,14 @@ class Trust(ProgramTest):
         self.assert_found(found, "body drum", "ok", "cells")
         self.assert_found(found, "cycles", "warn", "1 of")
 
+    def test_thin_liquids_beside_cloth(self):
+        thin = [*WASH, "-fluid_viscosity", 1e-3, "-check"]
+        self.assert_found(self.findings(*thin), "water beside cloth", "warn", "-cloth_limits_advection")
+        self.assert_found(self.findings(*WASH, "-fluid_viscosity", 2, "-check"), "water beside cloth", "ok", "central differences")
+        for options in (["-cloth_limits_advection"], ["-advection", "upwind"], ["-cloths", ""]):
+            with self.subTest(options):
+                self.assertNotIn("water beside cloth", self.findings(*thin, *options))
+
     def test_surfaces_of_stl_files(self):
         self.write_stl(box(LOW, HIGH))
         self.assert_found(self.findings(*STL), "rock cells across", "ok", "4.8")

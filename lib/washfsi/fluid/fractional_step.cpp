@@ -136,7 +136,7 @@ void FractionalStep<Dim>::advect(Vec local_velocity, Vec density) {
   if (limits_at_edges_) {
     const petsc::LocalVector local(grid_.face_dm());
     WASH_PETSC(VecZeroEntries(local));  // beyond the box too
-    WASH_PETSC(DMGlobalToLocal(grid_.face_dm(), fields_.walls->nearness(), INSERT_VALUES, local));
+    WASH_PETSC(DMGlobalToLocal(grid_.face_dm(), fields_.nearness, INSERT_VALUES, local));
     const ConstFaceView<Dim> near(grid_.face_dm(), local);
     replace_advection(u, rho, WallsideFlux<Dim, ConstFaceView<Dim>>(near));
   }

@@ -38,6 +38,9 @@ struct StepFields {
   Vec force = nullptr;
   Constraint<Dim> constraint;
   WallForces* walls = nullptr;  ///< what holds the water by forces, if anything does
+  /// On faces, with `limits_at_edges`: how near they are to edges and thin parts, from 1 to 0 beyond the reach of their
+  /// forces.
+  Vec nearness = nullptr;
 };
 
 /// A velocity's component c at a place [m/s].
@@ -87,6 +90,7 @@ class FractionalStep {
   }
   /// Whether advection is other than central, and then the power that it took out of the flow in the last step beyond
   /// central advection, which takes none [W; W/m in the plane].
+  Advection scheme_of_advection() const { return advection_scheme_; }
   bool departs_from_central() const { return advection_scheme_ != Advection::central || limits_at_edges_; }
   double numerical_dissipation() const { return numerical_dissipation_; }
 

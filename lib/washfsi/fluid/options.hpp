@@ -20,7 +20,7 @@ struct FluidOptions {
   WallTreatment wall_model = WallTreatment::none;
   DrivingOptions<Dim> driving;
   Advection advection = Advection::central;
-  bool limits_at_edges = false;      ///< central gives way to upwind by the nearness that the walls' forces tell
+  bool limits_at_edges = false;      ///< central gives way to upwind by the nearness in a step's fields
   int advection_steps = 3;           ///< whose advection is extrapolated; 2: Adams-Bashforth, as the thesis has it
   bool projection = true;            ///< false: the cloth tests of thesis 3.5.1, where u = u*
   double momentum_tolerance = 1e-7;  ///< rms residual of the momentum rows, as a part of the largest speed

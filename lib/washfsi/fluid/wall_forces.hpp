@@ -22,9 +22,6 @@ class WallForces {
   WallForces& operator=(const WallForces&) = delete;
   virtual ~WallForces() = default;
 
-  /// On faces: from 1 beside edges and thin parts to 0 beyond the reach of their forces; null if there are none. Valid
-  /// until they move.
-  virtual Vec nearness() const = 0;
   /// force += the density [N/m3] of the forces of the step before. Collective.
   virtual void add_held(Vec force) = 0;
   /// Removes most of the slip of a velocity on faces, as if there were no pressure. Collective.

@@ -31,7 +31,9 @@ class SurfaceForcing : public WallForces {
   /// their bodies' frames, from the next trial on; zeros hold all.
   void let_slide(const Points<Dim>& normals, double part);
 
-  Vec nearness() const override { return nearness_; }
+  /// On faces: from 1 beside edges and thin parts to 0 beyond the reach of their forces; null if there are none. Valid
+  /// until they move.
+  Vec nearness() const { return nearness_; }
   void begin_trial(const TimeStep& step, Vec density) override;
   void add_held(Vec force) override;
   void push(Vec velocity) override;

@@ -79,8 +79,8 @@ void predict(System<Dim>& system, double dt) {
   model.liquid.update_viscosity(
       {model.fluid.velocity(), state.clock.time, model.fluid_share(), model.fluid.last_step()}, model.wall_law.get());
   if (model.wall_law) model.walls->let_slide(model.wall_law->patch_normals(), model.wall_law->part());
-  model.fluid.predict(state.clock.next(dt),
-                      {model.liquid.fields(), step.force, model.mask.constraint(), model.walls.get()});
+  model.fluid.predict(state.clock.next(dt), {model.liquid.fields(), step.force, model.mask.constraint(),
+                                             model.walls.get(), model.nearness()});
 }
 
 template <int Dim>

@@ -10,6 +10,7 @@
 #include "washfsi/cloth/holding_springs.hpp"
 #include "washfsi/cloth/inertia.hpp"
 #include "washfsi/contact/contact_options.hpp"
+#include "washfsi/forcing/edge_nearness.hpp"
 
 namespace washfsi {
 
@@ -47,9 +48,15 @@ std::unique_ptr<SurfaceForcing<Dim>> make_walls(const Grid<Dim>& grid, const Bou
 }
 
 template <int Dim>
-FluidOptions<Dim> with_edges(FluidOptions<Dim> options, const SurfaceForcing<Dim>* walls) {
-  options.limits_at_edges = walls && walls->nearness();
-  return options;
+bool cloth_limits(const ModelOptions<Dim>& options) {
+  return options.cloth_limits_advection && options.fluid.advection == Advection::central && !options.cloths.empty();
+}
+
+template <int Dim>
+FluidOptions<Dim> with_edges(const ModelOptions<Dim>& options, const SurfaceForcing<Dim>* walls) {
+  FluidOptions<Dim> fluid = options.fluid;
+  fluid.limits_at_edges = cloth_limits(options) || (walls && walls->nearness());
+  return fluid;
 }
 
 }  // namespace
@@ -69,6 +76,10 @@ ModelOptions<Dim> ModelOptions<Dim>::from_options(Options& options, MassCarrier 
     block.template point<Dim>("gravity", model.gravity, "m/s2", "acceleration by gravity, acting on excess mass");
   });
   model.cloths = cloth_groups_from_options<Dim>(options);
+  options.block("", "Water beside cloth", [&](OptionBlock& block) {
+    block.boolean("cloth_limits_advection", model.cloth_limits_advection,
+                  "beside cloth -advection central gives way to upwind, for thin liquids and coarse grids");
+  });
   model.treatment = BodyTreatment::from_options(options);
   model.delta = DeltaOptions::from_options(options);
   const ContactOptions contact = ContactOptions::from_options(options);
@@ -90,7 +101,7 @@ Model<Dim>::Model(MPI_Comm comm, const ModelOptions<Dim>& options, std::vector<B
                    : nullptr),
       liquid(grid, boundary, options.fluid.density, options.fluid.viscosity, options.fluid.viscosity_models,
              options.fluid.wall_model),
-      fluid(grid, boundary, with_edges<Dim>(options.fluid, walls.get())),
+      fluid(grid, boundary, with_edges<Dim>(options, walls.get())),
       cloths(comm, options.cloths),
       forces(cloths),
       transfer(grid, boundary, options.delta),
@@ -98,7 +109,9 @@ Model<Dim>::Model(MPI_Comm comm, const ModelOptions<Dim>& options, std::vector<B
       mass_carrier(options.mass_carrier),
       cloth_drag(options.cloth_drag),
       films_drain(options.films_drain),
-      verify_interval(options.verify_interval) {}
+      verify_interval(options.verify_interval) {
+  if (cloth_limits(options)) cloth_nearness = grid.face_vector();
+}
 
 // In this order they are summed.
 template <int Dim>
@@ -116,9 +129,18 @@ void Model<Dim>::add_forces(const ModelOptions<Dim>& options, const Points<Dim>&
 template <int Dim>
 void Model<Dim>::locate_cloth(const Points<Dim>& places) {
   transfer.locate(places);
+  if (cloth_nearness) find_edge_nearness<Dim>(grid, transfer, std::vector<bool>(places.size(), true), cloth_nearness);
   if (cloths.marker_count() == 0 || mass_carrier == MassCarrier::cloth) return;
   liquid.reset_density();
   transfer.spread_mass(cloths.marker_masses(), liquid.density());
+}
+
+template <int Dim>
+Vec Model<Dim>::nearness() const {
+  const Vec of_walls = walls ? walls->nearness() : nullptr;
+  if (!cloth_nearness || !of_walls) return cloth_nearness ? static_cast<Vec>(cloth_nearness) : of_walls;
+  WASH_PETSC(VecPointwiseMax(cloth_nearness, cloth_nearness, of_walls));
+  return cloth_nearness;
 }
 
 template struct ModelOptions<2>;

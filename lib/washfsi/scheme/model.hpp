@@ -31,6 +31,7 @@ struct ModelOptions {
   std::vector<ClothGroup<Dim>> cloths;
   std::vector<MakeForce<Dim>> surrounding_forces;  ///< on the cloths, from what is round them
   bool films_drain = false;                        ///< between cloths that are nearer than a cell
+  bool cloth_limits_advection = false;             ///< beside cloth central advection gives way to upwind
   double verify_interval = 0;  ///< between counts of the cloths' intersections [s]; 0: after each step
   BodyTreatment treatment;
   DeltaOptions delta;
@@ -52,6 +53,9 @@ struct Model {
   /// Fixes spread and interpolate, and the density of water and cloth, at these places of the markers. Collective.
   /// Errors: DivergedError if a marker has left the box.
   void locate_cloth(const Points<Dim>& places);
+  /// How near faces are to what central advection gives way to upwind beside (`StepFields`); null if it does nowhere.
+  /// Collective.
+  Vec nearness() const;
   /// H on faces; null without solids.
   Vec fluid_fraction() const { return mask.empty() ? nullptr : mask.fluid_fraction(); }
   /// The share of faces that lies in fluid; null without solids.
@@ -70,9 +74,10 @@ struct Model {
   Transfer<Dim> transfer;
   bool has_fluid;  ///< false: cloth alone
   MassCarrier mass_carrier;
-  double cloth_drag;       ///< on cloth alone, force per undeformed area and speed [kg/(m2 s)]
-  bool films_drain;        ///< between cloths that are nearer than a cell
-  double verify_interval;  ///< between counts of the cloths' intersections [s]; 0: after each step
+  double cloth_drag;             ///< on cloth alone, force per undeformed area and speed [kg/(m2 s)]
+  bool films_drain;              ///< between cloths that are nearer than a cell
+  double verify_interval;        ///< between counts of the cloths' intersections [s]; 0: after each step
+  petsc::Vector cloth_nearness;  ///< of faces; null where cloth does not limit advection
 };
 
 extern template struct ModelOptions<2>;

@@ -11,20 +11,17 @@ Seepage<Dim>::Seepage(const Model<Dim>& model) : cloths_(model.cloths), present_
   for (const auto& group : cloths_.groups()) present_ = present_ || group.permeance > 0;
   for (std::size_t m = 0; m < cloths_.owned(); ++m)
     rates_.push_back(cloths_.group_of(m).permeance / cloths_.marker_areas()[m]);
-  normals_.assign(cloths_.owned(), Point<Dim>::Zero());
 }
 
 template <int Dim>
 void Seepage<Dim>::begin_step(const Points<Dim>& positions, const Points<Dim>& forces) {
-  if (present_) normals_ = cloths_.normals(positions);
   if (films_) films_->begin_step(positions, forces);
 }
 
 template <int Dim>
 Points<Dim> Seepage<Dim>::velocities(const Points<Dim>& forces) const {
   Points<Dim> result;
-  for (std::size_t m = 0; m < forces.size(); ++m)
-    result.push_back(rates_[m] * normals_[m].dot(forces[m]) * normals_[m]);
+  for (std::size_t m = 0; m < forces.size(); ++m) result.push_back(rates_[m] * forces[m]);
   if (films_) films_->add_velocities(forces, result);
   return result;
 }
@@ -32,10 +29,7 @@ Points<Dim> Seepage<Dim>::velocities(const Points<Dim>& forces) const {
 template <int Dim>
 double Seepage<Dim>::power(const Points<Dim>& forces) const {
   double sum = 0;
-  for (std::size_t m = 0; m < forces.size(); ++m) {
-    const double across = normals_[m].dot(forces[m]);
-    sum += rates_[m] * across * across;
-  }
+  for (std::size_t m = 0; m < forces.size(); ++m) sum += rates_[m] * forces[m].squaredNorm();
   return ordered_sum(cloths_.comm(), sum) + (films_ ? films_->power(forces) : 0);
 }
 
@@ -46,15 +40,12 @@ void Seepage<Dim>::add_to(StepMobility<Dim>& mobility, double factor) const {
   petsc::Matrix own;
   const auto rows = static_cast<PetscInt>(Dim * rates_.size());
   WASH_PETSC(
-      MatCreateAIJ(cloths_.comm(), rows, rows, PETSC_DETERMINE, PETSC_DETERMINE, Dim, nullptr, 0, nullptr, own.put()));
-  for (std::size_t m = 0; m < rates_.size(); ++m) {
-    const StiffnessBlock<Dim> block = factor * rates_[m] * normals_[m] * normals_[m].transpose();
-    for (PetscInt a = 0; a < Dim; ++a)
-      for (PetscInt b = 0; b < Dim; ++b) {
-        const PetscInt first = cloths_.number_of(m) * Dim;
-        WASH_PETSC(MatSetValue(own, first + a, first + b, block(a, b), INSERT_VALUES));
-      }
-  }
+      MatCreateAIJ(cloths_.comm(), rows, rows, PETSC_DETERMINE, PETSC_DETERMINE, 1, nullptr, 0, nullptr, own.put()));
+  for (std::size_t m = 0; m < rates_.size(); ++m)
+    for (PetscInt c = 0; c < Dim; ++c) {
+      const PetscInt row = cloths_.number_of(m) * Dim + c;
+      WASH_PETSC(MatSetValue(own, row, row, factor * rates_[m], INSERT_VALUES));
+    }
   WASH_PETSC(MatAssemblyBegin(own, MAT_FINAL_ASSEMBLY));
   WASH_PETSC(MatAssemblyEnd(own, MAT_FINAL_ASSEMBLY));
   mobility.add(std::move(own));

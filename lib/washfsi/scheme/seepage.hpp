@@ -8,12 +8,13 @@
 
 namespace washfsi {
 
-/// Water that goes through permeable cloth. A marker with the normal n and the undeformed area A, which gives the water
-/// the force f, moves relative to it by
-///   V - J u = B f,     B = permeance/A n n^T
-/// which is Darcy's law with the jump of pressure  n.f/A. The water is that of both sides: its volume is kept. The
-/// power f.B f goes into heat within the cloth, never the other way. The normals are those of a step's start. Where
-/// asked for, B has the films between cloths too.
+/// Water that goes through permeable cloth. A marker with the undeformed area A, which gives the water the force f,
+/// moves relative to it by
+///   V - J u = B f,     B = permeance/A
+/// Across the cloth that is Darcy's law with the jump of pressure  n.f/A. Along it the water that goes through is held
+/// no better: the markers hold the mean of both sides, so that water that comes obliquely would else leave with the
+/// opposite velocity along the cloth. The water is that of both sides: its volume is kept. The power f.B f goes into
+/// heat within the cloth, never the other way. Where asked for, B has the films between cloths too.
 template <int Dim>
 class Seepage {
  public:
@@ -37,7 +38,6 @@ class Seepage {
   std::optional<Films<Dim>> films_;
   bool present_ = false;
   std::vector<double> rates_;  ///< permeance over area of each of this rank's markers [m/(s N)]
-  Points<Dim> normals_;
 };
 
 extern template class Seepage<2>;

@@ -54,6 +54,18 @@ void add_wall_model(const Model<Dim>& model, Findings& findings) {
                  : "friction of bodies is that of the grid; -body_method direct_forcing, or more -grid_cells"});
 }
 
+// Central differences let water go round the edges of a sheet as if it had no friction.
+template <int Dim>
+void add_water_beside_cloth(const Model<Dim>& model, double cell_reynolds, Findings& findings) {
+  if (model.cloths.marker_count() == 0 || model.cloth_nearness ||
+      model.fluid.scheme_of_advection() == Advection::upwind)
+    return;
+  findings.push_back(at_most("water beside cloth", cell_reynolds, {100},
+                             format_text("cell Reynolds number %.3g, central differences", cell_reynolds),
+                             "a stream hardly loads cloth that stands across it; "
+                             "-cloth_limits_advection"));
+}
+
 template <int Dim>
 void add_flow(const Model<Dim>& model, const FlowScales& scales, Findings& findings) {
   if (!model.has_fluid || scales.speed == 0) return;
@@ -69,6 +81,7 @@ void add_flow(const Model<Dim>& model, const FlowScales& scales, Findings& findi
         at_most("cell Reynolds number", cell, {100}, format_text("%.3g, of the widest side of a cell", cell),
                 "eddies smaller than a cell have no model; more -grid_cells, in space -turbulence sigma, or "
                 "-advection upwind"));
+  add_water_beside_cloth(model, cell, findings);
   if (model.liquid.walls()) {
     if (model.bodies.empty()) return;
     add_wall_model(model, findings);

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A sheet across a stream of a thin liquid: central differences let it off, upwind beside the cloth does not."""
+
+import unittest
+
+import numpy as np
+from support import ProgramTest, read_columns
+
+STREAM = """
+-grid_cells 48,36
+-grid_lower -3,-3
+-grid_upper 5,3
+-bc_x_lower inflow
+-bc_x_lower_velocity 1,0
+-bc_x_upper outflow
+-bc_y_lower slip
+-bc_y_upper slip
+-fluid_density 1
+-fluid_viscosity 1e-3
+-fluid_initial uniform
+-fluid_initial_velocity 1,0
+-cloths sheet
+-sheet_size 1
+-sheet_markers 12
+-sheet_center 0,0
+-sheet_direction 0,1
+-sheet_ke 1e3
+-sheet_excess_mass 1e3
+-sheet_hold middle
+-time_step 0.01
+-time_end 4
+""".split()
+
+
+class ClothLimits(ProgramTest):
+    def history(self, folder, *options, ranks=1):
+        self.run_well(ranks, *STREAM, *options, "-output_dir", folder)
+        return read_columns(self.folder / folder / "history.csv")
+
+    def test_load(self):
+        drag = {}
+        for name, options in {"central": (), "upwind": ("-advection", "upwind"), "beside cloth": ("-cloth_limits_advection",)}.items():
+            history = self.history(name.split()[0], *options)
+            drag[name] = 2 * history["sheet_water_force_x"][history["time"] > 3].mean()
+            print(f"{name}: {drag[name]:.3f}")
+        self.assertGreater(drag["beside cloth"], 3 * drag["central"])
+        self.assertGreater(drag["beside cloth"], 0.6 * drag["upwind"])
+        self.assertGreater(history["numerical_dissipation"][-1], 0)
+
+    def test_ranks(self):
+        exact = ("-cloth_limits_advection", "-sheet_permeance", 0.3, "-time_end", 0.1, "-coupling_tolerance", 1e-11, "-pressure_tolerance", 1e-10,
+                 "-momentum_tolerance", 1e-11)
+        one, two = (self.history(f"on{ranks}", *exact, ranks=ranks)["sheet_water_force_x"] for ranks in (1, 2))
+        np.testing.assert_allclose(two, one, rtol=1e-6)
+
+    def test_restart(self):
+        self.assert_restart_goes_on(self.results, ("-cloth_limits_advection",), 0.1, 0.2)
+
+    def results(self, folder, *options, ranks):
+        history = self.history(folder, *options, ranks=ranks)
+        return {name: history[name][-3:] for name in ("time", "sheet_water_force_x", "kinetic_energy")}
+
+
+if __name__ == "__main__":
+    unittest.main()
