@@ -88,9 +88,9 @@ class FractionalStep {
     has_history_ = last > 0;
     dt_earlier_ = before;
   }
+  Advection scheme_of_advection() const { return advection_scheme_; }
   /// Whether advection is other than central, and then the power that it took out of the flow in the last step beyond
   /// central advection, which takes none [W; W/m in the plane].
-  Advection scheme_of_advection() const { return advection_scheme_; }
   bool departs_from_central() const { return advection_scheme_ != Advection::central || limits_at_edges_; }
   double numerical_dissipation() const { return numerical_dissipation_; }
 

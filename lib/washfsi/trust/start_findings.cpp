@@ -54,7 +54,7 @@ void add_wall_model(const Model<Dim>& model, Findings& findings) {
                  : "friction of bodies is that of the grid; -body_method direct_forcing, or more -grid_cells"});
 }
 
-// Central differences let water go round the edges of a sheet as if it had no friction.
+// Central differences may let water go round the edges of a sheet as if it had no friction.
 template <int Dim>
 void add_water_beside_cloth(const Model<Dim>& model, double cell_reynolds, Findings& findings) {
   if (model.cloths.marker_count() == 0 || model.cloth_nearness ||
@@ -62,7 +62,7 @@ void add_water_beside_cloth(const Model<Dim>& model, double cell_reynolds, Findi
     return;
   findings.push_back(at_most("water beside cloth", cell_reynolds, {100},
                              format_text("cell Reynolds number %.3g, central differences", cell_reynolds),
-                             "a stream hardly loads cloth that stands across it; "
+                             "what a stream loads cloth across it with depends on where it lies in its cells; "
                              "-cloth_limits_advection"));
 }
 
