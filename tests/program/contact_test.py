@@ -27,6 +27,25 @@ PRESSED = """
 -time_end 0.02
 -output_interval 1
 """.split()
+# A towel that stands on the floor and buckles under a load in its plane.
+BUCKLED = """
+-grid_cells 16,16,16
+-grid_upper 0.32,0.32,0.32
+-fluid_viscosity 0.5
+-cloths towel
+-towel_size 0.2
+-towel_markers 12
+-towel_ke 8e5
+-towel_center 0.161,0.163,0.12
+-towel_direction 1,0.01,0
+-towel_across 0,0.05,1
+-towel_load 0,0,-5000
+-contact barrier
+-contact_distance 0.006
+-time_step 2.5e-3
+-time_end 0.04
+-output_interval 1
+""".split()
 # A towel that falls onto one held by its corners, in a vacuum.
 DROPPED = """
 -grid_cells 12,12,12
@@ -203,6 +222,11 @@ class Contact(ProgramTest):
         self.assertEqual(history["towel_depth"].max(), 0)
         self.assertGreater(history["towel_body_contact_force"].max(), 0)
         self.assertLess(history["towel_center_z"][-1], 0.2)  # its rim hangs below the top
+
+    def test_cloth_that_buckles_within_a_step_is_solved_for(self):
+        out = self.run_well(1, *BUCKLED, "-cloth_ksp_converged_reason")
+        iterations = [int(line.split()[-1]) for line in out.splitlines() if "Linear cloth_ solve" in line]
+        self.assertLess(max(iterations), 200)
 
     def test_fibres_do_not_pass_in_any_coupling(self):
         without = self.history(1, *FIBRES, "-time_step", 1e-3, *COUNT)

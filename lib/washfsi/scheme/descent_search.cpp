@@ -142,8 +142,7 @@ void DescentSearch<Dim>::accept(SNESLineSearch search, double part) {
   WASH_PETSC(SNESLineSearchSetReason(search, SNES_LINESEARCH_SUCCEEDED));
   WASH_PETSC(SNESLineSearchComputeNorms(search));
   was_stopped_ = part < 1 && equation_->free_part;
-  geometric_ = part == 1 && (equation_->potential || equation_->free_part) ? GeometricStiffness::all
-                                                                           : GeometricStiffness::of_tension;
+  geometric_ = part == 1 && equation_->potential ? GeometricStiffness::all : GeometricStiffness::of_tension;
 }
 
 template class DescentSearch<2>;

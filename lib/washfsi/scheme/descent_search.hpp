@@ -8,9 +8,10 @@ namespace washfsi {
 /// The line search of Newton's method for the cloth: the whole of a step, or a half, a quarter ... of it, the first
 /// that lowers the potential or, near the solution, where differences of the potential drown in round-off, the
 /// residual; without a potential, the preconditioned residual (Deuflhard's natural level function, with the
-/// preconditioner in place of the Jacobian: a residual's own norm sees little but the stiffest waves). Far from the
-/// solution the matrix of an equation with a potential leaves the geometric stiffness of compressed edges out, so that
-/// there is such a step. Where something limits the motion, the first step tried is what is free of it.
+/// preconditioner in place of the Jacobian: a residual's own norm sees little but the stiffest waves). The matrix
+/// leaves the geometric stiffness of compressed edges out, so that there is such a step; of an equation with a
+/// potential only far from the solution, of others always, for GMRES hardly solves what is not positive. Where
+/// something limits the motion, the first step tried is what is free of it.
 template <int Dim>
 class DescentSearch {
  public:
