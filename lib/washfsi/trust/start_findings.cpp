@@ -50,8 +50,10 @@ void add_wall_model(const Model<Dim>& model, Findings& findings) {
        on_bodies ? format_text("of the box's sides, and at %zu points of bodies", model.wall_law->point_count())
                  : "of the box's sides, not of bodies",
        Verdict::warn, Finding::none, Finding::none,
-       on_bodies ? "the law of bodies is validated along walls of the grid's axes only; compare with more -grid_cells"
-                 : "friction of bodies is that of the grid; -body_method direct_forcing, or more -grid_cells"});
+       on_bodies
+           ? "the law of bodies is validated along walls of the grid's axes only, and bodies that do not turn lose "
+             "friction where they are thinner than 24 cells; compare with more -grid_cells"
+           : "friction of bodies is that of the grid; -body_method direct_forcing, or more -grid_cells"});
 }
 
 // Central differences may let water go round the edges of a sheet as if it had no friction.
