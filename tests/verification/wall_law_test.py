@@ -57,32 +57,35 @@ def law(y):
     return np.log(y) / 0.41 + 5.2
 
 
-def profile_of(re_tau, model, folder):
-    """Runs a channel in which u_tau is 1 m/s; returns y+ and U+ of the mean of both halves."""
-    subprocess.run(command(1, *CASE, "-fluid_viscosity", 1 / re_tau, "-turbulence", model, "-fluid_initial_velocity",
-                           f"{law(re_tau) - 2.4},0,0", "-output_dir", folder), check=True, stdout=subprocess.DEVNULL)
-    table = read_columns(Path(folder) / "statistics.csv")
-    half = len(table["y"]) // 2
-    return table["y"][:half] * re_tau, (table["u"][:half] + table["u"][::-1][:half]) / 2
+def run_channel(re_tau, model, folder, *options, along=(1, 0)):
+    """Runs a channel in which u_tau is 1 m/s, from its mean velocity by the law."""
+    u, v = (law(re_tau) - 2.4) * np.array(along)
+    subprocess.run(command(1, *CASE, *options, "-fluid_viscosity", 1 / re_tau, "-turbulence", model, "-fluid_initial_velocity",
+                           f"{u},{v},0", "-output_dir", folder), check=True, stdout=subprocess.DEVNULL)
+
+
+def print_profile(re_tau, distances, speeds):
+    """Prints U+ over the distance from a wall in half heights; returns how far it is off the law."""
+    places = distances * re_tau
+    off = speeds / law(places) - 1
+    print_head("y in cells", "y+", "U+", "law", "off")
+    for row in zip(distances / CELL, places, speeds, law(places), off):
+        print_row(f"{row[0]:.1f}", f"{row[1]:.1f}", f"{row[2]:.2f}", f"{row[3]:.2f}", f"{100 * row[4]:+.1f} %")
+    return off
 
 
 def judge_bodies(re_tau, model):
     """Prints what both walls of a channel between bodies do, and their loads in the mean; returns whether they follow the law."""
     passed = True
     with tempfile.TemporaryDirectory(prefix="washfsi_") as folder:
-        subprocess.run(command(1, *CASE, *BODIES, "-fluid_viscosity", 1 / re_tau, "-turbulence", model, "-fluid_initial_velocity",
-                               f"{law(re_tau) - 2.4},0,0", "-output_dir", folder), check=True, stdout=subprocess.DEVNULL)
+        run_channel(re_tau, model, folder, *BODIES)
         table, history = read_columns(Path(folder) / "statistics.csv"), read_columns(Path(folder) / "history.csv")
     late = history["time"] > 2.8
     for wall, distance in (("floor", table["y"]), ("roof", 2 - table["y"])):
         order = np.argsort(distance)
         near = order[(distance[order] > 0) & (distance[order] < 1)]
-        places, speeds = distance[near] * re_tau, table["u"][near]
-        off = speeds / law(places) - 1
         print(f"\n**Re_tau = {re_tau:g}, {model}, {wall}**: load {history[f'{wall}_force_x'][late].mean() / 6:.2f} Pa\n")
-        print_head("y in cells", "y+", "U+", "law", "off")
-        for n, row in enumerate(zip(places, speeds, law(places), off)):
-            print_row(f"{distance[near][n] / CELL:.1f}", f"{row[0]:.1f}", f"{row[1]:.2f}", f"{row[2]:.2f}", f"{100 * row[3]:+.1f} %")
+        off = print_profile(re_tau, distance[near], table["u"][near])
         passed &= bool(np.abs(off[2:]).max() <= MOST_OFF_BODIES)
     return passed
 
@@ -91,7 +94,7 @@ def means_by_distance(folder):
     """Distances from the nearer wall of an oblique channel, in layers a cell thick, and the mean velocity along it there."""
     with h5py.File(Path(folder) / "statistics.h5") as file:
         x, y = np.meshgrid(file["x"][()], file["y"][()])
-        speeds = ALONG[0] * file["mean/u"][()].reshape(x.shape) + ALONG[1] * file["mean/v"][()].reshape(x.shape)
+        speeds = ALONG[0] * file["mean/u"][()] + ALONG[1] * file["mean/v"][()]
     height = (ACROSS[0] * x + ACROSS[1] * y) % (LENGTHS[1] * ALONG[0])  # above the middle of the slab below
     distance = 1 - np.abs(height - SLAB / 2 - 1)
     layers = np.floor(distance / CELL).astype(int)
@@ -102,24 +105,21 @@ def means_by_distance(folder):
 def judge_oblique(re_tau, model):
     """Prints what a channel at 20 degrees to the grid does; returns whether it follows the law."""
     slabs = [*slab_options("slab", 0), *slab_options("above", LENGTHS[1]), *slab_options("below", -LENGTHS[1])]
-    start = (law(re_tau) - 2.4) * ALONG
     with tempfile.TemporaryDirectory(prefix="washfsi_") as folder:
-        subprocess.run(command(1, *CASE, *OBLIQUE, *slabs, "-fluid_viscosity", 1 / re_tau, "-turbulence", model,
-                               "-fluid_initial_velocity", f"{start[0]},{start[1]},0", "-output_dir", folder), check=True,
-                       stdout=subprocess.DEVNULL)
-        places, speeds = means_by_distance(folder)
-    off = speeds / law(places * re_tau) - 1
+        run_channel(re_tau, model, folder, *OBLIQUE, *slabs, along=ALONG)
+        distances, speeds = means_by_distance(folder)
     print(f"\n**Re_tau = {re_tau:g}, {model}, 20 degrees to the grid**\n")
-    print_head("y in cells", "y+", "U+", "law", "off")
-    for row in zip(places / CELL, places * re_tau, speeds, law(places * re_tau), off):
-        print_row(f"{row[0]:.1f}", f"{row[1]:.1f}", f"{row[2]:.2f}", f"{row[3]:.2f}", f"{100 * row[4]:+.1f} %")
+    off = print_profile(re_tau, distances, speeds)
     return bool(np.abs(off[2:]).max() <= MOST_OFF_OBLIQUE)
 
 
 def judge(re_tau, model):
     """Prints a channel's table; returns whether it follows the law."""
     with tempfile.TemporaryDirectory(prefix="washfsi_") as folder:
-        places, speeds = profile_of(re_tau, model, folder)
+        run_channel(re_tau, model, folder)
+        table = read_columns(Path(folder) / "statistics.csv")
+    half = len(table["y"]) // 2  # the mean of both
+    places, speeds = table["y"][:half] * re_tau, (table["u"][:half] + table["u"][::-1][:half]) / 2
     off = speeds / law(places) - 1
     print(f"\n**Re_tau = {re_tau:g}, {model}**\n")
     print_head("y+", "U+", "law", "off")
