@@ -26,6 +26,7 @@ struct BodyTreatment {
   double marker_spacing = 1.0;      ///< of direct forcing: mean width of a patch on a sheet [cells]
   double slip_tolerance = 0.005;    ///< of direct forcing: rms slip at the markers over the largest speed
   bool limits_advection = true;     ///< of direct forcing: beside edges central advection gives way to upwind
+  bool inner_water_slides = false;  ///< of direct forcing: behind walls with a law of friction
 
   /// Errors: InputError.
   static BodyTreatment from_options(Options& options);

@@ -11,12 +11,12 @@ constexpr double beyond_deltas = 2.5, beyond_eddies = 12;
 }  // namespace
 
 template <int Dim>
-InnerWater InnerWater::of(const Body<Dim>& body, const Grid<Dim>& grid) {
+InnerWater InnerWater::of(const Body<Dim>& body, const Grid<Dim>& grid, bool slides) {
   const bool turns = !body.motion.at_rest() && body.motion.only_turns();
-  return {turns, (turns ? beyond_deltas : beyond_eddies) * grid.spacing().maxCoeff()};
+  return {turns, (turns || slides ? beyond_deltas : beyond_eddies) * grid.spacing().maxCoeff()};
 }
 
-template InnerWater InnerWater::of<2>(const Body<2>&, const Grid<2>&);
-template InnerWater InnerWater::of<3>(const Body<3>&, const Grid<3>&);
+template InnerWater InnerWater::of<2>(const Body<2>&, const Grid<2>&, bool);
+template InnerWater InnerWater::of<3>(const Body<3>&, const Grid<3>&, bool);
 
 }  // namespace washfsi

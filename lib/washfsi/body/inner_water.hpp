@@ -13,11 +13,12 @@ struct InnerWater {
   bool turns = false;
   double held_depth = 0;  ///< behind the walls, from which on the body holds it [m]
 
+  /// `slides`: it is taken along by the water before the walls, as a law of their friction has it.
   template <int Dim>
-  static InnerWater of(const Body<Dim>& body, const Grid<Dim>& grid);
+  static InnerWater of(const Body<Dim>& body, const Grid<Dim>& grid, bool slides);
 };
 
-extern template InnerWater InnerWater::of<2>(const Body<2>&, const Grid<2>&);
-extern template InnerWater InnerWater::of<3>(const Body<3>&, const Grid<3>&);
+extern template InnerWater InnerWater::of<2>(const Body<2>&, const Grid<2>&, bool);
+extern template InnerWater InnerWater::of<3>(const Body<3>&, const Grid<3>&, bool);
 
 }  // namespace washfsi

@@ -47,7 +47,8 @@ Mask<Dim>::Mask(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies, con
   WASH_PETSC(VecSet(fraction_, 1.0));
   WASH_PETSC(VecSet(body_, -1.0));
   if (treatment.method == BodyMethod::direct_forcing) {
-    for (std::size_t b = 0; b < bodies.size(); ++b) held_depths_[b] = InnerWater::of(bodies[b], grid).held_depth;
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+      held_depths_[b] = InnerWater::of(bodies[b], grid, treatment.inner_water_slides).held_depth;
     share_ = petsc::zeros_like(fraction_);
     WASH_PETSC(VecSet(share_, 1.0));
     resting_share_ = petsc::zeros_like(fraction_);
@@ -150,8 +151,7 @@ Covered<Dim> Mask<Dim>::covered(const Point<Dim>& place, const Point<Dim>& own, 
 template <int Dim>
 Constraint<Dim> Mask<Dim>::constraint() const {
   if (empty()) return {};
-  return {fraction_, extrapolates() ? held_velocity_ : solid_velocity_,
-          treatment_.method == BodyMethod::cut_stencil ? &cuts_ : nullptr,
+  return {fraction_, held_velocity(), treatment_.method == BodyMethod::cut_stencil ? &cuts_ : nullptr,
           treatment_.method == BodyMethod::mapping_variable};
 }
 
@@ -212,10 +212,9 @@ template <int Dim>
 void Mask<Dim>::hold(Vec velocity) const {
   if (empty()) return;
   const FaceView<Dim> u(grid_.face_dm(), velocity);
-  const ConstFaceView<Dim> fraction(grid_.face_dm(), fraction_), solid(grid_.face_dm(), solid_velocity_);
+  const ConstFaceView<Dim> fraction(grid_.face_dm(), fraction_), held(grid_.face_dm(), held_velocity());
   for_each<Dim>(grid_.owned(), [&](const Index<Dim>& face) {
-    for (int c = 0; c < Dim; ++c)
-      u(face, c) = fraction(face, c) * u(face, c) + (1 - fraction(face, c)) * solid(face, c);
+    for (int c = 0; c < Dim; ++c) u(face, c) = fraction(face, c) * u(face, c) + (1 - fraction(face, c)) * held(face, c);
   });
 }
 
@@ -234,6 +233,24 @@ void Mask<Dim>::add_constraint_force(Vec constraint_force, Vec density, double t
     force[c] = grid_.cell_volume() * (inertia - f(face, c));
     loads[b].add(place - motion.center, force);
   });
+}
+
+template <int Dim>
+Loads<Dim> Mask<Dim>::sliding_momentum(Vec velocity, Vec density, double time) const {
+  Loads<Dim> momenta(bodies_.size());
+  const ConstFaceView<Dim> u(grid_.face_dm(), velocity), rho(grid_.face_dm(), density);
+  const ConstFaceView<Dim> holder(grid_.face_dm(), body_), fraction(grid_.face_dm(), fraction_);
+  const auto motions = states_at(bodies_, time);
+  grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
+    if (holder(face, c) < 0) return;
+    const auto b = static_cast<std::size_t>(holder(face, c));
+    const Point<Dim> place = grid_.face_center(face, c);
+    const double speed = u(face, c) - motions[b].velocity_at(place)[c];
+    Point<Dim> momentum = Point<Dim>::Zero();
+    momentum[c] = grid_.cell_volume() * (1 - fraction(face, c)) * rho(face, c) * speed;
+    momenta[b].add(place - motions[b].center, momentum);
+  });
+  return ordered_sum<Dim>(grid_.comm(), momenta);
 }
 
 // A drum reaches to the box, whose walls take a part of what the water does to it: the pressure of their cells.
@@ -267,10 +284,10 @@ template <int Dim>
 double Mask<Dim>::dissipation(Vec velocity_before, Vec density, double dt) const {
   if (!any_moves_) return 0;
   const ConstFaceView<Dim> u(grid_.face_dm(), velocity_before), rho(grid_.face_dm(), density);
-  const ConstFaceView<Dim> fraction(grid_.face_dm(), fraction_), solid(grid_.face_dm(), solid_velocity_);
+  const ConstFaceView<Dim> fraction(grid_.face_dm(), fraction_), held(grid_.face_dm(), held_velocity());
   double lost = 0;
   grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
-    const double change = solid(face, c) - u(face, c);
+    const double change = held(face, c) - u(face, c);
     lost += 0.5 * (1 - fraction(face, c)) * rho(face, c) * change * change;
   });
   return ordered_sum(grid_.comm(), lost * grid_.cell_volume() / dt);

@@ -23,6 +23,14 @@ class Mask {
   /// velocity through the wall (Yokoi 2003, thesis 4.3.1.2). The velocity is filled and has wide ghosts.
   void extrapolate(Vec local_velocity, double time);
 
+  /// Lets the water that the bodies hold slide: add(H, velocity) adds to the bodies' velocity on faces.
+  template <class Add>
+  void let_slide(const Add& add) {
+    WASH_PETSC(VecCopy(solid_velocity_, held_velocity_));
+    add(static_cast<Vec>(fraction_), static_cast<Vec>(held_velocity_));
+    slides_ = true;
+  }
+
   Vec fluid_fraction() const { return fraction_; }  ///< H, on faces
   /// The share of each face that lies in fluid: H, but where markers hold the walls and H is 0 only behind them.
   Vec fluid_share() const { return share_ ? share_ : fraction_; }
@@ -35,7 +43,7 @@ class Mask {
   /// What the fluid's equations need of it; valid until the next `update`.
   Constraint<Dim> constraint() const;
 
-  /// velocity becomes H velocity + (1 - H) solid velocity: what moves the markers. Collective.
+  /// velocity becomes H velocity + (1 - H) what is held at: what moves the markers. Collective.
   void hold(Vec velocity) const;
 
   /// Load on each body from the force density by which the bodies held the water over a step, less the inertia of the
@@ -43,8 +51,13 @@ class Mask {
   /// the step. Collective.
   Loads<Dim> loads(Vec constraint_force, Vec density, Vec pressure, double time) const;
 
-  /// Energy that the water lost in a step of dt where a moving mask took it along: 1/2 rho |u_solid - u|^2 on the faces
-  /// that are solid now, u the velocity before, over dt [W; in the plane W/m]. An effect of the staircase. Collective.
+  /// The momentum of the water that each body holds beyond that with which it would move with it, and its angular
+  /// momentum about the body's centre: by as much as it grew over a step, over dt, `loads` are too small on a body
+  /// behind whose walls it slides. Collective.
+  Loads<Dim> sliding_momentum(Vec velocity, Vec density, double time) const;
+
+  /// Energy that the water lost in a step of dt where a moving mask took it along: 1/2 rho |u_held - u|^2 on the faces
+  /// that are held now, u the velocity before, over dt [W; in the plane W/m]. An effect of the staircase. Collective.
   double dissipation(Vec velocity_before, Vec density, double dt) const;
 
   /// The drag of walls of the box at rest on the water inside each body, which is not the body's: what `loads` must be
@@ -58,6 +71,7 @@ class Mask {
   void for_each_inside(const PosedBodies<Dim>& posed, std::size_t body, double reach, const Visit& visit) const;
   void place(const PosedBodies<Dim>& posed, std::size_t body, double time);
   double fraction_at(double distance) const;
+  Vec held_velocity() const { return slides_ || extrapolates() ? held_velocity_ : solid_velocity_; }
   void find_cuts(const PosedBodies<Dim>& posed, double time);
   void add_constraint_force(Vec constraint_force, Vec density, double time, Loads<Dim>& loads) const;
   void add_wall_pressure(Vec pressure, double time, Loads<Dim>& loads) const;
@@ -73,10 +87,10 @@ class Mask {
   std::vector<CutFace<Dim>> cuts_;
   petsc::Vector fraction_, solid_velocity_;
   petsc::Vector share_, resting_share_;            ///< null unless markers hold the walls
-  petsc::Vector held_velocity_;                    ///< for `BodyMethod::ghost`, what solid faces are held at [m/s]
+  petsc::Vector held_velocity_;                    ///< what faces are held at, if not at the bodies' velocity [m/s]
   petsc::Vector body_;                             ///< number of the body that holds each face; -1 in fluid
   petsc::Vector resting_fraction_, resting_body_;  ///< of the bodies at rest alone
-  bool any_moves_;
+  bool any_moves_, slides_ = false;
 };
 
 extern template class Mask<2>;

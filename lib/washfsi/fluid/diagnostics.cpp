@@ -71,7 +71,8 @@ double squared_strain(const Grid<Dim>& grid, const ConstFaceView<Dim>& u, const 
 template <int Dim>
 double dissipated(const Grid<Dim>& grid, const ConstFaceView<Dim>& u, const FlowState& state) {
   if (state.liquid.viscosity.everywhere == 0 && !state.liquid.viscosity.in_cells) return 0;
-  const Vec fraction = state.fluid_fraction ? state.fluid_fraction : state.liquid.density;
+  const Vec fluid = state.fluid_fraction ? state.fluid_fraction : state.liquid.density;
+  const Vec fraction = state.free_fraction ? state.free_fraction : fluid;
   double result = 0;
   with_viscosity<Dim>(grid, state.liquid.viscosity, [&](const auto& viscosity) {
     result = viscosity.scale * squared_strain(grid, u, viscosity, fraction);
@@ -91,6 +92,7 @@ FlowDiagnostics<Dim> FlowDiagnostics<Dim>::of(const Grid<Dim>& grid, const FlowS
   const Ends<Dim> ends(grid);
   const bool has_solids = state.fluid_fraction, are_full = state.inner_velocity;
   const ConstFaceView<Dim> inner(grid.face_dm(), are_full ? state.inner_velocity : density);
+  const ConstFaceView<Dim> counts(grid.face_dm(), state.free_fraction ? state.free_fraction : density);
   const Point<Dim> middle = 0.5 * (grid.lower() + grid.upper());
   double energy = 0, turning = 0;
   for_each<Dim>(grid.owned(), [&](const Index<Dim>& cell) {
@@ -100,7 +102,7 @@ FlowDiagnostics<Dim> FlowDiagnostics<Dim>::of(const Grid<Dim>& grid, const FlowS
       const double lower = u(cell, d), upper = u(next, d);
       courant += dt * std::max(std::abs(lower), std::abs(upper)) * h.inverse[d];
       const double H = has_solids ? fraction(cell, d) : 1, of_inner = are_full ? 1 - H : 0;
-      const double mass = rho(cell, d) * (ends.at_lower(cell, d) ? 0.5 : 1);
+      const double part = counts(cell, d) == 0 ? 0 : ends.at_lower(cell, d) ? 0.5 : 1, mass = part * rho(cell, d);
       const double solid = are_full ? inner(cell, d) : 0, all = are_full ? 1 : H;
       energy += 0.5 * mass * (all * lower * lower - of_inner * solid * solid);
       if (ends.at_upper(next, d)) energy += 0.25 * rho(cell, d) * upper * upper;

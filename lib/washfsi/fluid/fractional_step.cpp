@@ -150,11 +150,14 @@ void FractionalStep<Dim>::replace_advection(const ConstFaceView<Dim>& u, const C
                                             const Flux& flux) {
   const FaceView<Dim> result(grid_.face_dm(), advection_);
   const Spacing<Dim> h(grid_.spacing());
+  const Vec fluid_fraction = fields_.constraint.fluid_fraction;  // what is held is not advected
+  const ConstFaceView<Dim> fraction(grid_.face_dm(), fluid_fraction ? fluid_fraction : fields_.liquid.density);
   double dissipated = 0;
   grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
     if (!flux.departs(face, c)) return;
     const double advected = advection<Dim>(u, face, c, h, flux);
-    dissipated += rho(face, c) * u(face, c) * (advected - result(face, c));
+    const double H = fluid_fraction ? fraction(face, c) : 1;
+    dissipated += H * rho(face, c) * u(face, c) * (advected - result(face, c));
     result(face, c) = advected;
   });
   numerical_dissipation_ = ordered_sum(grid_.comm(), dissipated * grid_.cell_volume());

@@ -39,7 +39,7 @@ BodyMarkers<Dim>::BodyMarkers(const Grid<Dim>& grid, const std::vector<Body<Dim>
       bodies_(bodies),
       depth_(layout.cell.minCoeff() * layout.moments.retraction(std::numeric_limits<double>::max())) {
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    layout.inside = InnerWater::of(bodies[b], grid);
+    layout.inside = InnerWater::of(bodies[b], grid, layout.inner_water_slides);
     by_body_.push_back(surface_markers<Dim>(*bodies[b].shape, region(bodies[b]), layout));
     const MarkerPatches<Dim>& patches = by_body_.back();
     for (std::size_t p = 0; p < patches.size(); ++p) starts_.push_back(arms_.size() + patches.starts[p]);
@@ -52,7 +52,7 @@ BodyMarkers<Dim>::BodyMarkers(const Grid<Dim>& grid, const std::vector<Body<Dim>
   seen_.assign(arms_.size() * bodies.size(), {Point<Dim>::Zero(), -depth_});
 }
 
-// What of the body's frame is ever in the box. A body at rest keeps its angle.
+// A body at rest keeps its angle.
 template <int Dim>
 Bounds<Dim> BodyMarkers<Dim>::region(const Body<Dim>& body) const {
   const RigidMotion<Dim>& motion = body.motion;

@@ -26,6 +26,9 @@ class BodyMarkers {
   /// The markers of one body in its frame.
   const MarkerPatches<Dim>& of_body(std::size_t body) const { return by_body_[body]; }
 
+  /// What of a body's frame is ever in the box.
+  Bounds<Dim> region(const Body<Dim>& body) const;
+
   /// One marker at one moment.
   struct State {
     Point<Dim> place, velocity;  ///< [m, m/s]
@@ -34,7 +37,6 @@ class BodyMarkers {
   State at(const PosedBodies<Dim>& posed, std::size_t patch, std::size_t marker, double time);
 
  private:
-  Bounds<Dim> region(const Body<Dim>& body) const;
   bool is_covered(const PosedBodies<Dim>& posed, std::size_t body, std::size_t marker, const Point<Dim>& place);
   bool rubs_a_wall(const Body<Dim>& body, const Point<Dim>& place) const;
 

@@ -13,17 +13,14 @@ namespace {
 
 constexpr DeltaOptions delta{DeltaKernel::yang, 2, 2};
 
-// Places before the surface, in cells.
-constexpr double acting_place = 1, low_place = 0.5, high_place = 1.5, matching_place = 2.5;
-constexpr double full_cover = 0.15;  // of the delta across the wall; a cell from its middle it has 0.2
+// Places before the surface, in cells; behind it what is held begins at 5/2.
+constexpr double acting_place = 1, matching_place = 3, inner_place = -3;
+constexpr double least_cover = 1e-3;                       // of the delta, where inner water slides
 constexpr double viscous_layer = 5, turbulent_layer = 10;  // y+ at the matching place
-constexpr double longer = 3;            // filter of stresses, which fluctuate more than the mean velocity
-constexpr double lost_in_sampling = 2;  // of the eddies' stress, as velocities are interpolated
-constexpr double most_by_eddies = 0.8;  // of the law's stress
-constexpr double inner_number = 0.25;   // of viscosity, step and spacing within bodies
-constexpr double inside_below = 0.1;    // share of fluid in a cell within a body
+constexpr double inner_number = 0.25;                      // of viscosity, step and spacing within bodies
+constexpr double inside_below = 0.01;                      // share of fluid in a cell within a body
 
-enum Kept : std::size_t { far, low, high, flux_low, flux_high };
+enum Kept : std::size_t { far, near };
 
 double smooth_step(double x) {
   x = std::clamp(x, 0.0, 1.0);
@@ -32,13 +29,6 @@ double smooth_step(double x) {
 
 double holds_by(double y_plus) {
   return smooth_step((y_plus - viscous_layer) / (turbulent_layer - viscous_layer));
-}
-
-// Copies a global face vector, if there is one, with its ghosts; what lies beyond the box is `beyond`.
-template <int Dim>
-void fill_local(const Grid<Dim>& grid, Vec global, double beyond, Vec local) {
-  WASH_PETSC(VecSet(local, beyond));
-  if (global) WASH_PETSC(DMGlobalToLocal(grid.face_dm(), global, INSERT_VALUES, local));
 }
 
 // Calls visit(face, d) for the faces of a cell.
@@ -55,7 +45,12 @@ void visit_faces(const Index<Dim>& cell, Visit&& visit) {
 template <int Dim>
 BodyWallLaw<Dim>::BodyWallLaw(const Grid<Dim>& grid, const Boundary<Dim>& boundary,
                               const std::vector<Body<Dim>>& bodies, const BodyMarkers<Dim>& markers)
-    : grid_(grid), boundary_(boundary), bodies_(bodies), transfer_(grid, boundary, delta) {
+    : grid_(grid),
+      boundary_(boundary),
+      bodies_(bodies),
+      transfer_(grid, boundary, delta),
+      probes_(grid, boundary, delta),
+      inner_(grid, boundary, delta) {
   const auto all = wall_points<Dim>(bodies, markers, grid.spacing(), matching_place);
   patch_normals_.assign(markers.patches(), Point<Dim>::Zero());
   for (const auto& point : all)
@@ -67,8 +62,9 @@ BodyWallLaw<Dim>::BodyWallLaw(const Grid<Dim>& grid, const Boundary<Dim>& bounda
   const std::size_t end = count_ * (rank + 1) / ranks;
   points_.assign(all.begin() + static_cast<std::ptrdiff_t>(begin_), all.begin() + static_cast<std::ptrdiff_t>(end));
   kept_.assign(kept_of_each * points_.size(), Point<Dim>::Zero());
-  weights_.assign(points_.size(), 0.0);
-  viscosities_ = y_plus_ = weights_;
+  forces_.assign(points_.size(), Point<Dim>::Zero());
+  slips_ = forces_;
+  y_plus_.assign(points_.size(), 0.0);
 }
 
 template <int Dim>
@@ -81,129 +77,172 @@ bool BodyWallLaw<Dim>::is_free(const PosedBodies<Dim>& posed, const WallPoint<Di
 }
 
 template <int Dim>
-void BodyWallLaw<Dim>::place(double time) {
-  const PosedBodies<Dim> posed(bodies_, time);
+void BodyWallLaw<Dim>::place() {
+  const PosedBodies<Dim> posed(bodies_, time_);
+  const Point<Dim> anywhere = 0.5 * (grid_.lower() + grid_.upper());
   places_.clear();
   normals_.clear();
   acts_.clear();
+  covers_.clear();
+  Points<Dim> inner, probes;
   for (const WallPoint<Dim>& point : points_) {
     const Point<Dim> foot = posed.in_space(point.body, point.foot);
     normals_.push_back(posed.in_space(point.body, point.foot + point.normal) - foot);
     const Point<Dim> step = point.along * normals_.back(), acting = foot + acting_place * step;
     acts_.push_back(grid_.contains(acting) && is_free(posed, point, foot + matching_place * step));
-    places_.push_back(acts_.back() ? acting : Point<Dim>(0.5 * (grid_.lower() + grid_.upper())));
+    places_.push_back(acts_.back() ? acting : anywhere);
+    probes.push_back(acts_.back() ? Point<Dim>(foot + matching_place * step) : anywhere);
+    inner.push_back(foot + inner_place * step);
+    covers_.push_back(grid_.contains(inner.back()) ? point.area * point.along : 0);
+    if (covers_.back() == 0) inner.back() = anywhere;
   }
   transfer_.locate(places_);
+  probes_.locate(probes);
+  inner_.locate(inner);
 }
 
+// Relative to the bodies, along the walls and in the bodies' frames; so many cells before them, of which `found` are
+// the places where the transfer has been located.
 template <int Dim>
-Points<Dim> BodyWallLaw<Dim>::relative_velocities(Vec local_velocity, double distance, double time) const {
+Points<Dim> BodyWallLaw<Dim>::speeds_along(Vec local_velocity, double distance, const Transfer<Dim>& transfer,
+                                           double found) const {
   Points<Dim> offsets;
   for (std::size_t p = 0; p < points_.size(); ++p)
-    offsets.push_back((distance - acting_place) * points_[p].along * normals_[p]);
-  Points<Dim> velocities = transfer_.sample(local_velocity, offsets);
-  for (std::size_t p = 0; p < points_.size(); ++p)
-    velocities[p] -= bodies_[points_[p].body].motion.velocity(places_[p] + offsets[p], time);
-  return in_bodies_frames(std::move(velocities), time);
+    offsets.push_back((distance - found) * points_[p].along * normals_[p]);
+  Points<Dim> velocities = transfer.sample(local_velocity, offsets);
+  for (std::size_t p = 0; p < points_.size(); ++p) {
+    const Point<Dim> place = places_[p] + (distance - acting_place) * points_[p].along * normals_[p];
+    velocities[p] -= bodies_[points_[p].body].motion.velocity(place, time_);
+    velocities[p] -= velocities[p].dot(normals_[p]) * normals_[p];
+  }
+  return turned(std::move(velocities), false);
 }
 
+// Between the bodies' frames and space.
 template <int Dim>
-Points<Dim> BodyWallLaw<Dim>::in_bodies_frames(Points<Dim> values, double time) const {
+Points<Dim> BodyWallLaw<Dim>::turned(Points<Dim> values, bool into_space) const {
   std::vector<Pose<Dim>> turns;
-  for (const auto& body : bodies_) turns.push_back(Pose<Dim>::at(Point<Dim>::Zero(), body.motion.angle(time)));
-  for (std::size_t p = 0; p < values.size(); ++p) values[p] = turns[points_[p].body].in_body_frame(values[p]);
+  for (const auto& body : bodies_) turns.push_back(Pose<Dim>::at(Point<Dim>::Zero(), body.motion.angle(time_)));
+  for (std::size_t p = 0; p < values.size(); ++p) {
+    const Pose<Dim>& turn = turns[points_[p].body];
+    values[p] = into_space ? turn.in_space(values[p]) : turn.in_body_frame(values[p]);
+  }
   return values;
 }
 
 template <int Dim>
 void BodyWallLaw<Dim>::observe(const StepFlow& flow, const PureLiquid& liquid) {
   const petsc::LogPart part("viscosity");
-  place(flow.time);
+  time_ = flow.time;
+  place();
   fluid_share_ = flow.fluid_share;
   const GhostedVelocity<Dim> local(boundary_, grid_.wide_face_dm(), flow.velocity, flow.time);
-  const Probes seen{relative_velocities(local, low_place, flow.time), relative_velocities(local, high_place, flow.time),
-                    relative_velocities(local, matching_place, flow.time)};
+  const Points<Dim> at_near = speeds_along(local, 0, transfer_, acting_place),
+                    at_far = speeds_along(local, matching_place, probes_, matching_place);
   std::vector<double> sums{0, 0};
   for (std::size_t p = 0; p < points_.size(); ++p) {
-    weights_[p] = viscosities_[p] = y_plus_[p] = 0;
+    y_plus_[p] = 0;
+    forces_[p].setZero();
+    slips_[p].setZero();
     if (!acts_[p]) continue;
-    filter(p, seen, flow.last_step, liquid.viscosity / liquid.density);
-    set_viscosity(p, liquid);
+    filter(p, at_near[p], at_far[p], flow.last_step);
+    rub(p, liquid);
     sums[0] += holds_by(y_plus_[p]);
     sums[1] += 1;
   }
+  forces_ = turned(std::move(forces_), true);
+  slips_ = turned(std::move(slips_), true);
   sums = ordered_sum(grid_.comm(), sums);
   turbulent_ = sums[1] > 0 ? sums[0] / sums[1] : 0;
   const double spacing = grid_.spacing().minCoeff();
   inner_viscosity_ = flow.last_step > 0 ? inner_number * liquid.density * spacing * spacing / flow.last_step : 0;
-  begun_ = true;
+  begun_ = observes_ = true;
 }
 
 template <int Dim>
-void BodyWallLaw<Dim>::filter(std::size_t p, const Probes& seen, double dt, double nu) {
-  const Point<Dim>& normal = points_[p].normal;
+void BodyWallLaw<Dim>::filter(std::size_t p, const Point<Dim>& at_near, const Point<Dim>& at_far, double dt) {
   const double distance = matching_place * points_[p].along;
-  const Point<Dim> along_wall = seen.far[p] - seen.far[p].dot(normal) * normal;
-  const double rate = karman * nu * wall_distance(along_wall.norm() * distance / nu) / (distance * distance);  // 1/T
-  const double weight = begun_ ? dt * rate / (1 + dt * rate) : 1, slow = begun_ ? weight / longer : 1;
-  const auto take = [&](Kept which, const Point<Dim>& now, double part) {
-    Point<Dim>& mean = kept_[kept_of_each * p + which];
-    mean += part * (now - mean);
-  };
-  take(far, along_wall, weight);
-  take(low, seen.low[p], slow);
-  take(high, seen.high[p], slow);
-  take(flux_low, seen.low[p].dot(normal) * seen.low[p], slow);
-  take(flux_high, seen.high[p].dot(normal) * seen.high[p], slow);
+  const double rate = at_far.norm() / distance, weight = begun_ ? dt * rate / (1 + dt * rate) : 1;
+  Point<Dim>* mean = &kept_[kept_of_each * p];
+  mean[far] += weight * (at_far - mean[far]);
+  mean[near] += weight * (at_near - mean[near]);
 }
 
+// In the bodies' frames.
 template <int Dim>
-void BodyWallLaw<Dim>::set_viscosity(std::size_t p, const PureLiquid& liquid) {
+void BodyWallLaw<Dim>::rub(std::size_t p, const PureLiquid& liquid) {
   const WallPoint<Dim>& point = points_[p];
   const Point<Dim>* mean = &kept_[kept_of_each * p];
   const double speed = mean[far].norm(), distance = matching_place * point.along;
   const double nu = liquid.viscosity / liquid.density;
   y_plus_[p] = wall_distance(speed * distance / nu);
-  const double part = holds_by(y_plus_[p]);
-  if (part == 0) return;
-  const Point<Dim> way = mean[far] / speed;
-  const double friction = y_plus_[p] * nu / distance, stress = friction * friction;
-  const auto by_eddies = [&](Kept at, Kept flux) {
-    return -(mean[flux] - mean[at].dot(point.normal) * mean[at]).dot(way);
-  };
-  const double carried = lost_in_sampling * 0.5 * (by_eddies(low, flux_low) + by_eddies(high, flux_high));
-  const double rest = stress - std::clamp(carried, 0.0, most_by_eddies * stress);
-  const double slope = (mean[high] - mean[low]).dot(way) / ((high_place - low_place) * point.along);
-  const double viscosity = liquid.density * rest / std::max(slope, 0.25 * speed / distance);
-  weights_[p] = part * point.area * point.along;
-  viscosities_[p] = weights_[p] * std::max(liquid.viscosity, viscosity);
+  const double part = holds_by(y_plus_[p]), friction = y_plus_[p] * nu / distance;
+  if (part == 0 || !point.is_thick) return;
+  forces_[p] = -part * liquid.density * friction * friction * point.area / speed * mean[far];
+  slips_[p] = part * mean[near];
+}
+
+template <int Dim>
+void BodyWallLaw<Dim>::add_friction(Vec force) const {
+  (void)transfer_.spread(forces_, force);
+}
+
+template <int Dim>
+void BodyWallLaw<Dim>::add_inner_slip(Vec fluid_fraction, Vec velocity) const {
+  const petsc::GlobalVector cover(grid_.face_dm()), covered(grid_.face_dm());
+  WASH_PETSC(VecZeroEntries(cover));
+  WASH_PETSC(VecZeroEntries(covered));
+  Points<Dim> weighted = slips_;
+  for (std::size_t p = 0; p < weighted.size(); ++p) weighted[p] *= covers_[p];
+  inner_.spread_mass(covers_, cover);
+  (void)inner_.spread(weighted, covered);
+  const ConstFaceView<Dim> weight(grid_.face_dm(), cover), slip(grid_.face_dm(), covered);
+  const ConstFaceView<Dim> fraction(grid_.face_dm(), fluid_fraction);
+  const FaceView<Dim> u(grid_.face_dm(), velocity);
+  grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
+    if (fraction(face, c) < 1 && weight(face, c) > least_cover) u(face, c) += slip(face, c) / weight(face, c);
+  });
 }
 
 template <int Dim>
 void BodyWallLaw<Dim>::replace(Vec viscosity) const {
-  const petsc::GlobalVector cover(grid_.face_dm()), covered(grid_.face_dm());
-  WASH_PETSC(VecZeroEntries(cover));
-  WASH_PETSC(VecZeroEntries(covered));
-  transfer_.spread_mass(weights_, cover);
-  transfer_.spread_mass(viscosities_, covered);
-  const petsc::LocalVector local_cover(grid_.face_dm()), local_covered(grid_.face_dm()), local_share(grid_.face_dm());
-  fill_local<Dim>(grid_, cover, 0, local_cover);
-  fill_local<Dim>(grid_, covered, 0, local_covered);
-  fill_local<Dim>(grid_, fluid_share_, 1, local_share);
-  const ConstFaceView<Dim> weight(grid_.face_dm(), local_cover), weighted(grid_.face_dm(), local_covered);
+  const petsc::LocalVector local_share(grid_.face_dm());
+  WASH_PETSC(VecSet(local_share, 1.0));  // beyond the box
+  if (fluid_share_) WASH_PETSC(DMGlobalToLocal(grid_.face_dm(), fluid_share_, INSERT_VALUES, local_share));
   const ConstFaceView<Dim> share(grid_.face_dm(), local_share);
   const CellView<Dim> mu(grid_.cell_dm(), viscosity);
   for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) {
-    double sum = 0, of_walls = 0, fluid = 0;
-    visit_faces<Dim>(cell, [&](const Index<Dim>& face, int d) {
-      sum += weight(face, d) / (2 * Dim);
-      of_walls += weighted(face, d) / (2 * Dim);
-      fluid += share(face, d) / (2 * Dim);
-    });
-    if (sum > 0) mu(cell) += smooth_step(sum / full_cover) * (of_walls / sum - mu(cell));
+    double fluid = 0;
+    visit_faces<Dim>(cell, [&](const Index<Dim>& face, int d) { fluid += share(face, d) / (2 * Dim); });
     const double inside = turbulent_ * smooth_step(1 - fluid / inside_below);
     mu(cell) += inside * std::max(0.0, inner_viscosity_ - mu(cell));
   });
+}
+
+template <int Dim>
+Loads<Dim> BodyWallLaw<Dim>::loads_here() const {
+  Loads<Dim> loads(bodies_.size());
+  if (!observes_) return loads;
+  for (std::size_t p = 0; p < points_.size(); ++p) {
+    const std::size_t b = points_[p].body;
+    loads[b].add(places_[p] - bodies_[b].motion.center_at(time_), -forces_[p]);
+  }
+  return loads;
+}
+
+template <int Dim>
+double BodyWallLaw<Dim>::dissipation(Vec velocity_before, Vec velocity, double time) const {
+  if (!observes_) return 0;
+  const GhostedVelocity<Dim> mean(boundary_, grid_.wide_face_dm(), velocity_before, time_),
+      now(boundary_, grid_.wide_face_dm(), velocity, time);
+  WASH_PETSC(VecAXPBY(mean, 0.5, 0.5, now));
+  const Points<Dim> of_water = transfer_.interpolate(mean);
+  double lost = 0;
+  for (std::size_t p = 0; p < points_.size(); ++p) {
+    const RigidMotion<Dim>& motion = bodies_[points_[p].body].motion;
+    lost += forces_[p].dot(motion.velocity(places_[p], 0.5 * (time_ + time)) - of_water[p]);
+  }
+  return ordered_sum(grid_.comm(), lost);
 }
 
 template <int Dim>

@@ -1,23 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The friction of bodies that markers hold, where the wall layer is thinner than a cell. As at the box's sides
-// (`wall_model.hpp`) it is passed on by the water's own viscosity, so that the implicit solve, loads and dissipation
-// all have it, whatever moves. At points on the surface, y from it in cells and u relative to the body:
-//   1. u(5/2)         filtered over T = y/(0.41 u_tau): outside what the markers' deltas reach, which is 1.65
-//   2. u_tau          of Reichardt's law for it
-//   3. r              = -2 <u'v'> along the flow, mean of y = 1/2 and 3/2: what eddies that the grid carries take to
-//                     the wall, half of which is lost between faces; s = [u(3/2) - u(1/2)]/h; both filtered over 3 T
-//   4. mu_wall        = rho (u_tau^2 - r)/s, r taken as 0.8 u_tau^2 at most: the rest of the law's stress
-//   5. cells nearer than 5/2 get the mean mu_wall of the points round them, by the delta, with a weight that is 1 up to
-//      2 and falls to 0
-//   6. within bodies, from a cell on behind the surface, the viscosity is rho h^2/(4 dt): the water there stays at
-//      rest with the body. Else it would be as turbulent as that outside, and let eddies through the wall.
-//   7. markers of parts that are thicker than two cells hold only the velocity along the normal, by the part of the
-//      points at which the law holds: holding all, they would push back the first layer of water before them, by the
-//      more the nearer it lies.
-// Where y+ of u(5/2) is 5 or less nothing is changed; from 10 on all is.
+// (`wall_model.hpp`) it is that of the law of the wall; here it acts as a force on the water before the walls. At
+// points on the surface of parts thicker than two cells, y from it in cells and u along it relative to the body:
+//   1. u(3), u(0)    filtered over T = y/|u|, y = 3: longer ones would not follow an agitator's strokes
+//   2. u_tau         of Reichardt's law for u(3)
+//   3. F             = -rho u_tau^2 A u/|u| on the water, spread by the delta round y = 1; A the point's area
+//   4. markers       hold only the velocity along the normal, by the part of the points at which the law holds
+//   5. inner water   what is held behind the walls slides along them by u(0), and from a cell on behind them the
+//                    viscosity is rho h^2/(4 dt)
+// The last is what makes 3 all of the friction. Were the inner water at rest, the wall would be a layer of shear as
+// thin as a cell, which rubs by itself where it crosses the grid at an angle a: u = f(n) along it has a divergence of
+// f''' h^2/24 cos a sin a (cos^2 a - sin^2 a) on the faces, and what the pressure makes of that goes through the wall.
+// And water inside with a viscosity of its own would be as turbulent as that outside, and let eddies through.
+// Where y+ of u(3) is 5 or less nothing is changed; from 10 on all is.
 #pragma once
 
+#include "washfsi/body/load.hpp"
 #include "washfsi/coupling/transfer.hpp"
 #include "washfsi/fluid/wall_viscosity.hpp"
 #include "washfsi/forcing/wall_points.hpp"
@@ -33,8 +32,19 @@ class BodyWallLaw : public WallViscosity {
 
   void observe(const StepFlow& flow, const PureLiquid& liquid) override;
   void replace(Vec viscosity) const override;
+  /// Adds the friction to the force on the water [N/m3], on faces. Collective.
+  void add_friction(Vec force) const;
+  /// Adds what the inner water slides by to the velocity of the bodies [m/s], on the faces behind their walls where the
+  /// fraction of fluid is not 1. Collective.
+  void add_inner_slip(Vec fluid_fraction, Vec velocity) const;
 
-  /// The largest y+ of half a cell from each body, by the law at 5/2; 0 where it does not hold. Collective.
+  /// The friction of the water on this rank's part of each body, about its centre.
+  Loads<Dim> loads_here() const;
+  /// The power that the water lost to it over a step to `time`, with the velocities before and now [W; W/m in the
+  /// plane]. Collective.
+  double dissipation(Vec velocity_before, Vec velocity, double time) const;
+
+  /// The largest y+ of half a cell from each body, by the law at 3; 0 where it does not hold. Collective.
   std::vector<double> largest_y_plus() const;
 
   /// Out of the surface at each patch of markers, in its body's frame: where the law holds, only the water's velocity
@@ -45,7 +55,7 @@ class BodyWallLaw : public WallViscosity {
 
   /// What goes on from step to step, in the bodies' frames: so many of each of this rank's points. They hold a run's
   /// earlier flow after `go_on`; else the next flow is taken as it is.
-  static constexpr std::size_t kept_of_each = 5;
+  static constexpr std::size_t kept_of_each = 2;
   Points<Dim>& kept() { return kept_; }
   const Points<Dim>& kept() const { return kept_; }
   void go_on() { begun_ = true; }
@@ -54,16 +64,12 @@ class BodyWallLaw : public WallViscosity {
   std::size_t end() const { return begin_ + points_.size(); }
 
  private:
-  /// Velocities relative to the body before each point, in its frame.
-  struct Probes {
-    Points<Dim> low, high, far;
-  };
-  void place(double time);
+  void place();
   bool is_free(const PosedBodies<Dim>& posed, const WallPoint<Dim>& point, const Point<Dim>& place) const;
-  Points<Dim> relative_velocities(Vec local_velocity, double distance, double time) const;
-  Points<Dim> in_bodies_frames(Points<Dim> values, double time) const;
-  void filter(std::size_t point, const Probes& seen, double dt, double nu);
-  void set_viscosity(std::size_t point, const PureLiquid& liquid);
+  Points<Dim> speeds_along(Vec local_velocity, double distance, const Transfer<Dim>& transfer, double found) const;
+  Points<Dim> turned(Points<Dim> values, bool into_space) const;
+  void filter(std::size_t point, const Point<Dim>& near, const Point<Dim>& far, double dt);
+  void rub(std::size_t point, const PureLiquid& liquid);
 
   const Grid<Dim>& grid_;
   const Boundary<Dim>& boundary_;
@@ -71,16 +77,19 @@ class BodyWallLaw : public WallViscosity {
   std::vector<WallPoint<Dim>> points_;  ///< of this rank
   std::size_t count_, begin_;
   Points<Dim> patch_normals_;
-  Transfer<Dim> transfer_;
-  Points<Dim> places_, normals_;               ///< of the points now, the places a cell before the surface
-  std::vector<char> acts_;                     ///< false where something is too near
-  std::vector<double> weights_, viscosities_;  ///< what each point covers, and that times its viscosity
-  std::vector<double> y_plus_;                 ///< of the matching place
-  Points<Dim> kept_;                           ///< of each point: far, low, high, v u at low, at high
-  double turbulent_ = 0;                       ///< part of the points at which the law holds
-  double inner_viscosity_ = 0;                 ///< [Pa s]
-  Vec fluid_share_ = nullptr;                  ///< of the flow seen last
-  bool begun_ = false;
+  Transfer<Dim> transfer_, probes_, inner_;  ///< round y = 1; at y = 3; behind the walls
+  Points<Dim> places_, normals_;             ///< of the points now: y = 1; out of the surface
+  std::vector<char> acts_;                   ///< false where something is too near
+  Points<Dim> forces_, slips_;               ///< F [N], and what the inner water slides by
+  std::vector<double> covers_;               ///< what each point covers of the inner water; 0 beyond the box
+  std::vector<double> y_plus_;               ///< of the matching place
+  Points<Dim> kept_;                         ///< of each point: u(3), u(0)
+  double turbulent_ = 0;                     ///< part of the points at which the law holds
+  double inner_viscosity_ = 0;               ///< [Pa s]
+  double time_ = 0;                          ///< of `observe` [s]
+  Vec fluid_share_ = nullptr;                ///< of the flow seen last
+  bool begun_ = false;                       ///< what is kept holds an earlier flow
+  bool observes_ = false;                    ///< this run has seen one
 };
 
 extern template class BodyWallLaw<2>;

@@ -15,6 +15,7 @@ struct MarkerLayout {
   Point<Dim> cell;        ///< the grid's spacing [m]
   double spacing = 1.0;   ///< mean width of a patch on a sheet [cells]; solids have wider ones
   KernelMoments moments;  ///< of the delta by which they act
+  bool inner_water_slides = false;
   InnerWater inside = {false, std::numeric_limits<double>::infinity()};  ///< of the body
 };
 

@@ -17,8 +17,9 @@ namespace {
 constexpr DeltaOptions delta{DeltaKernel::yang, 2, 2};
 
 template <int Dim>
-MarkerLayout<Dim> layout_for(const Grid<Dim>& grid, double spacing) {
-  return {grid.spacing(), spacing, KernelMoments(delta.kernel, delta.spread_width)};
+MarkerLayout<Dim> layout_for(const Grid<Dim>& grid, const BodyTreatment& treatment) {
+  return {grid.spacing(), treatment.marker_spacing, KernelMoments(delta.kernel, delta.spread_width),
+          treatment.inner_water_slides};
 }
 
 }  // namespace
@@ -33,8 +34,8 @@ SurfaceForcing<Dim>::SurfaceForcing(const Grid<Dim>& grid, const Boundary<Dim>& 
       slip_tolerance_(treatment.slip_tolerance),
       density_(density),
       transfer_(grid, boundary, delta),
-      markers_(grid, bodies, layout_for(grid, treatment.marker_spacing)) {
-  const MarkerLayout<Dim> layout = layout_for(grid, treatment.marker_spacing);
+      markers_(grid, bodies, layout_for(grid, treatment)) {
+  const MarkerLayout<Dim> layout = layout_for(grid, treatment);
   for (std::size_t b = 0; b < bodies.size(); ++b) inverses_.emplace_back(markers_.of_body(b), layout);
   const auto ranks = static_cast<std::size_t>(ranks_of(grid.comm()));
   for (std::size_t rank = 0; rank <= ranks; ++rank)
@@ -123,8 +124,10 @@ void SurfaceForcing<Dim>::for_each_acting(Visit&& visit) const {
 }
 
 template <int Dim>
-void SurfaceForcing<Dim>::let_slide(const Points<Dim>& normals, double part) {
-  slides_ = part;
+void SurfaceForcing<Dim>::let_slide(const BodyWallLaw<Dim>& law) {
+  law_ = &law;
+  slides_ = law.part();
+  const Points<Dim>& normals = law.patch_normals();
   slide_normals_.assign(normals.begin() + static_cast<std::ptrdiff_t>(begin_),
                         normals.begin() + static_cast<std::ptrdiff_t>(end_));
 }
@@ -181,6 +184,7 @@ void SurfaceForcing<Dim>::accept() {
 template <int Dim>
 void SurfaceForcing<Dim>::add_held(Vec force) {
   (void)transfer_.spread(shared_out(forces_), force);
+  if (law_) law_->add_friction(force);
 }
 
 // u += dt S F / rho
@@ -309,7 +313,7 @@ Points<Dim> SurfaceForcing<Dim>::kept_by_sides(const typename Boundary<Dim>::OnS
 // What a body's force leaves in a side that moves with it has never left the body.
 template <int Dim>
 Loads<Dim> SurfaceForcing<Dim>::loads() const {
-  Loads<Dim> loads(bodies_.size());
+  Loads<Dim> loads = law_ ? law_->loads_here() : Loads<Dim>(bodies_.size());
   const Points<Dim> given = shared_out(forces_);
   const Points<Dim> kept = kept_by_sides([&](int axis, End end, const Index<Dim>& face, int c) {
     return boundary_.covered_share(axis, end, face, c, time_);

@@ -13,6 +13,7 @@
 #include "washfsi/coupling/transfer.hpp"
 #include "washfsi/fluid/wall_forces.hpp"
 #include "washfsi/forcing/body_markers.hpp"
+#include "washfsi/forcing/body_wall_law.hpp"
 #include "washfsi/forcing/overlap_inverse.hpp"
 
 namespace washfsi {
@@ -27,9 +28,9 @@ class SurfaceForcing : public WallForces {
   /// Places the markers as the bodies are at `time`. Collective.
   void update(double time);
 
-  /// Lets the water slide by a part, from 0 to 1, along the surfaces to which these are the normals of all patches, in
-  /// their bodies' frames, from the next trial on; zeros hold all.
-  void let_slide(const Points<Dim>& normals, double part);
+  /// From the next trial on lets the water slide along the surfaces where a law has its friction, which acts instead.
+  /// The law is that of these markers and stays alive.
+  void let_slide(const BodyWallLaw<Dim>& law);
 
   /// On faces: from 1 beside edges and thin parts to 0 beyond the reach of their forces; null if there are none. Valid
   /// until they move.
@@ -42,7 +43,7 @@ class SurfaceForcing : public WallForces {
   void accept() override;
 
   /// What the water does to the markers of each body, about its centre: -F, but for what sides of the box that the
-  /// bodies stand on took of it. Collective.
+  /// bodies stand on took of it; and its friction by the law. Collective.
   Loads<Dim> loads() const;
   /// What these sides of the box took of the markers' forces where no body stands on them; torques about the middle of
   /// the box. Collective.
@@ -93,6 +94,7 @@ class SurfaceForcing : public WallForces {
   Points<Dim> forces_;                                    ///< F of each patch [N; per unit depth in the plane]
   Points<Dim> kept_;                                      ///< F of the step before, in the bodies' frames
   Points<Dim> slide_normals_, normals_;                   ///< of this rank's patches: in their bodies' frames; in space
+  const BodyWallLaw<Dim>* law_ = nullptr;                 ///< by which the water slides
   double slides_ = 0;                                     ///< by what part
   double time_ = 0;                                       ///< of `update`
   petsc::Vector nearness_;                                ///< of faces; null where `nearness` is

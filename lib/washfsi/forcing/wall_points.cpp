@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <span>
 
+#include "washfsi/body/subdivide.hpp"
 #include "washfsi/forcing/sheet_normal.hpp"
 #include "washfsi/geometry/near_search.hpp"
 
@@ -39,25 +40,87 @@ class FaceFinder {
   double cell_;
 };
 
-// One over the density of points of the same face round each, by a Gaussian in cells.
+/// Cells of a lattice in a body's frame, so many to each of the grid's, within a region.
 template <int Dim>
-void find_areas(std::vector<WallPoint<Dim>>& points, const Point<Dim>& cell) {
-  constexpr double width = 1.5, reach = 3 * width;
-  if (points.empty()) return;
-  std::vector<Bounds<Dim>> bounds;
-  for (const auto& point : points) bounds.push_back(Bounds<Dim>::round(point.foot, Point<Dim>::Zero()));
-  Bounds<Dim> all = bounds.front();
-  for (const auto& one : bounds) all.include(one);
-  const NearSearch<Dim> search(bounds, cell, all);
-  const double peak = std::pow(2 * std::numbers::pi * width * width, -0.5 * (Dim - 1));
-  for (auto& point : points) {
-    double density = 0;
-    for (const std::size_t other : search.near(Bounds<Dim>::round(point.foot, reach * cell)))
-      if (points[other].body == point.body && points[other].normal.dot(point.normal) > 0.5)
-        density += peak * std::exp(-0.5 * (points[other].foot - point.foot).cwiseQuotient(width * cell).squaredNorm());
-    point.area = cell.prod() / point.along / density;
+struct FineCells {
+  FineCells(const Bounds<Dim>& region, const Point<Dim>& cell, int to_each) : corner(region.lower) {
+    for (int d = 0; d < Dim; ++d) {
+      const double length = region.upper[d] - region.lower[d];
+      box.lower[d] = 0;
+      box.upper[d] = std::max<PetscInt>(1, std::lround(to_each * length / cell[d]));
+      size[d] = length / static_cast<double>(box.upper[d]);
+    }
   }
-}
+  const Point<Dim>& lower() const { return corner; }
+  const Point<Dim>& spacing() const { return size; }
+  Point<Dim> center(const Index<Dim>& cell) const {
+    Point<Dim> place;
+    for (int d = 0; d < Dim; ++d) place[d] = corner[d] + (static_cast<double>(cell[d]) + 0.5) * size[d];
+    return place;
+  }
+
+  Point<Dim> corner, size;
+  Box<Dim> box{};
+};
+
+/// Shares a body's surface out to the points on it, each part to the nearest on the same face: by the volume of fine
+/// cells in a layer round it. So the areas of all points together are that of the surface within the region.
+template <int Dim>
+class AreaFinder {
+ public:
+  AreaFinder(const Shape<Dim>& shape, const Bounds<Dim>& region, const Point<Dim>& cell,
+             std::span<WallPoint<Dim>> points)
+      : shape_(shape), cell_(cell), cells_(region, cell, to_each), points_(points), search_(search_of(points, cell)) {}
+
+  void share_out() {
+    const auto distance = [&](const Point<Dim>& place) { return shape_.distance(place); };
+    subdivide<Dim>(
+        cells_, cells_.box, layer * cell_.maxCoeff(), distance, [](const Box<Dim>&, int) {},
+        [&](const Index<Dim>& cell) { give(cells_.center(cell)); });
+  }
+
+ private:
+  static constexpr int to_each = 4;         // with `layer` the same share of cells wherever a flat face lies
+  static constexpr double layer = 0.5;      // [cells]
+  static constexpr double same_face = 0.9;  // of the product of two normals, beyond which it is another face
+  static constexpr double farthest = 2;     // [cells] of a point: beyond it there is a corner without points
+
+  static NearSearch<Dim> search_of(std::span<WallPoint<Dim>> points, const Point<Dim>& cell) {
+    Points<Dim> feet;
+    for (const auto& point : points) feet.push_back(point.foot);
+    const auto bounds = bounds_of(feet);
+    Bounds<Dim> asked = hull(bounds);
+    asked.include({asked.lower - farthest * cell, asked.upper + farthest * cell});
+    return {bounds, cell, asked};
+  }
+
+  void give(const Point<Dim>& place) {
+    const double distance = shape_.distance(place);
+    if (std::abs(distance) > layer * cell_.maxCoeff()) return;
+    const Point<Dim> out = distance_gradient<Dim>(shape_, place, 1e-3 * cell_.minCoeff()).normalized();
+    const double thickness = layer * out.cwiseProduct(cell_).norm(), part = 1 - std::abs(distance) / thickness;
+    WallPoint<Dim>* point = part > 0 ? nearest(place, out) : nullptr;
+    if (point) point->area += part * cells_.size.prod() / thickness;
+  }
+
+  WallPoint<Dim>* nearest(const Point<Dim>& place, const Point<Dim>& out) const {
+    double least = farthest * farthest;
+    WallPoint<Dim>* point = nullptr;
+    search_.visit_near(Bounds<Dim>::round(place, farthest * cell_), [&](std::size_t p) {
+      const double away = (points_[p].foot - place).cwiseQuotient(cell_).squaredNorm();
+      if (away > least || points_[p].normal.dot(out) < same_face) return;
+      least = away;
+      point = &points_[p];
+    });
+    return point;
+  }
+
+  const Shape<Dim>& shape_;
+  const Point<Dim> cell_;
+  FineCells<Dim> cells_;
+  std::span<WallPoint<Dim>> points_;
+  NearSearch<Dim> search_;
+};
 
 }  // namespace
 
@@ -70,6 +133,7 @@ std::vector<WallPoint<Dim>> wall_points(const std::vector<Body<Dim>>& bodies, co
     const Shape<Dim>& shape = *bodies[b].shape;
     const FaceFinder<Dim> faces(shape, cell);
     const MarkerPatches<Dim>& patches = markers.of_body(b);
+    const std::size_t of_body = points.size();
     for (std::size_t p = 0; p < patches.size(); ++p) {
       Point<Dim> middle = Point<Dim>::Zero();
       for (std::size_t m = patches.starts[p]; m < patches.starts[p + 1]; ++m) middle += patches.feet[m];
@@ -82,9 +146,9 @@ std::vector<WallPoint<Dim>> wall_points(const std::vector<Body<Dim>>& bodies, co
               {b, first + p, foot, normal, along, shape.distance(foot - 2 * along * normal) < -1.5 * along});
       }
     }
+    AreaFinder<Dim>(shape, markers.region(bodies[b]), cell, std::span(points).subspan(of_body)).share_out();
     first += patches.size();
   }
-  find_areas<Dim>(points, cell);
   return points;
 }
 

@@ -13,7 +13,7 @@ struct WallPoint {
   Point<Dim> foot, normal;  ///< on the surface [m], and out of it; in the body's frame
   double along;             ///< a cell's size in the normal's direction [m]
   bool is_thick;            ///< the body goes on behind it for two cells
-  double area = 0;          ///< of the surface that is nearest to it, about [m2; m in the plane]
+  double area = 0;          ///< of the surface that is nearest to it [m2; m in the plane]
 };
 
 /// One or two of each patch, in their order. In a corner there is no layer: where the body is nearer to what lies

@@ -24,10 +24,10 @@ void EddyMeasure<Dim>::declare(QuantityList& quantities) {
   body_y_plus_.assign(system_.model.wall_law ? system_.model.bodies.size() : 0, 0.0);
   for (std::size_t b = 0; b < body_y_plus_.size(); ++b) {
     const std::string& name = system_.model.bodies[b].name;
-    quantities.add(
-        {name + "_y_plus_max", "-",
-         "with `-wall_model`: largest y+ of half a cell before the body, by Reichardt's law two cells farther",
-         [this, b] { return body_y_plus_[b]; }, Accumulation::largest, "/bodies/" + name + "/max_y_plus"});
+    quantities.add({name + "_y_plus_max", "-",
+                    "with `-wall_model`: largest y+ of half a cell before the body, by Reichardt's law for the "
+                    "velocity three cells off",
+                    [this, b] { return body_y_plus_[b]; }, Accumulation::largest, "/bodies/" + name + "/max_y_plus"});
   }
   if (!system_.model.liquid.has_models()) return;
   quantities.add({"eddy_viscosity_mean", "Pa s", "mean over the box of what `-turbulence` added in the step",

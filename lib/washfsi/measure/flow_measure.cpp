@@ -40,8 +40,12 @@ void FlowMeasure<Dim>::observe(const Observation<Dim>& seen) {
   const Model<Dim>& model = system_.model;
   dt_ = seen.dt;
   const Vec inner_velocity = model.walls ? model.mask.solid_velocity() : nullptr;
-  flow_ = FlowDiagnostics<Dim>::of(model.grid,
-                                   {seen.velocity, model.liquid.fields(), model.fluid_share(), inner_velocity}, dt_);
+  const Vec free_fraction = model.wall_law ? model.mask.fluid_fraction() : nullptr;  // what is held slides by itself
+  flow_ = FlowDiagnostics<Dim>::of(
+      model.grid, {seen.velocity, model.liquid.fields(), model.fluid_share(), inner_velocity, free_fraction}, dt_);
+  if (model.wall_law)
+    flow_.dissipation +=
+        model.wall_law->dissipation(model.fluid.velocity_before(), model.fluid.velocity(), system_.state.clock.time);
   const CarriedMass cloth = CarriedMass::of(system_);
   flow_.kinetic_energy += cloth.kinetic_energy;
   flow_.angular_momentum += cloth.angular_momentum;

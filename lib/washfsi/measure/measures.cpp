@@ -123,6 +123,7 @@ void Measures<Dim>::observe_start(double dt) {
                                       system_.state.clock.time);
   const Observation<Dim> seen{dt, 0, velocity, {Loads<Dim>(model.bodies.size()), {}}};
   flow_.observe_start(seen);
+  bodies_.observe_start(seen);
   cloth_.observe_start(seen);
   coupling_.observe_start(seen);
   for (const auto& measure : further_) measure->observe_start(seen);
@@ -143,6 +144,7 @@ std::vector<MarkerField> Measures<Dim>::marker_fields() const {
 template <int Dim>
 void Measures<Dim>::prepare() {
   if (unmeasured_time_ == 0) return;
+  bodies_.prepare();
   coupling_.prepare();
   for (const auto& measure : further_) measure->prepare();
 }

@@ -81,6 +81,7 @@ ModelOptions<Dim> ModelOptions<Dim>::from_options(Options& options, MassCarrier 
                   "beside cloth -advection central gives way to upwind, for thin liquids and coarse grids");
   });
   model.treatment = BodyTreatment::from_options(options);
+  model.treatment.inner_water_slides = model.fluid.wall_model != WallTreatment::none;
   model.delta = DeltaOptions::from_options(options);
   const ContactOptions contact = ContactOptions::from_options(options);
   model.surrounding_forces = contact.forces<Dim>();

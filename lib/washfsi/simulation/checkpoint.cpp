@@ -13,7 +13,7 @@ namespace washfsi {
 
 namespace {
 
-constexpr double format = 7;  ///< of the file; another number for any other content
+constexpr double format = 8;  ///< of the file; another number for any other content
 
 // The numbers that a state has besides its fields, in the order in which they are kept; as attributes for readers.
 constexpr std::array number_names{"step",

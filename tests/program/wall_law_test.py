@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A plug of thin water slides between slabs that have a law for their friction: it must not matter where they lie in their cells, nor how they lie to
+the grid."""
+
+import json
+import unittest
+
+import numpy as np
+from support import ProgramTest, read_columns
+
+CELL, SPEED = 1 / 16, 20
+LAW = 1.0  # Pa: of 20 m/s three cells from a wall, viscosity 5e-4 Pa s, density 1 kg/m3
+
+
+class WallLaw(ProgramTest):
+    def friction(self, run, rise, shift=0.0, axes=(0, 1), ranks=1):
+        """Mean load per area on the two sides of a slab that goes so many cells along and up while it goes through a periodic box once."""
+        lengths = np.array([run, rise]) * CELL if rise else np.array([run, 44]) * CELL
+        along = np.array([run, rise]) / np.hypot(run, rise)
+        across = np.array([-along[1], along[0]])
+        thickness = lengths[1] * along[0] - 2
+
+        def vector(values):
+            return ",".join(str(values[axis]) for axis in axes)
+
+        options = []
+        for name, height in (("slab", 0), ("above", lengths[1]), ("below", -lengths[1])):
+            options += [f"-{name}_shape", "intersection", f"-{name}_parts", "roof,floor",
+                        f"-{name}_center", vector((0, height + shift * CELL))]
+            for part, side in (("roof", 1), ("floor", -1)):
+                options += [f"-{name}_{part}_shape", "halfspace", f"-{name}_{part}_normal", vector(side * across),
+                            f"-{name}_{part}_offset", vector(side * thickness / 2 * across)]
+        sides = [word for axis in "xy" for end in ("lower", "upper") for word in (f"-bc_{axis}_{end}", "periodic")]
+        self.run_well(ranks, "-grid_cells", vector(np.round(lengths / CELL).astype(int)), "-grid_lower", "0,0", "-grid_upper", vector(lengths),
+                      *sides, "-fluid_density", 1, "-fluid_viscosity", 5e-4, "-wall_model", "equilibrium", "-fluid_initial", "uniform",
+                      "-fluid_initial_velocity", vector(SPEED * along), "-bodies", "slab,above,below", "-body_method", "direct_forcing",
+                      *options, "-time_step", 0.004, "-time_cfl", 0.6, "-time_end", 0.15, "-history_interval", 0.02, "-output_dir", "out")
+        history = read_columns(self.folder / "out" / "history.csv")
+        late = history["time"] > 0.05
+        names = [name + "_force_" + "xy"[axes.index(axis)] for axis in (0, 1) for name in ("slab", "above", "below")]
+        force = sum(history[name][late].mean() * along[n // 3] for n, name in enumerate(names))
+        summary = json.loads((self.folder / "out" / "summary.json").read_text(encoding="utf-8"))
+        self.open = next(finding["value"] for finding in summary["trust"]["end"] if finding["name"] == "energy open")
+        return force / (2 * np.hypot(*(np.array([run, rise]) * CELL)))
+
+    def assert_as_by_the_law(self, friction):
+        """The water inside, which slides along, slows down too: by up to 0.8 Pa in this time. At rest with the slabs it makes 13 Pa of it."""
+        self.assertGreater(friction, 0.8 * LAW)
+        self.assertLess(friction, 2 * LAW)
+        self.assertLess(self.open, 1)
+
+    def test_walls_along_the_grid_rub_by_the_law(self):
+        for shift in (0.0, 0.3, 0.5):
+            self.assert_as_by_the_law(self.friction(48, 0, shift))
+
+    def test_oblique_walls_rub_no_more(self):
+        frictions = [self.friction(118, 43, shift) for shift in (0.0, 0.3, 0.5)]
+        for friction in frictions:
+            self.assert_as_by_the_law(friction)
+            self.assertAlmostEqual(friction / frictions[0], 1, delta=0.02)
+
+    def test_axes_and_ranks_do_not_matter(self):
+        one = self.friction(118, 43)
+        self.assertAlmostEqual(self.friction(118, 43, axes=(1, 0)) / one, 1, delta=1e-3)
+        self.assertAlmostEqual(self.friction(118, 43, ranks=2) / one, 1, delta=1e-3)
+
+
+if __name__ == "__main__":
+    unittest.main()
