@@ -5,6 +5,7 @@ the grid."""
 import json
 import unittest
 
+import h5py
 import numpy as np
 from support import ProgramTest, read_columns
 
@@ -12,29 +13,35 @@ CELL, SPEED = 1 / 16, 20
 LAW = 1.0  # Pa: of 20 m/s three cells from a wall, viscosity 5e-4 Pa s, density 1 kg/m3
 
 
+def vector(values, axes=(0, 1)):
+    return ",".join(str(values[axis]) for axis in axes)
+
+
+def plug(run, rise, shift=0.0, axes=(0, 1)):
+    """Options of a slab that goes so many cells along and up while it goes through a periodic box once, and the way along it."""
+    lengths = np.array([run, rise or 44]) * CELL
+    along = np.array([run, rise]) / np.hypot(run, rise)
+    across = np.array([-along[1], along[0]])
+    thickness = lengths[1] * along[0] - 2
+    options = []
+    for name, height in (("slab", 0), ("above", lengths[1]), ("below", -lengths[1])):
+        options += [f"-{name}_shape", "intersection", f"-{name}_parts", "roof,floor", f"-{name}_center",
+                    vector((0, height + shift * CELL), axes)]
+        for part, side in (("roof", 1), ("floor", -1)):
+            options += [f"-{name}_{part}_shape", "halfspace", f"-{name}_{part}_normal", vector(side * across, axes),
+                        f"-{name}_{part}_offset", vector(side * thickness / 2 * across, axes)]
+    sides = [word for axis in "xy" for end in ("lower", "upper") for word in (f"-bc_{axis}_{end}", "periodic")]
+    return ["-grid_cells", vector(np.round(lengths / CELL).astype(int), axes), "-grid_lower", "0,0", "-grid_upper", vector(lengths, axes),
+            *sides, "-fluid_density", 1, "-fluid_viscosity", 5e-4, "-wall_model", "equilibrium", "-fluid_initial", "uniform",
+            "-fluid_initial_velocity", vector(SPEED * along, axes), "-bodies", "slab,above,below", "-body_method", "direct_forcing",
+            *options, "-time_step", 0.004, "-time_cfl", 0.6, "-history_interval", 0.02], along
+
+
 class WallLaw(ProgramTest):
     def friction(self, run, rise, shift=0.0, axes=(0, 1), ranks=1):
-        """Mean load per area on the two sides of a slab that goes so many cells along and up while it goes through a periodic box once."""
-        lengths = np.array([run, rise]) * CELL if rise else np.array([run, 44]) * CELL
-        along = np.array([run, rise]) / np.hypot(run, rise)
-        across = np.array([-along[1], along[0]])
-        thickness = lengths[1] * along[0] - 2
-
-        def vector(values):
-            return ",".join(str(values[axis]) for axis in axes)
-
-        options = []
-        for name, height in (("slab", 0), ("above", lengths[1]), ("below", -lengths[1])):
-            options += [f"-{name}_shape", "intersection", f"-{name}_parts", "roof,floor",
-                        f"-{name}_center", vector((0, height + shift * CELL))]
-            for part, side in (("roof", 1), ("floor", -1)):
-                options += [f"-{name}_{part}_shape", "halfspace", f"-{name}_{part}_normal", vector(side * across),
-                            f"-{name}_{part}_offset", vector(side * thickness / 2 * across)]
-        sides = [word for axis in "xy" for end in ("lower", "upper") for word in (f"-bc_{axis}_{end}", "periodic")]
-        self.run_well(ranks, "-grid_cells", vector(np.round(lengths / CELL).astype(int)), "-grid_lower", "0,0", "-grid_upper", vector(lengths),
-                      *sides, "-fluid_density", 1, "-fluid_viscosity", 5e-4, "-wall_model", "equilibrium", "-fluid_initial", "uniform",
-                      "-fluid_initial_velocity", vector(SPEED * along), "-bodies", "slab,above,below", "-body_method", "direct_forcing",
-                      *options, "-time_step", 0.004, "-time_cfl", 0.6, "-time_end", 0.15, "-history_interval", 0.02, "-output_dir", "out")
+        """Mean load per area of the slabs along the flow."""
+        options, along = plug(run, rise, shift, axes)
+        self.run_well(ranks, *options, "-time_end", 0.15, "-output_dir", "out")
         history = read_columns(self.folder / "out" / "history.csv")
         late = history["time"] > 0.05
         names = [name + "_force_" + "xy"[axes.index(axis)] for axis in (0, 1) for name in ("slab", "above", "below")]
@@ -63,6 +70,14 @@ class WallLaw(ProgramTest):
         one = self.friction(118, 43)
         self.assertAlmostEqual(self.friction(118, 43, axes=(1, 0)) / one, 1, delta=1e-3)
         self.assertAlmostEqual(self.friction(118, 43, ranks=2) / one, 1, delta=1e-3)
+
+    def test_a_restart_goes_on(self):
+        def results_of(folder, *options, ranks):
+            self.run_well(ranks, *options, "-output_dir", folder)
+            with h5py.File(self.folder / folder / "checkpoint.h5") as file:
+                return {name: file[name][()] for name in ("fluid/velocity", "walls/means")}
+
+        self.assert_restart_goes_on(results_of, [*plug(118, 43)[0], "-checkpoint_interval", 0.05], 0.05, 0.1)
 
 
 if __name__ == "__main__":
