@@ -71,8 +71,7 @@ double squared_strain(const Grid<Dim>& grid, const ConstFaceView<Dim>& u, const 
 template <int Dim>
 double dissipated(const Grid<Dim>& grid, const ConstFaceView<Dim>& u, const FlowState& state) {
   if (state.liquid.viscosity.everywhere == 0 && !state.liquid.viscosity.in_cells) return 0;
-  const Vec fluid = state.fluid_fraction ? state.fluid_fraction : state.liquid.density;
-  const Vec fraction = state.free_fraction ? state.free_fraction : fluid;
+  const Vec fraction = state.fluid_fraction ? state.fluid_fraction : state.liquid.density;
   double result = 0;
   with_viscosity<Dim>(grid, state.liquid.viscosity, [&](const auto& viscosity) {
     result = viscosity.scale * squared_strain(grid, u, viscosity, fraction);

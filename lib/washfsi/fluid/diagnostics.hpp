@@ -12,7 +12,7 @@ struct FlowState {
   LiquidFields liquid;
   Vec fluid_fraction = nullptr;  ///< H of the faces; none: no solids
   Vec inner_velocity = nullptr;  ///< of solids full of water, which is not to be counted [m/s]
-  Vec free_fraction = nullptr;   ///< 0 on faces that are not to be counted, nor friction between them; none: counts all
+  Vec free_fraction = nullptr;   ///< 0 on faces that are not to be counted; none: counts all
 };
 
 /// What is watched after each step. Sums are over faces, without those in solids [in 2D per unit depth]: H times what
