@@ -151,7 +151,8 @@ Covered<Dim> Mask<Dim>::covered(const Point<Dim>& place, const Point<Dim>& own, 
 template <int Dim>
 Constraint<Dim> Mask<Dim>::constraint() const {
   if (empty()) return {};
-  return {fraction_, held_velocity(), treatment_.method == BodyMethod::cut_stencil ? &cuts_ : nullptr,
+  return {fraction_, slides_ || extrapolates() ? held_velocity_ : solid_velocity_,
+          treatment_.method == BodyMethod::cut_stencil ? &cuts_ : nullptr,
           treatment_.method == BodyMethod::mapping_variable};
 }
 
@@ -212,9 +213,10 @@ template <int Dim>
 void Mask<Dim>::hold(Vec velocity) const {
   if (empty()) return;
   const FaceView<Dim> u(grid_.face_dm(), velocity);
-  const ConstFaceView<Dim> fraction(grid_.face_dm(), fraction_), held(grid_.face_dm(), held_velocity());
+  const ConstFaceView<Dim> fraction(grid_.face_dm(), fraction_), solid(grid_.face_dm(), solid_velocity_);
   for_each<Dim>(grid_.owned(), [&](const Index<Dim>& face) {
-    for (int c = 0; c < Dim; ++c) u(face, c) = fraction(face, c) * u(face, c) + (1 - fraction(face, c)) * held(face, c);
+    for (int c = 0; c < Dim; ++c)
+      u(face, c) = fraction(face, c) * u(face, c) + (1 - fraction(face, c)) * solid(face, c);
   });
 }
 
@@ -284,10 +286,10 @@ template <int Dim>
 double Mask<Dim>::dissipation(Vec velocity_before, Vec density, double dt) const {
   if (!any_moves_) return 0;
   const ConstFaceView<Dim> u(grid_.face_dm(), velocity_before), rho(grid_.face_dm(), density);
-  const ConstFaceView<Dim> fraction(grid_.face_dm(), fraction_), held(grid_.face_dm(), held_velocity());
+  const ConstFaceView<Dim> fraction(grid_.face_dm(), fraction_), solid(grid_.face_dm(), solid_velocity_);
   double lost = 0;
   grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
-    const double change = held(face, c) - u(face, c);
+    const double change = solid(face, c) - u(face, c);
     lost += 0.5 * (1 - fraction(face, c)) * rho(face, c) * change * change;
   });
   return ordered_sum(grid_.comm(), lost * grid_.cell_volume() / dt);

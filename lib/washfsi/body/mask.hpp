@@ -43,7 +43,7 @@ class Mask {
   /// What the fluid's equations need of it; valid until the next `update`.
   Constraint<Dim> constraint() const;
 
-  /// velocity becomes H velocity + (1 - H) what is held at: what moves the markers. Collective.
+  /// velocity becomes H velocity + (1 - H) solid velocity: what moves the markers. Collective.
   void hold(Vec velocity) const;
 
   /// Load on each body from the force density by which the bodies held the water over a step, less the inertia of the
@@ -56,8 +56,8 @@ class Mask {
   /// behind whose walls it slides. Collective.
   Loads<Dim> sliding_momentum(Vec velocity, Vec density, double time) const;
 
-  /// Energy that the water lost in a step of dt where a moving mask took it along: 1/2 rho |u_held - u|^2 on the faces
-  /// that are held now, u the velocity before, over dt [W; in the plane W/m]. An effect of the staircase. Collective.
+  /// Energy that the water lost in a step of dt where a moving mask took it along: 1/2 rho |u_solid - u|^2 on the faces
+  /// that are solid now, u the velocity before, over dt [W; in the plane W/m]. An effect of the staircase. Collective.
   double dissipation(Vec velocity_before, Vec density, double dt) const;
 
   /// The drag of walls of the box at rest on the water inside each body, which is not the body's: what `loads` must be
@@ -71,7 +71,6 @@ class Mask {
   void for_each_inside(const PosedBodies<Dim>& posed, std::size_t body, double reach, const Visit& visit) const;
   void place(const PosedBodies<Dim>& posed, std::size_t body, double time);
   double fraction_at(double distance) const;
-  Vec held_velocity() const { return slides_ || extrapolates() ? held_velocity_ : solid_velocity_; }
   void find_cuts(const PosedBodies<Dim>& posed, double time);
   void add_constraint_force(Vec constraint_force, Vec density, double time, Loads<Dim>& loads) const;
   void add_wall_pressure(Vec pressure, double time, Loads<Dim>& loads) const;
