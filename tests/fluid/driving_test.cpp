@@ -36,8 +36,20 @@ class Channel {
     });
     return largest(grid_.comm(), worst);
   }
+  /// One step in which the gradient drives only a share of all faces.
+  void run_with_share(double share, double dt) {
+    const petsc::GlobalVector shares(grid_.face_dm());
+    WASH_PETSC(VecSet(shares, share));
+    const petsc::GlobalVector none_held(grid_.face_dm());
+    WASH_PETSC(VecSet(none_held, 1.0));
+    StepFields<Dim> fields{water_.liquid.fields(), water_.force, {none_held, water_.force}};
+    fields.driven_share = shares;
+    fluid().advance(water_.clock.next(dt), fields);
+    water_.clock.advance(dt);
+  }
   Point<Dim> bulk() { return mean_velocity<Dim>(grid_, fluid().velocity()); }
   FractionalStep<Dim>& fluid() { return water_.fluid; }
+  const Grid<Dim>& grid() const { return grid_; }
 
  private:
   GridShape<Dim> shape(PetscInt cells) const {
@@ -137,6 +149,19 @@ TEST(Driving, BulkVelocityAndItsGradientGiveTheSameFlow) {
   driven.run(400, 0.01);
   EXPECT_NEAR(driven.bulk()[0], 0.5, 1e-10);
   EXPECT_NEAR(driven.off_parabola(0.75), held.off_parabola(0.75), 1e-10);
+}
+
+// The rest of the force is the bodies': from rest, before friction matters.
+TEST(Driving, DrivesOnlyItsShare) {
+  constexpr double share = 0.25, dt = 1e-6;
+  Channel<3> channel(0, 8, gradient<3>(0, -16));
+  channel.run_with_share(share, dt);
+  EXPECT_NEAR(channel.bulk()[0] / (share * 16 / density * dt), 1, 1e-3);
+  const Point<3> held = mean_velocity<3>(channel.grid(), channel.fluid().constraint_force());
+  EXPECT_NEAR(held[0], (1 - share) * -16, 1e-12);
+  const Point<3> part =
+      mean_velocity<3>(channel.grid(), channel.fluid().velocity(), channel.fluid().constraint_force());
+  EXPECT_NEAR(part[0], channel.bulk()[0] * held[0], 1e-12);
 }
 
 TEST(Driving, RefusesWhatCannotBe) {

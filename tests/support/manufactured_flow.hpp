@@ -52,7 +52,8 @@ class GivenViscosity : public ViscosityModel<Dim> {
  public:
   explicit GivenViscosity(std::function<double(const Point<Dim>&)> at) : at_(std::move(at)) {}
 
-  void add(const Grid<Dim>& grid, const ConstFaceView<Dim>&, double, const CellView<Dim>& viscosity) const override {
+  void add(const Grid<Dim>& grid, const ConstFaceView<Dim>&, double, const CellShare<Dim>&,
+           const CellView<Dim>& viscosity) const override {
     for_each<Dim>(grid.owned(), [&](const Index<Dim>& cell) { viscosity(cell) += at_(grid.cell_center(cell)); });
   }
 

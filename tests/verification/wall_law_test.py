@@ -24,8 +24,8 @@ CASE = ["-options_file", SOURCE / "inputs" / "channel_turbulent.opts", "-grid_ce
         "-statistics_start", 4, "-statistics_spectra", 1.03125]
 MOST_OFF, MOST_OFF_BODIES, MOST_OFF_OBLIQUE = 0.05, 0.08, 0.12
 CELL = 1 / 16
-BODIES = ["-grid_cells", "48,41,32", "-grid_lower", f"0,{-4.3 * CELL},0", "-grid_upper", f"3,{36.7 * CELL},2", "-time_cfl", 0.7,
-          "-time_end", 4.6, "-statistics_start", 2.8, "-bodies", "floor,roof", "-body_method", "direct_forcing",
+BODIES = ["-grid_cells", "96,41,48", "-grid_lower", f"0,{-4.3 * CELL},0", "-grid_upper", f"6,{36.7 * CELL},3", "-time_cfl", 0.7,
+          "-time_end", 6, "-statistics_start", 3, "-bodies", "floor,roof", "-body_method", "direct_forcing",
           "-floor_shape", "halfspace", "-floor_center", "0,0,0", "-floor_normal", "0,1,0",
           "-roof_shape", "halfspace", "-roof_center", "0,2,0", "-roof_normal", "0,-1,0"]
 

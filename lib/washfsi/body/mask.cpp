@@ -242,12 +242,13 @@ Loads<Dim> Mask<Dim>::sliding_momentum(Vec velocity, Vec density, double time) c
   Loads<Dim> momenta(bodies_.size());
   const ConstFaceView<Dim> u(grid_.face_dm(), velocity), rho(grid_.face_dm(), density);
   const ConstFaceView<Dim> holder(grid_.face_dm(), body_), fraction(grid_.face_dm(), fraction_);
+  const ConstFaceView<Dim> solid(grid_.face_dm(), solid_velocity_);
   const auto motions = states_at(bodies_, time);
   grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
-    if (holder(face, c) < 0) return;
+    if (holder(face, c) < 0 || fraction(face, c) == 1) return;
     const auto b = static_cast<std::size_t>(holder(face, c));
     const Point<Dim> place = grid_.face_center(face, c);
-    const double speed = u(face, c) - motions[b].velocity_at(place)[c];
+    const double speed = u(face, c) - solid(face, c);
     Point<Dim> momentum = Point<Dim>::Zero();
     momentum[c] = grid_.cell_volume() * (1 - fraction(face, c)) * rho(face, c) * speed;
     momenta[b].add(place - motions[b].center, momentum);

@@ -73,11 +73,16 @@ Point<Dim> Transfer<Dim>::spread(const Points<Dim>& forces, Vec force) const {
 
 template <int Dim>
 void Transfer<Dim>::spread_mass(const std::vector<double>& masses, Vec density) const {
+  Points<Dim> amounts;
+  for (const double mass : masses) amounts.push_back(Point<Dim>::Constant(mass));
+  spread_amounts(amounts, density);
+}
+
+template <int Dim>
+void Transfer<Dim>::spread_amounts(const Points<Dim>& amounts, Vec density) const {
   const petsc::LogPart part("spread");
   const petsc::LocalVector local(grid_.wide_face_dm());
-  Points<Dim> values;
-  for (const double mass : exchange_.to_cells(masses)) values.push_back(Point<Dim>::Constant(mass));
-  add_to_local(values, local);
+  add_to_local(exchange_.to_cells(amounts), local);
   boundary_.fold_mass(local);
   WASH_PETSC(DMLocalToGlobal(grid_.wide_face_dm(), local, ADD_VALUES, density));
 }

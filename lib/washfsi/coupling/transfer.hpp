@@ -35,6 +35,8 @@ class Transfer {
 
   /// density += S m with nodal masses m [kg], for each component's faces; mass beyond walls is folded back. Collective.
   void spread_mass(const std::vector<double>& masses, Vec density) const;
+  /// The same with an amount for each component.
+  void spread_amounts(const Points<Dim>& amounts, Vec density) const;
 
   /// Velocity at an offset of at most `sample_reach` cells from where each marker was located, linearly between faces
   /// and not with the delta; places beyond the box are moved to its surface. Collective.

@@ -47,14 +47,22 @@ const Point<Dim>& Driving<Dim>::begin() {
 }
 
 template <int Dim>
-void Driving<Dim>::keep_bulk(double dt, Vec density, Vec fluid_fraction, Vec velocity) {
+void Driving<Dim>::hold_back(Vec driven_share, Vec force) const {
+  if (!is_there()) return;
+  const ConstFaceView<Dim> share(grid_.face_dm(), driven_share);
+  const FaceView<Dim> f(grid_.face_dm(), force);
+  grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) { f(face, c) += guess_[c] * (1 - share(face, c)); });
+}
+
+template <int Dim>
+void Driving<Dim>::keep_bulk(double dt, Vec density, Vec driven_share, Vec velocity) {
   const FaceView<Dim> u(grid_.face_dm(), velocity);
   const ConstFaceView<Dim> rho(grid_.face_dm(), density);
-  const ConstFaceView<Dim> fraction(grid_.face_dm(), fluid_fraction ? fluid_fraction : density);
+  const ConstFaceView<Dim> share(grid_.face_dm(), driven_share ? driven_share : density);
   for (int c = 0; c < Dim; ++c) {
     if (!keeps_bulk(c)) continue;
     const auto response = [&](const Index<Dim>& face) {
-      return (fluid_fraction ? fraction(face, c) : 1) * dt / rho(face, c);
+      return (driven_share ? share(face, c) : 1) * dt / rho(face, c);
     };
     std::vector<double> sums(2, 0.0);
     for_each<Dim>(grid_.owned(), [&](const Index<Dim>& face) {
@@ -76,17 +84,19 @@ void Driving<Dim>::accept(bool is_first) {
 }
 
 template <int Dim>
-Point<Dim> mean_velocity(const Grid<Dim>& grid, Vec velocity) {
-  const ConstFaceView<Dim> u(grid.face_dm(), velocity);
+Point<Dim> mean_velocity(const Grid<Dim>& grid, Vec velocity, Vec share) {
+  const ConstFaceView<Dim> u(grid.face_dm(), velocity), part(grid.face_dm(), share ? share : velocity);
   std::vector<double> sums(Dim, 0.0);
   for (int c = 0; c < Dim; ++c)
-    for_each<Dim>(grid.owned(), [&](const Index<Dim>& face) { sums[static_cast<std::size_t>(c)] += u(face, c); });
+    for_each<Dim>(grid.owned(), [&](const Index<Dim>& face) {
+      sums[static_cast<std::size_t>(c)] += (share ? part(face, c) : 1) * u(face, c);
+    });
   sums = ordered_sum(grid.comm(), sums);
   return Point<Dim>(sums.data()) / grid.cell_count();
 }
 
-template Point<2> mean_velocity<2>(const Grid<2>&, Vec);
-template Point<3> mean_velocity<3>(const Grid<3>&, Vec);
+template Point<2> mean_velocity<2>(const Grid<2>&, Vec, Vec);
+template Point<3> mean_velocity<3>(const Grid<3>&, Vec, Vec);
 template struct DrivingOptions<2>;
 template struct DrivingOptions<3>;
 template class Driving<2>;

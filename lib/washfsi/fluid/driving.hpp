@@ -6,6 +6,9 @@
 //   G^(n+1/2) = G^(n-1/2) - d,    d = (U_c - mean u*_c) / mean(H dt / rho),    u* += d H dt / rho
 // after the momentum solve, which takes G^(n-1/2): what a step adds is what changed, so that at rest nothing of the
 // force goes round the implicit friction. The first step adds all; it may start water from rest at once.
+//
+// Water inside bodies behind whose walls it slides would pass the force on to the water before them: their share of
+// it the bodies hold.
 #pragma once
 
 #include <span>
@@ -36,8 +39,10 @@ class Driving {
 
   /// G that the momentum solve takes; begins the trial of a step [Pa/m].
   const Point<Dim>& begin();
-  /// Gives u* its bulk velocity. `fluid_fraction`: H, null for 1 everywhere. Collective.
-  void keep_bulk(double dt, Vec density, Vec fluid_fraction, Vec velocity);
+  /// Adds to a force density on faces [N/m3] that by which bodies hold what is not driven: G (1 - share).
+  void hold_back(Vec driven_share, Vec force) const;
+  /// Gives u* its bulk velocity. `driven_share`, on faces: H; null for 1 everywhere. Collective.
+  void keep_bulk(double dt, Vec density, Vec driven_share, Vec velocity);
   /// Takes the trial. The first step's G is no guess of the next one's.
   void accept(bool is_first);
 
@@ -53,9 +58,10 @@ class Driving {
   Point<Dim> guess_, gradient_;
 };
 
-/// Mean of the components of a global velocity over the box, as of its faces; walls are at the lower ones. Collective.
+/// Mean of the components of a global velocity over the box, as of its faces; walls are at the lower ones. With a share
+/// of each face, that of the velocity times it. Collective.
 template <int Dim>
-Point<Dim> mean_velocity(const Grid<Dim>& grid, Vec velocity);
+Point<Dim> mean_velocity(const Grid<Dim>& grid, Vec velocity, Vec share = nullptr);
 
 extern template struct DrivingOptions<2>;
 extern template struct DrivingOptions<3>;

@@ -70,13 +70,7 @@ void FractionalStep<Dim>::predict(const TimeStep& step, const StepFields<Dim>& f
   const petsc::LogPart part("momentum");
   step_ = step;
   fields_ = fields;
-  if (fields.walls) {
-    if (!force_) force_ = grid_.face_vector();
-    WASH_PETSC(VecCopy(fields.force, force_));
-    fields.walls->begin_trial(step, fields.liquid.density);
-    fields.walls->add_held(force_);
-    fields_.force = force_;
-  }
+  add_held_forces();
   explicit_terms();
   // the guesses: linear extrapolation of the two last velocities, and a pressure that changes at the same rate as
   // before
@@ -85,10 +79,31 @@ void FractionalStep<Dim>::predict(const TimeStep& step, const StepFields<Dim>& f
   if (has_history_ && ratio != 1) WASH_PETSC(VecScale(phi_, ratio * ratio));
   momentum_.set_step(step.dt, fields.liquid, fields.constraint);
   counts_.momentum += static_cast<double>(momentum_.solve(rhs_, step.end(), intermediate_));
-  if (fields.constraint.fluid_fraction) momentum_.constraint_force(rhs_, step.end(), intermediate_, constraint_force_);
+  find_constraint_force();
   poisson_.set_density(fields.liquid.density,
                        fields.constraint.in_projection ? fields.constraint.fluid_fraction : nullptr);
-  driving_.keep_bulk(step.dt, fields.liquid.density, fields.constraint.fluid_fraction, intermediate_);
+  driving_.keep_bulk(step.dt, fields.liquid.density,
+                     fields.driven_share ? fields.driven_share : fields.constraint.fluid_fraction, intermediate_);
+}
+
+// What bodies give the water from the start of the step.
+template <int Dim>
+void FractionalStep<Dim>::add_held_forces() {
+  if (!fields_.walls && !fields_.driven_share) return;
+  if (!force_) force_ = grid_.face_vector();
+  WASH_PETSC(VecCopy(fields_.force, force_));
+  fields_.force = force_;
+  if (fields_.driven_share) driving_.hold_back(fields_.driven_share, force_);
+  if (!fields_.walls) return;
+  fields_.walls->begin_trial(step_, fields_.liquid.density);
+  fields_.walls->add_held(force_);
+}
+
+template <int Dim>
+void FractionalStep<Dim>::find_constraint_force() {
+  if (!fields_.constraint.fluid_fraction) return;
+  momentum_.constraint_force(rhs_, step_.end(), intermediate_, constraint_force_);
+  if (fields_.driven_share) driving_.hold_back(fields_.driven_share, constraint_force_);
 }
 
 template <int Dim>

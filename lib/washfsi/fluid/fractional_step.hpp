@@ -41,6 +41,9 @@ struct StepFields {
   /// On faces, with `limits_at_edges`: how near they are to edges and thin parts, from 1 to 0 beyond the reach of their
   /// forces.
   Vec nearness = nullptr;
+  /// On faces: the share that the gradient of the mean pressure drives, the rest of which the constraint holds
+  /// (`driving.hpp`); null where it drives all.
+  Vec driven_share = nullptr;
 };
 
 /// A velocity's component c at a place [m/s].
@@ -109,6 +112,8 @@ class FractionalStep {
   void set_counts(const SolverCounts& counts) { counts_ = counts; }
 
  private:
+  void add_held_forces();
+  void find_constraint_force();
   void explicit_terms();
   template <class Form>
   void sum_explicit_terms(const Form& viscosity, Vec local_u, Vec local_p);

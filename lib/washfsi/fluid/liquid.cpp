@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/fluid/liquid.hpp"
 
-#include "washfsi/grid/cell_share.hpp"
-
 namespace washfsi {
 
 template <int Dim>
@@ -36,7 +34,8 @@ void Liquid<Dim>::update_viscosity(const StepFlow& flow, WallViscosity* bodies) 
   const petsc::LogPart part("viscosity");
   const bool is_new = walls_time_ != flow.time;
   walls_time_ = flow.time;
-  let_models_add(flow);
+  const CellShare<Dim> share(grid_, flow.fluid_share);
+  let_models_add(flow, share);
   const petsc::GlobalVector all(grid_.cell_dm());  // what the models add is looked at later
   WASH_PETSC(VecCopy(global_viscosity_, all));
   if (bodies) {
@@ -46,37 +45,29 @@ void Liquid<Dim>::update_viscosity(const StepFlow& flow, WallViscosity* bodies) 
   WASH_PETSC(DMGlobalToLocal(grid_.cell_dm(), all, INSERT_VALUES, local_viscosity_));
   boundary_.fill_cells(local_viscosity_);
   if (!walls_) return;
-  if (is_new) let_walls_follow(flow);
+  if (is_new) let_walls_follow(flow, share);
   walls_->set_ghosts(local_viscosity_);
 }
 
 template <int Dim>
-void Liquid<Dim>::let_walls_follow(const StepFlow& flow) {
+void Liquid<Dim>::let_walls_follow(const StepFlow& flow, const CellShare<Dim>& share) {
   const GhostedVelocity<Dim> local(boundary_, grid_.face_dm(), flow.velocity, flow.time);
-  walls_->observe(ConstFaceView<Dim>(grid_.face_dm(), local), flow.last_step, pure());
+  walls_->observe(ConstFaceView<Dim>(grid_.face_dm(), local), flow.last_step, pure(), share);
 }
 
 template <int Dim>
 void Liquid<Dim>::let_models_add(const StepFlow& flow) {
-  if (models_.empty()) return;
-  WASH_PETSC(VecSet(global_viscosity_, pure_viscosity_));
-  {
-    const GhostedVelocity<Dim> local(boundary_, grid_.face_dm(), flow.velocity, flow.time);
-    const ConstFaceView<Dim> u(grid_.face_dm(), local);
-    const CellView<Dim> mu(grid_.cell_dm(), global_viscosity_);
-    for (const auto& model : models_) model->add(grid_, u, pure_density_, mu);
-  }
-  if (flow.fluid_share) weigh_added(flow.fluid_share);
+  let_models_add(flow, CellShare<Dim>(grid_, flow.fluid_share));
 }
 
-// By the share of fluid in a cell.
 template <int Dim>
-void Liquid<Dim>::weigh_added(Vec fluid_share) {
-  const CellShare<Dim> share(grid_, fluid_share);
+void Liquid<Dim>::let_models_add(const StepFlow& flow, const CellShare<Dim>& share) {
+  if (models_.empty()) return;
+  WASH_PETSC(VecSet(global_viscosity_, pure_viscosity_));
+  const GhostedVelocity<Dim> local(boundary_, grid_.face_dm(), flow.velocity, flow.time);
+  const ConstFaceView<Dim> u(grid_.face_dm(), local);
   const CellView<Dim> mu(grid_.cell_dm(), global_viscosity_);
-  for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) {
-    mu(cell) = pure_viscosity_ + share(cell) * (mu(cell) - pure_viscosity_);
-  });
+  for (const auto& model : models_) model->add(grid_, u, pure_density_, share, mu);
 }
 
 template class Liquid<2>;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "washfsi/fluid/wall_viscosity.hpp"
+#include "washfsi/grid/cell_share.hpp"
 #include "washfsi/grid/viscous_stress.hpp"
 
 namespace washfsi {
@@ -19,10 +20,10 @@ class ViscosityModel {
   ViscosityModel& operator=(const ViscosityModel&) = delete;
   virtual ~ViscosityModel() = default;
 
-  /// Adds to the dynamic viscosity [Pa s] of this rank's cells, in a liquid of this density [kg/m3]. The velocity [m/s]
-  /// has a layer of ghosts, filled. Collective.
+  /// Adds to the dynamic viscosity [Pa s] of this rank's cells by their share of fluid, in a liquid of this density
+  /// [kg/m3]. The velocity [m/s] has a layer of ghosts, filled. Collective.
   virtual void add(const Grid<Dim>& grid, const ConstFaceView<Dim>& velocity, double density,
-                   const CellView<Dim>& viscosity) const = 0;
+                   const CellShare<Dim>& share, const CellView<Dim>& viscosity) const = 0;
 };
 
 /// None of them may be null.
@@ -74,8 +75,8 @@ class Liquid {
   LiquidFields fields() const { return {density_, viscosity_}; }
 
  private:
-  void weigh_added(Vec fluid_share);
-  void let_walls_follow(const StepFlow& flow);
+  void let_models_add(const StepFlow& flow, const CellShare<Dim>& share);
+  void let_walls_follow(const StepFlow& flow, const CellShare<Dim>& share);
 
   const Grid<Dim>& grid_;
   const Boundary<Dim>& boundary_;

@@ -14,7 +14,8 @@ MomentumSolver<Dim>::MomentumSolver(const Grid<Dim>& grid, const Boundary<Dim>& 
       boundary_(boundary),
       tolerance_(tolerance),
       residual_(grid.face_vector()),
-      correction_(grid.face_vector()) {
+      correction_(grid.face_vector()),
+      diagonal_(grid.face_vector()) {
   PetscInt size = 0;
   WASH_PETSC(VecGetLocalSize(residual_, &size));
   WASH_PETSC(MatCreateShell(grid.comm(), size, size, PETSC_DETERMINE, PETSC_DETERMINE, this, matrix_.put()));
@@ -47,6 +48,7 @@ void MomentumSolver<Dim>::set_step(double dt, const LiquidFields& liquid, const 
   constraint_ = constraint;
   versions_ = versions;
   if (same) return;
+  find_diagonal();
   WASH_PETSC(MatAssemblyBegin(matrix_, MAT_FINAL_ASSEMBLY));  // tells the preconditioner of new entries
   WASH_PETSC(MatAssemblyEnd(matrix_, MAT_FINAL_ASSEMBLY));
 }
@@ -65,26 +67,25 @@ PetscErrorCode MomentumSolver<Dim>::get_diagonal(Mat matrix, Vec result) {
   return petsc::guarded([&] {
     void* context = nullptr;
     WASH_PETSC(MatShellGetContext(matrix, &context));
-    const auto& self = *static_cast<MomentumSolver*>(context);
-    WASH_PETSC(VecSet(result, 1.0));  // boundary faces: identity rows
-    const FaceView<Dim> diagonal(self.grid_.face_dm(), result);
-    const ConstFaceView<Dim> rho(self.grid_.face_dm(), self.liquid_.density);
-    with_viscosity<Dim>(self.grid_, self.liquid_.viscosity, [&](const auto& viscosity) {
-      self.grid_.for_each_inner_face(
-          [&](const Index<Dim>& face, auto c) { diagonal(face, c) = self.diagonal(viscosity, face, c, rho(face, c)); });
-      self.visit_cuts(viscosity, [&](const CutFace<Dim>& cut, double weight) {
-        diagonal(cut.face, cut.component) += weight * (2 / (cut.lower.length * cut.upper.length) - 2);
-      });
-    });
+    WASH_PETSC(VecCopy(static_cast<MomentumSolver*>(context)->diagonal_, result));
   });
 }
 
 // 1 - (dt / 2 rho) (diagonal of the viscous force)
 template <int Dim>
-template <class Form>
-[[gnu::always_inline]] inline double MomentumSolver<Dim>::diagonal(const Form& viscosity, const Index<Dim>& face, int c,
-                                                                   double rho) const {
-  return 1 + viscosity.scale * dt_ / (2 * rho) * viscous_diagonal<Dim>(grid_, boundary_, viscosity, face, c);
+void MomentumSolver<Dim>::find_diagonal() {
+  WASH_PETSC(VecSet(diagonal_, 1.0));  // boundary faces: identity rows
+  const FaceView<Dim> diagonal(grid_.face_dm(), diagonal_);
+  const ConstFaceView<Dim> rho(grid_.face_dm(), liquid_.density);
+  with_viscosity<Dim>(grid_, liquid_.viscosity, [&](const auto& viscosity) {
+    const double half_impulse = 0.5 * viscosity.scale * dt_;
+    grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
+      diagonal(face, c) = 1 + half_impulse / rho(face, c) * viscous_diagonal<Dim>(grid_, boundary_, viscosity, face, c);
+    });
+    visit_cuts(viscosity, [&](const CutFace<Dim>& cut, double weight) {
+      diagonal(cut.face, cut.component) += weight * (2 / (cut.lower.length * cut.upper.length) - 2);
+    });
+  });
 }
 
 /// The second difference of a component along a cut axis, times 1/h^2 of the stencil that ends at the walls, less that
@@ -125,11 +126,12 @@ void MomentumSolver<Dim>::apply(Vec x, Vec y) const {
       result(face, c) = u(face, c) - half_impulse / rho(face, c) * viscosity.force(u, face, c);
     });
     if (!constraint_.fluid_fraction) return;
-    const ConstFaceView<Dim> fraction(grid_.face_dm(), constraint_.fluid_fraction);
+    const ConstFaceView<Dim> fraction(grid_.face_dm(), constraint_.fluid_fraction),
+        diagonal(grid_.face_dm(), diagonal_);
     grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
       const double H = fraction(face, c);
       if (H == 1) return;
-      const double solid_row = diagonal(viscosity, face, c, rho(face, c)) * u(face, c);
+      const double solid_row = diagonal(face, c) * u(face, c);
       result(face, c) = H * result(face, c) + (1 - H) * solid_row;
     });
     visit_cuts(viscosity, [&](const CutFace<Dim>& cut, double weight) {
@@ -151,11 +153,11 @@ void MomentumSolver<Dim>::residual(Vec rhs, double time, Vec velocity, Vec resul
     });
     if (!constraint_.fluid_fraction) return;
     const ConstFaceView<Dim> fraction(grid_.face_dm(), constraint_.fluid_fraction);
-    const ConstFaceView<Dim> solid(grid_.face_dm(), constraint_.solid_velocity);
+    const ConstFaceView<Dim> solid(grid_.face_dm(), constraint_.solid_velocity), diagonal(grid_.face_dm(), diagonal_);
     grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
       const double H = fraction(face, c);
       if (H == 1) return;
-      const double solid_row = diagonal(viscosity, face, c, rho(face, c)) * (solid(face, c) - u(face, c));
+      const double solid_row = diagonal(face, c) * (solid(face, c) - u(face, c));
       r(face, c) = H * r(face, c) + (1 - H) * solid_row;
     });
     visit_cuts(viscosity, [&](const CutFace<Dim>& cut, double weight) {
@@ -194,7 +196,7 @@ void MomentumSolver<Dim>::constraint_force(Vec rhs, double time, Vec velocity, V
   const ConstFaceView<Dim> fraction(grid_.face_dm(), constraint_.fluid_fraction);
   const FaceView<Dim> f(grid_.face_dm(), force);
   with_viscosity<Dim>(grid_, liquid_.viscosity, [&](const auto& viscosity) {
-    const auto held = [&](const Index<Dim>& face, int c) {
+    const auto held = [&](const Index<Dim>& face, auto c) {
       const double viscous = 0.5 * viscosity.scale * viscosity.force(u, face, c);
       f(face, c) = rho(face, c) * (u(face, c) - b(face, c)) / dt_ - viscous;
     };

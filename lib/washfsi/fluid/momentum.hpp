@@ -39,8 +39,7 @@ class MomentumSolver {
   static PetscErrorCode get_diagonal(Mat matrix, Vec diagonal);
   void apply(Vec x, Vec y) const;
   void residual(Vec rhs, double time, Vec velocity, Vec result) const;
-  template <class Form>
-  double diagonal(const Form& viscosity, const Index<Dim>& face, int c, double rho) const;
+  void find_diagonal();
   template <class Form, class Visit>
   void visit_cuts(const Form& viscosity, Visit&& visit) const;
   double largest_speed(Vec rhs) const;
@@ -55,6 +54,7 @@ class MomentumSolver {
   petsc::Matrix matrix_;
   petsc::Solver solver_;
   petsc::Vector residual_, correction_;
+  petsc::Vector diagonal_;  ///< of the fluid rows
   bool user_sets_atol_ = false;
 };
 

@@ -59,9 +59,14 @@ WallModel<Dim>::WallModel(const Grid<Dim>& grid, const Boundary<Dim>& boundary)
 }
 
 template <int Dim>
-void WallModel<Dim>::observe(const ConstFaceView<Dim>& velocity, double dt, const PureLiquid& liquid) {
+void WallModel<Dim>::observe(const ConstFaceView<Dim>& velocity, double dt, const PureLiquid& liquid,
+                             const CellShare<Dim>& share) {
+  const FaceView<Dim> wall(grid_.face_dm(), wall_viscosity_);
   visit_wall_cells(grid_, boundary_, [&](const Index<Dim>& cell, int axis, int inwards) {
-    observe_cell(velocity, cell, axis, inwards, dt, liquid);
+    if (share(cell) > 0)
+      observe_cell(velocity, cell, axis, inwards, dt, liquid);
+    else
+      wall(cell, axis) = 0;
   });
   begun_ = true;
 }
@@ -72,7 +77,7 @@ void WallModel<Dim>::observe_cell(const ConstFaceView<Dim>& u, const Index<Dim>&
   const double h = grid_.spacing()[axis], distance = matching_place * h, nu = liquid.viscosity / liquid.density;
   const Index<Dim> second = shifted<Dim>(cell, axis, inwards);
   const Tangential now = slip<Dim>(u, cell, second, axis, inwards);
-  const double rate = karman * nu * y_plus(now.norm(), distance, liquid) / (distance * distance);  // 1/T
+  const double rate = now.norm() / distance;  // 1/T
   const double weight = begun_ ? dt * rate / (1 + dt * rate) : 1;
   const double speed = filter(second, axis, now, weight).norm();
   const double first = filter(cell, axis, slip<Dim>(u, cell, cell, axis, inwards), weight).norm();

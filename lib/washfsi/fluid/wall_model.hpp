@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "washfsi/grid/boundary.hpp"
+#include "washfsi/grid/cell_share.hpp"
 #include "washfsi/support/options.hpp"
 
 namespace washfsi {
@@ -23,8 +24,8 @@ struct PureLiquid {
 
 /// The friction of walls whose layers are thinner than a cell. With u the velocity relative to the wall, h the spacing
 /// across it:
-///   1. u1, u2     at the middles of the first and the second cell, filtered over T = y2/(0.41 u_tau):
-///                 u += dt/(T + dt) (u_now - u)
+///   1. u1, u2     at the middles of the first and the second cell, filtered over T = y2/|u2|: longer
+///                 times, as y2/(0.41 u_tau), would not follow an agitator's strokes; u += dt/(T + dt) (u_now - u)
 ///   2. u_tau      of Reichardt's law at y2 = 1.5 h for |u2|: not at the first cell, whose velocity is itself an
 ///   outcome of
 ///                 the wall's stress (Kawai and Larsson, Phys. Fluids 24 (2012) 015105)
@@ -33,14 +34,16 @@ struct PureLiquid {
 ///                 the way of a wall layer's
 ///   4. the viscosity of the ghosts beyond the side such that its mean with the cell's is mu_wall.
 /// So the implicit solve, the loads and the dissipation all have that friction. Where y2+ <= 5 the layer is resolved,
-/// and nothing is changed. The filter's time is that of Yang, Park and Moin (Phys. Rev. Fluids 2 (2017) 104601).
+/// and nothing is changed. That a filter takes away the correlation of stress and velocity in the first cell: Yang,
+/// Park and Moin (Phys. Rev. Fluids 2 (2017) 104601).
 template <int Dim>
 class WallModel {
  public:
   WallModel(const Grid<Dim>& grid, const Boundary<Dim>& boundary);
 
-  /// Steps 1 to 3, of a velocity [m/s] with one layer of ghosts, filled, dt [s] after the one before.
-  void observe(const ConstFaceView<Dim>& velocity, double dt, const PureLiquid& liquid);
+  /// Steps 1 to 3, of a velocity [m/s] with one layer of ghosts, filled, dt [s] after the one before. Where a cell
+  /// has no share of fluid nothing is changed.
+  void observe(const ConstFaceView<Dim>& velocity, double dt, const PureLiquid& liquid, const CellShare<Dim>& share);
   /// Step 4, of the viscosity in cells, local, its ghosts filled. Collective.
   void set_ghosts(Vec local_viscosity) const;
 

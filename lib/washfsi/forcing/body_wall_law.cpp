@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "washfsi/fluid/wall_law.hpp"
+#include "washfsi/grid/cell_share.hpp"
 #include "washfsi/support/collective.hpp"
 
 namespace washfsi {
@@ -31,15 +32,6 @@ double holds_by(double y_plus) {
   return smooth_step((y_plus - viscous_layer) / (turbulent_layer - viscous_layer));
 }
 
-// Calls visit(face, d) for the faces of a cell.
-template <int Dim, class Visit>
-void visit_faces(const Index<Dim>& cell, Visit&& visit) {
-  for (int d = 0; d < Dim; ++d) {
-    visit(cell, d);
-    visit(shifted<Dim>(cell, d, 1), d);
-  }
-}
-
 }  // namespace
 
 template <int Dim>
@@ -50,7 +42,8 @@ BodyWallLaw<Dim>::BodyWallLaw(const Grid<Dim>& grid, const Boundary<Dim>& bounda
       bodies_(bodies),
       transfer_(grid, boundary, delta),
       probes_(grid, boundary, delta),
-      inner_(grid, boundary, delta) {
+      inner_(grid, boundary, delta),
+      friction_(grid.face_vector()) {
   const auto all = wall_points<Dim>(bodies, markers, grid.spacing(), matching_place);
   patch_normals_.assign(markers.patches(), Point<Dim>::Zero());
   for (const auto& point : all)
@@ -152,6 +145,8 @@ void BodyWallLaw<Dim>::observe(const StepFlow& flow, const PureLiquid& liquid) {
   }
   forces_ = turned(std::move(forces_), true);
   slips_ = turned(std::move(slips_), true);
+  WASH_PETSC(VecZeroEntries(friction_));
+  (void)transfer_.spread(forces_, friction_);
   sums = ordered_sum(grid_.comm(), sums);
   turbulent_ = sums[1] > 0 ? sums[0] / sums[1] : 0;
   const double spacing = grid_.spacing().minCoeff();
@@ -184,7 +179,7 @@ void BodyWallLaw<Dim>::rub(std::size_t p, const PureLiquid& liquid) {
 
 template <int Dim>
 void BodyWallLaw<Dim>::add_friction(Vec force) const {
-  (void)transfer_.spread(forces_, force);
+  WASH_PETSC(VecAXPY(force, 1.0, friction_));
 }
 
 template <int Dim>
@@ -195,7 +190,7 @@ void BodyWallLaw<Dim>::add_inner_slip(Vec fluid_fraction, Vec velocity) const {
   Points<Dim> weighted = slips_;
   for (std::size_t p = 0; p < weighted.size(); ++p) weighted[p] *= covers_[p];
   inner_.spread_mass(covers_, cover);
-  (void)inner_.spread(weighted, covered);
+  inner_.spread_amounts(weighted, covered);  // folded as the cover
   const ConstFaceView<Dim> weight(grid_.face_dm(), cover), slip(grid_.face_dm(), covered);
   const ConstFaceView<Dim> fraction(grid_.face_dm(), fluid_fraction);
   const FaceView<Dim> u(grid_.face_dm(), velocity);
@@ -206,15 +201,10 @@ void BodyWallLaw<Dim>::add_inner_slip(Vec fluid_fraction, Vec velocity) const {
 
 template <int Dim>
 void BodyWallLaw<Dim>::replace(Vec viscosity) const {
-  const petsc::LocalVector local_share(grid_.face_dm());
-  WASH_PETSC(VecSet(local_share, 1.0));  // beyond the box
-  if (fluid_share_) WASH_PETSC(DMGlobalToLocal(grid_.face_dm(), fluid_share_, INSERT_VALUES, local_share));
-  const ConstFaceView<Dim> share(grid_.face_dm(), local_share);
+  const CellShare<Dim> share(grid_, fluid_share_);
   const CellView<Dim> mu(grid_.cell_dm(), viscosity);
   for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) {
-    double fluid = 0;
-    visit_faces<Dim>(cell, [&](const Index<Dim>& face, int d) { fluid += share(face, d) / (2 * Dim); });
-    const double inside = turbulent_ * smooth_step(1 - fluid / inside_below);
+    const double inside = turbulent_ * smooth_step(1 - share(cell) / inside_below);
     mu(cell) += inside * std::max(0.0, inner_viscosity_ - mu(cell));
   });
 }
@@ -230,19 +220,26 @@ Loads<Dim> BodyWallLaw<Dim>::loads_here() const {
   return loads;
 }
 
+// Summed over faces, where it is the adjoint of what the deltas do.
 template <int Dim>
 double BodyWallLaw<Dim>::dissipation(Vec velocity_before, Vec velocity, double time) const {
   if (!observes_) return 0;
-  const GhostedVelocity<Dim> mean(boundary_, grid_.wide_face_dm(), velocity_before, time_),
-      now(boundary_, grid_.wide_face_dm(), velocity, time);
-  WASH_PETSC(VecAXPBY(mean, 0.5, 0.5, now));
-  const Points<Dim> of_water = transfer_.interpolate(mean);
+  const double middle = 0.5 * (time_ + time);
+  const petsc::LocalVector sides(grid_.wide_face_dm());
+  WASH_PETSC(VecZeroEntries(sides));
+  boundary_.fill(sides, middle);
+  const Points<Dim> of_sides = transfer_.interpolate_from_sides(sides);
   double lost = 0;
   for (std::size_t p = 0; p < points_.size(); ++p) {
     const RigidMotion<Dim>& motion = bodies_[points_[p].body].motion;
-    lost += forces_[p].dot(motion.velocity(places_[p], 0.5 * (time_ + time)) - of_water[p]);
+    lost += forces_[p].dot(motion.velocity(places_[p], middle) - of_sides[p]);
   }
-  return ordered_sum(grid_.comm(), lost);
+  const ConstFaceView<Dim> f(grid_.face_dm(), friction_), before(grid_.face_dm(), velocity_before),
+      now(grid_.face_dm(), velocity);
+  double given = 0;
+  grid_.for_each_inner_face(
+      [&](const Index<Dim>& face, auto c) { given += f(face, c) * 0.5 * (before(face, c) + now(face, c)); });
+  return ordered_sum(grid_.comm(), lost - given * grid_.cell_volume());
 }
 
 template <int Dim>

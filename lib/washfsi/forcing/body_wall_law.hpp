@@ -81,6 +81,7 @@ class BodyWallLaw : public WallViscosity {
   Points<Dim> places_, normals_;             ///< of the points now: y = 1; out of the surface
   std::vector<char> acts_;                   ///< false where something is too near
   Points<Dim> forces_, slips_;               ///< F [N], and what the inner water slides by
+  petsc::Vector friction_;                   ///< the density of F on faces [N/m3]
   std::vector<double> covers_;               ///< what each point covers of the inner water; 0 beyond the box
   std::vector<double> y_plus_;               ///< of the matching place
   Points<Dim> kept_;                         ///< of each point: u(3), u(0)

@@ -32,10 +32,12 @@ template <int Dim>
 void DrivingMeasure<Dim>::observe(const Observation<Dim>& seen) {
   const Model<Dim>& model = system_.model;
   if (!model.fluid.driving().is_there()) return;
-  const Point<Dim> before = mean_velocity<Dim>(model.grid, model.fluid.velocity_before());
   observe_start(seen);
+  const Vec share = model.driven_share();
+  const Point<Dim> before = mean_velocity<Dim>(model.grid, model.fluid.velocity_before(), share);
+  const Point<Dim> now = share ? mean_velocity<Dim>(model.grid, model.fluid.velocity(), share) : bulk_velocity_;
   const double volume = (model.grid.upper() - model.grid.lower()).prod();
-  power_ = -volume * model.fluid.driving().gradient().dot(0.5 * (before + bulk_velocity_));
+  power_ = -volume * model.fluid.driving().gradient().dot(0.5 * (before + now));
 }
 
 template class DrivingMeasure<2>;

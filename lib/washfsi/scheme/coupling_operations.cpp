@@ -83,7 +83,7 @@ void predict(System<Dim>& system, double dt) {
     model.mask.let_slide([&](Vec fraction, Vec velocity) { model.wall_law->add_inner_slip(fraction, velocity); });
   }
   model.fluid.predict(state.clock.next(dt), {model.liquid.fields(), step.force, model.mask.constraint(),
-                                             model.walls.get(), model.nearness()});
+                                             model.walls.get(), model.nearness(), model.driven_share()});
 }
 
 template <int Dim>

@@ -60,6 +60,8 @@ struct Model {
   Vec fluid_fraction() const { return mask.empty() ? nullptr : mask.fluid_fraction(); }
   /// The share of faces that lies in fluid; null without solids.
   Vec fluid_share() const { return mask.empty() ? nullptr : mask.fluid_share(); }
+  /// That of `StepFields`.
+  Vec driven_share() const { return wall_law ? mask.fluid_share() : nullptr; }
 
   Grid<Dim> grid;
   Boundary<Dim> boundary;
