@@ -19,6 +19,17 @@ struct Load {
     force += part;
     torque += cross<Dim>(arm, part);
   }
+  /// A force along an axis alone.
+  void add(const Point<Dim>& arm, int axis, double part) {
+    force[axis] += part;
+    if constexpr (Dim == 2) {
+      torque[0] += (axis == 0 ? -arm[1] : arm[0]) * part;
+    } else {
+      const int next = (axis + 1) % 3, last = (axis + 2) % 3;
+      torque[next] += arm[last] * part;
+      torque[last] -= arm[next] * part;
+    }
+  }
   Load& operator+=(const Load& other) {
     force += other.force;
     torque += other.torque;

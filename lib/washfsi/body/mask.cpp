@@ -225,15 +225,16 @@ void Mask<Dim>::add_constraint_force(Vec constraint_force, Vec density, double t
   const ConstFaceView<Dim> f(grid_.face_dm(), constraint_force), rho(grid_.face_dm(), density);
   const ConstFaceView<Dim> holder(grid_.face_dm(), body_), fraction(grid_.face_dm(), fluid_share());
   const auto motions = states_at(bodies_, time);
+  std::vector<char> moves;
+  for (const auto& body : bodies_) moves.push_back(body.motion.at_rest() ? 0 : 1);
   grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
     if (holder(face, c) < 0) return;
     const auto b = static_cast<std::size_t>(holder(face, c));
     const Point<Dim> place = grid_.face_center(face, c);
     const auto& motion = motions[b];
-    const double inertia = (1 - fraction(face, c)) * rho(face, c) * motion.acceleration_at(place)[c];
-    Point<Dim> force = Point<Dim>::Zero();
-    force[c] = grid_.cell_volume() * (inertia - f(face, c));
-    loads[b].add(place - motion.center, force);
+    const bool drags = moves[b] && fraction(face, c) < 1;
+    const double inertia = drags ? (1 - fraction(face, c)) * rho(face, c) * motion.acceleration_at(place)[c] : 0;
+    loads[b].add(place - motion.center, c, grid_.cell_volume() * (inertia - f(face, c)));
   });
 }
 
@@ -249,9 +250,8 @@ Loads<Dim> Mask<Dim>::sliding_momentum(Vec velocity, Vec density, double time) c
     const auto b = static_cast<std::size_t>(holder(face, c));
     const Point<Dim> place = grid_.face_center(face, c);
     const double speed = u(face, c) - solid(face, c);
-    Point<Dim> momentum = Point<Dim>::Zero();
-    momentum[c] = grid_.cell_volume() * (1 - fraction(face, c)) * rho(face, c) * speed;
-    momenta[b].add(place - motions[b].center, momentum);
+    const double held = grid_.cell_volume() * (1 - fraction(face, c)) * rho(face, c);
+    momenta[b].add(place - motions[b].center, c, held * speed);
   });
   return ordered_sum<Dim>(grid_.comm(), momenta);
 }

@@ -7,12 +7,6 @@
 
 namespace washfsi {
 
-/// A side of the box.
-struct SideName {
-  int axis;
-  End end;
-};
-
 /// The sides that are walls or slip and not covered everywhere, at all times, by bodies that rest or only turn.
 /// Collective.
 template <int Dim>

@@ -5,7 +5,8 @@
 // points on the surface of parts thicker than two cells, y from it in cells and u along it relative to the body:
 //   1. u(3), u(0)    filtered over T = y/|u|, y = 3: longer ones would not follow an agitator's strokes
 //   2. u_tau         of Reichardt's law for u(3)
-//   3. F             = -rho u_tau^2 A u/|u| on the water, spread by the delta round y = 1; A the point's area
+//   3. F             = -rho u_tau^2 A u/|u| on the water, spread by the delta round y = 3/2, so that nearly all acts
+//                    before the wall; A the point's area
 //   4. markers       hold only the velocity along the normal, by the part of the points at which the law holds
 //   5. inner water   what is held behind the walls slides along them by u(0), and from a cell on behind them the
 //                    viscosity is rho h^2/(4 dt)
@@ -77,8 +78,8 @@ class BodyWallLaw : public WallViscosity {
   std::vector<WallPoint<Dim>> points_;  ///< of this rank
   std::size_t count_, begin_;
   Points<Dim> patch_normals_;
-  Transfer<Dim> transfer_, probes_, inner_;  ///< round y = 1; at y = 3; behind the walls
-  Points<Dim> places_, normals_;             ///< of the points now: y = 1; out of the surface
+  Transfer<Dim> transfer_, probes_, inner_;  ///< round y = 3/2; at y = 3; behind the walls
+  Points<Dim> places_, normals_;             ///< of the points now: y = 3/2; out of the surface
   std::vector<char> acts_;                   ///< false where something is too near
   Points<Dim> forces_, slips_;               ///< F [N], and what the inner water slides by
   petsc::Vector friction_;                   ///< the density of F on faces [N/m3]

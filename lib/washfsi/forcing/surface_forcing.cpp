@@ -301,10 +301,11 @@ void SurfaceForcing<Dim>::hold(const Project& project, Vec velocity) {
 
 // What sides keep of each marker's force, of which a share is asked for.
 template <int Dim>
-Points<Dim> SurfaceForcing<Dim>::kept_by_sides(const typename Boundary<Dim>::OnSides& shares) const {
+Points<Dim> SurfaceForcing<Dim>::kept_by_sides(const typename Boundary<Dim>::OnSides& shares,
+                                               const std::optional<SideName>& only) const {
   Points<Dim> kept = shared_out(forces_);
   const petsc::LocalVector local(grid_.wide_face_dm());
-  boundary_.fill_from_rest(local, shares);
+  boundary_.fill_from_rest(local, shares, only);
   const Points<Dim> parts = transfer_.interpolate_from_sides(local);
   for (std::size_t m = 0; m < kept.size(); ++m) kept[m] = kept[m].cwiseProduct(parts[m]);
   return kept;
@@ -315,9 +316,7 @@ template <int Dim>
 Loads<Dim> SurfaceForcing<Dim>::loads() const {
   Loads<Dim> loads = law_ ? law_->loads_here() : Loads<Dim>(bodies_.size());
   const Points<Dim> given = shared_out(forces_);
-  const Points<Dim> kept = kept_by_sides([&](int axis, End end, const Index<Dim>& face, int c) {
-    return boundary_.covered_share(axis, end, face, c, time_);
-  });
+  const Points<Dim> kept = kept_by_sides([&](auto... place) { return boundary_.covered_share(place..., time_); });
   for_each_acting([&](std::size_t p, std::size_t m) {
     const std::size_t b = markers_.body_of(begin_ + p);
     loads[b].add(states_[m].place - bodies_[b].motion.center_at(time_), kept[m] - given[m]);
@@ -332,9 +331,8 @@ Loads<Dim> SurfaceForcing<Dim>::loads_on_sides(const std::vector<SideName>& side
   for (std::size_t s = 0; s < sides.size(); ++s) {
     const SideName side = sides[s];
     if (!any_rank(grid_.comm(), !boundary_.covered_wholly(side.axis, side.end))) continue;
-    const Points<Dim> kept = kept_by_sides([&](int axis, End end, const Index<Dim>& face, int c) {
-      return axis == side.axis && end == side.end ? 1 - boundary_.covered_share(axis, end, face, c, time_) : 0;
-    });
+    const Points<Dim> kept =
+        kept_by_sides([&](auto... place) { return 1 - boundary_.covered_share(place..., time_); }, side);
     for_each_acting([&](std::size_t, std::size_t m) {
       Point<Dim> place = states_[m].place;
       place[side.axis] = (side.end == End::lower ? grid_.lower() : grid_.upper())[side.axis];

@@ -67,7 +67,8 @@ class SurfaceForcing : public WallForces {
   Point<Dim> held(const Point<Dim>& value, std::size_t patch) const;
   template <class Visit>
   void for_each_acting(Visit&& visit) const;
-  Points<Dim> kept_by_sides(const typename Boundary<Dim>::OnSides& shares) const;
+  Points<Dim> kept_by_sides(const typename Boundary<Dim>::OnSides& shares,
+                            const std::optional<SideName>& only = {}) const;
   void create_solver();
   std::size_t owned() const { return end_ - begin_; }
   Points<Dim> turned(const Points<Dim>& values, bool into_space) const;

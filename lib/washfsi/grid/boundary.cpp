@@ -267,10 +267,13 @@ void Boundary<Dim>::fill(Vec local_velocity, double time) const {
 }
 
 template <int Dim>
-void Boundary<Dim>::fill_from_rest(Vec local, const OnSides& velocities) const {
+void Boundary<Dim>::fill_from_rest(Vec local, const OnSides& velocities, const std::optional<SideName>& only) const {
   WASH_PETSC(VecZeroEntries(local));
   fill_from(local, [&](int axis, End end, int c, const auto& use) {
-    use([&](const Index<Dim>& face) { return velocities(axis, end, face, c); });
+    if (only && (axis != only->axis || end != only->end))
+      use([](const Index<Dim>&) { return 0.0; });
+    else
+      use([&](const Index<Dim>& face) { return velocities(axis, end, face, c); });
   });
 }
 

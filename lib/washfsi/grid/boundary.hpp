@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "washfsi/grid/grid.hpp"
@@ -69,8 +70,9 @@ class Boundary {
   /// A number for each place of a side, by the face beside it.
   using OnSides = std::function<double(int axis, End end, const Index<Dim>& face, int component)>;
   /// Fills a local face vector as `fill` would if the water were at rest and the sides moved with these velocities. J
-  /// of it tells what sides keep of a marker's force: with ones all of it, with shares those shares.
-  void fill_from_rest(Vec local, const OnSides& velocities) const;
+  /// of it tells what sides keep of a marker's force: with ones all of it, with shares those shares. With `only` all
+  /// other sides rest.
+  void fill_from_rest(Vec local, const OnSides& velocities, const std::optional<SideName>& only = {}) const;
 
   const Side<Dim>& side(int axis, End end) const;
   /// +1 or -1: the sign with which a ghost of this component mirrors the interior; 0 if it does not, on periodic and

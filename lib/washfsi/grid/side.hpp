@@ -12,6 +12,12 @@ enum class BoundaryKind { wall, slip, inflow, outflow, periodic };
 
 enum class End { lower, upper };
 
+/// A side of the box.
+struct SideName {
+  int axis;
+  End end;
+};
+
 /// How an inflow is distributed: evenly, or as a parabola that vanishes at the no-slip walls beside it and has the
 /// given velocity as its peak.
 enum class InflowProfile { uniform, parabolic };
