@@ -80,7 +80,8 @@ void predict(System<Dim>& system, double dt) {
       {model.fluid.velocity(), state.clock.time, model.fluid_share(), model.fluid.last_step()}, model.wall_law.get());
   if (model.wall_law) {
     model.walls->let_slide(*model.wall_law);
-    model.mask.let_slide([&](Vec fraction, Vec velocity) { model.wall_law->add_inner_slip(fraction, velocity); });
+    model.mask.let_slide(
+        [&law = *model.wall_law](Vec fraction, Vec velocity) { law.add_inner_slip(fraction, velocity); });
   }
   model.fluid.predict(state.clock.next(dt), {model.liquid.fields(), step.force, model.mask.constraint(),
                                              model.walls.get(), model.nearness(), model.driven_share()});
