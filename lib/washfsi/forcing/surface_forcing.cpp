@@ -15,6 +15,7 @@ namespace {
 
 // Narrow, and smooth for what moves over the grid.
 constexpr DeltaOptions delta{DeltaKernel::yang, 2, 2};
+constexpr double sliding_part = 0.1;  // of the points of a law, from which on all let the water slide
 
 template <int Dim>
 MarkerLayout<Dim> layout_for(const Grid<Dim>& grid, const BodyTreatment& treatment) {
@@ -126,10 +127,9 @@ void SurfaceForcing<Dim>::for_each_acting(Visit&& visit) const {
 template <int Dim>
 void SurfaceForcing<Dim>::let_slide(const BodyWallLaw<Dim>& law) {
   law_ = &law;
-  slides_ = law.part();
-  const Points<Dim>& normals = law.patch_normals();
-  slide_normals_.assign(normals.begin() + static_cast<std::ptrdiff_t>(begin_),
-                        normals.begin() + static_cast<std::ptrdiff_t>(end_));
+  slides_ = std::min(1.0, law.part() / sliding_part);
+  const auto first = law.patch_normals().begin();
+  slide_normals_.assign(first + static_cast<std::ptrdiff_t>(begin_), first + static_cast<std::ptrdiff_t>(end_));
 }
 
 // What of a patch's velocity or force is not free to slide.
@@ -178,7 +178,9 @@ void SurfaceForcing<Dim>::begin_trial(const TimeStep& step, Vec density) {
 
 template <int Dim>
 void SurfaceForcing<Dim>::accept() {
-  kept_ = turned(forces_, false);
+  Points<Dim> acting = forces_;  // what is not passed on must not return when it is
+  for (std::size_t p = 0; p < acting.size(); ++p) acting[p] = held(acting[p], p);
+  kept_ = turned(acting, false);
 }
 
 template <int Dim>
