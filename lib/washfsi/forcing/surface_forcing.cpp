@@ -15,7 +15,6 @@ namespace {
 
 // Narrow, and smooth for what moves over the grid.
 constexpr DeltaOptions delta{DeltaKernel::yang, 2, 2};
-constexpr double sliding_part = 0.1;  // of the points of a law, from which on all let the water slide
 
 template <int Dim>
 MarkerLayout<Dim> layout_for(const Grid<Dim>& grid, const BodyTreatment& treatment) {
@@ -127,7 +126,7 @@ void SurfaceForcing<Dim>::for_each_acting(Visit&& visit) const {
 template <int Dim>
 void SurfaceForcing<Dim>::let_slide(const BodyWallLaw<Dim>& law) {
   law_ = &law;
-  slides_ = std::min(1.0, law.part() / sliding_part);
+  slides_ = law.part();
   const auto first = law.patch_normals().begin();
   slide_normals_.assign(first + static_cast<std::ptrdiff_t>(begin_), first + static_cast<std::ptrdiff_t>(end_));
 }
