@@ -37,6 +37,12 @@ def plug(run, rise, shift=0.0, axes=(0, 1)):
             *options, "-time_step", 0.004, "-time_cfl", 0.6, "-history_interval", 0.02], along
 
 
+POST = ["-grid_cells", "48,48", "-grid_upper", "3,3", "-fluid_density", 1, "-bodies", "post,tub", "-body_method", "direct_forcing",
+        "-post_shape", "sphere", "-post_radius", 0.5, "-post_center", "1.5,1.5", "-post_angular_speed", 6, "-post_frequency", 0.5,
+        "-tub_shape", "sphere", "-tub_radius", 1.2, "-tub_center", "1.5,1.5", "-tub_inverted", "true", "-time_step", 0.005, "-time_end", 3,
+        "-history_interval", 0.02]
+
+
 class WallLaw(ProgramTest):
     def friction(self, run, rise, shift=0.0, axes=(0, 1), ranks=1):
         """Mean load per area of the slabs along the flow."""
@@ -70,6 +76,19 @@ class WallLaw(ProgramTest):
         one = self.friction(118, 43)
         self.assertAlmostEqual(self.friction(118, 43, axes=(1, 0)) / one, 1, delta=1e-3)
         self.assertAlmostEqual(self.friction(118, 43, ranks=2) / one, 1, delta=1e-3)
+
+    def power_of_post(self, model, viscosity):
+        """Mean power of a post that turns to and fro in a tub of thin water."""
+        self.run_well(1, *POST, "-fluid_viscosity", viscosity, "-wall_model", model, "-output_dir", model)
+        history = read_columns(self.folder / model / "history.csv")
+        return history["post_power"][history["time"] > 1].mean()
+
+    def test_nearly_laminar_layers_keep_their_friction(self):
+        """Where the law holds at a part of the points, markers hold the rest; both together are a third more than markers alone."""
+        for viscosity in (4e-3, 8e-3):
+            ratio = self.power_of_post("equilibrium", viscosity) / self.power_of_post("none", viscosity)
+            self.assertGreater(ratio, 0.9)
+            self.assertLess(ratio, 1.5)
 
     def test_a_restart_goes_on(self):
         def results_of(folder, *options, ranks):
