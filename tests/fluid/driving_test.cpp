@@ -154,7 +154,7 @@ TEST(Driving, BulkVelocityAndItsGradientGiveTheSameFlow) {
 // The rest of the force is the bodies': from rest, before friction matters.
 TEST(Driving, DrivesOnlyItsShare) {
   constexpr double share = 0.25, dt = 1e-6;
-  Channel<3> channel(0, 8, gradient<3>(0, -16));
+  Channel<3> channel(0, 32, gradient<3>(0, -16));
   channel.run_with_share(share, dt);
   EXPECT_NEAR(channel.bulk()[0] / (share * 16 / density * dt), 1, 1e-3);
   const Point<3> held = mean_velocity<3>(channel.grid(), channel.fluid().constraint_force());
