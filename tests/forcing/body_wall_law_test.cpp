@@ -117,8 +117,8 @@ class Case {
     grid_.for_each_inner_face([&](const Index<3>& face, auto c) {
       const Point<3> place = grid_.face_center(face, c);
       if (!is_in_the_middle(place)) return;
-      const double expected = above(place) < -2.5 ? flow_.slip * flow_.way()[c] : 0;
-      if (above(place) > -4) range.take((u(face, c) - expected) / flow_.slip);
+      const double expected = above(place) < -2.5 && above(place) > -4.4 ? flow_.slip * flow_.way()[c] : 0;
+      if (above(place) > -4.4) range.take((u(face, c) - expected) / flow_.slip);
     });
     return range.of_all_ranks();
   }

@@ -3,7 +3,7 @@
 
 Prints the tables of docs/verification/turbulence.md: U+ on 32 x 32 x 32 cells of a box of 2 pi x 2 x pi half heights. Arguments:
 Re_tau and -turbulence, else 2000 vreman and 20000 vreman. From the second cell on U+ must be within 5 % of ln(y+)/0.41 + 5.2.
-After the word `bodies` the walls are half spaces, held by markers: on 48 x 41 x 32 cubes of 1/16 half height, the floor 0.3 cells
+After the word `bodies` the walls are half spaces, held by markers: on 96 x 41 x 48 cubes of 1/16 half height, the floor 0.3 cells
 above faces of cells, the roof 0.3 cells below them as seen from the water; both must be within 8 % beyond the second cell. After
 the word `oblique` the channel lies at 20 degrees to the grid in a box that is periodic along all axes, between a slab and its
 images; a ball that leaves the box stirs the start. It must be within 12 %.
