@@ -14,8 +14,8 @@ namespace {
 
 constexpr DeltaOptions delta{DeltaKernel::yang, 2, 2};
 
-// Places before the surface, in cells; behind it what is held begins at 5/2. Friction that acts at 1 falls by up to 12
-// % on the water inside, by where the wall lies in its cell; at 3/2 by 1 %.
+// Places before the surface, in cells; behind it what is held begins at 5/2. Of friction that acts at 1, up to a fifth
+// falls on the water inside, by where the wall lies in its cell; at 3/2 up to 3 %.
 constexpr double acting_place = 1.5, matching_place = 3, inner_place = -3;
 constexpr double least_cover = 1e-3;                       // of the delta, where inner water slides
 constexpr double viscous_layer = 5, turbulent_layer = 10;  // y+ at the matching place
