@@ -26,6 +26,7 @@ struct ShearedWater {
   double slip = 1;                            ///< on the wall [m/s]
   PetscInt cells = 20;
   BoundaryKind below = BoundaryKind::slip;  ///< the box's lower side
+  double moves_from = 0;                    ///< along x; it rests before [m]
 
   Point<3> normal() const { return {-std::sin(turn), std::cos(turn), 0}; }
   Point<3> way() const { return {0.6 * std::cos(turn), 0.6 * std::sin(turn), 0.8}; }
@@ -64,8 +65,9 @@ class Case {
     const FaceView<3> u(grid_.face_dm(), velocity_);
     for (int c = 0; c < 3; ++c)
       for_each<3>(grid_.owned(), [&](const Index<3>& face) {
-        const double above = (grid_.face_center(face, c) - of.place).dot(of.normal());
-        u(face, c) = of.body_velocity[c] + (of.slip + of.shear * above) * of.way()[c];
+        const Point<3> place = grid_.face_center(face, c);
+        const double speed = of.slip + of.shear * (place - of.place).dot(of.normal());
+        u(face, c) = of.body_velocity[c] + (place[0] >= of.moves_from ? speed : 0) * of.way()[c];
       });
     WASH_PETSC(VecSet(viscosity_, water.viscosity));
     law_.observe({velocity_, 0, mask_.fluid_share(), last_step}, water);
@@ -121,6 +123,17 @@ class Case {
       if (above(place) > -4.4) range.take((u(face, c) - expected) / flow_.slip);
     });
     return range.of_all_ranks();
+  }
+
+  /// By how much the law holds at the patches of markers in a part of the middle along x.
+  Range parts_between(double from, double to) const {
+    Range range;
+    const MarkerPatches<3>& patches = markers_.of_body(0);
+    for (std::size_t p = 0; p < patches.size(); ++p) {
+      const Point<3> place = flow_.place + patches.feet[patches.starts[p]];
+      if (is_in_the_middle(place) && place[0] > from && place[0] < to) range.take(law_.patch_slides()[p].part);
+    }
+    return range;
   }
 
   Load<3> load() const { return ordered_sum<3>(PETSC_COMM_WORLD, law_.loads_here()).front(); }
@@ -248,6 +261,15 @@ TEST(BodyWallLaw, LeavesWaterBeforeTheWallAndKeepsThatInsideCalm) {
   const Range inside = seen.viscosity_between(-20, -2);
   EXPECT_NEAR(inside.least * last_step / (water.density * flow.spacing() * flow.spacing()), 0.25, 1e-9);
   EXPECT_EQ(inside.least, inside.most);
+}
+
+// Every rank knows of all patches.
+TEST(BodyWallLaw, HoldsAtEachPatchByTheWaterBeforeIt) {
+  ShearedWater flow;
+  flow.moves_from = 0.5;
+  const Case seen(flow);
+  EXPECT_EQ(seen.parts_between(0.3, 0.4).most, 0);
+  EXPECT_EQ(seen.parts_between(0.6, 0.7).least, 1);
 }
 
 TEST(BodyWallLaw, TellsYPlusOfHalfACell) {

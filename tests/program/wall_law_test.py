@@ -44,6 +44,10 @@ POST = ["-grid_cells", "48,48", "-grid_upper", "3,3", "-fluid_density", 1, "-bod
 
 
 class WallLaw(ProgramTest):
+    def energy_open(self, folder="equilibrium"):
+        summary = json.loads((self.folder / folder / "summary.json").read_text(encoding="utf-8"))
+        return next(finding["value"] for finding in summary["trust"]["end"] if finding["name"] == "energy open")
+
     def friction(self, run, rise, shift=0.0, axes=(0, 1), ranks=1):
         """Mean load per area of the slabs along the flow."""
         options, along = plug(run, rise, shift, axes)
@@ -52,8 +56,7 @@ class WallLaw(ProgramTest):
         late = history["time"] > 0.05
         names = [name + "_force_" + "xy"[axes.index(axis)] for axis in (0, 1) for name in ("slab", "above", "below")]
         force = sum(history[name][late].mean() * along[n // 3] for n, name in enumerate(names))
-        summary = json.loads((self.folder / "out" / "summary.json").read_text(encoding="utf-8"))
-        self.open = next(finding["value"] for finding in summary["trust"]["end"] if finding["name"] == "energy open")
+        self.open = self.energy_open("out")
         return force / (2 * np.hypot(*(np.array([run, rise]) * CELL)))
 
     def assert_as_by_the_law(self, friction):
@@ -77,18 +80,36 @@ class WallLaw(ProgramTest):
         self.assertAlmostEqual(self.friction(118, 43, axes=(1, 0)) / one, 1, delta=1e-3)
         self.assertAlmostEqual(self.friction(118, 43, ranks=2) / one, 1, delta=1e-3)
 
+    def turn_post(self, model, viscosity, ranks=1):
+        """The history of a post that turns to and fro in a tub of thin water."""
+        self.run_well(ranks, *POST, "-fluid_viscosity", viscosity, "-wall_model", model, "-output_dir", model)
+        return read_columns(self.folder / model / "history.csv")
+
     def power_of_post(self, model, viscosity):
-        """Mean power of a post that turns to and fro in a tub of thin water."""
-        self.run_well(1, *POST, "-fluid_viscosity", viscosity, "-wall_model", model, "-output_dir", model)
-        history = read_columns(self.folder / model / "history.csv")
+        history = self.turn_post(model, viscosity)
         return history["post_power"][history["time"] > 1].mean()
 
     def test_nearly_laminar_layers_keep_their_friction(self):
-        """Where the law holds at a part of the points, markers hold the rest; both together are a third more than markers alone."""
         for viscosity in (4e-3, 8e-3):
             ratio = self.power_of_post("equilibrium", viscosity) / self.power_of_post("none", viscosity)
-            self.assertGreater(ratio, 0.9)
-            self.assertLess(ratio, 1.5)
+            self.assertGreater(ratio, 0.7)
+            self.assertLess(ratio, 1.2)
+
+    def test_walls_that_slide_at_times_keep_the_energy(self):
+        """The post's layer is laminar whenever it turns round, so that its markers let go of the water and catch it twice a stroke."""
+        for viscosity in (1e-3, 2e-3):
+            history = self.turn_post("equilibrium", viscosity)
+            self.assertGreater(history["mask_dissipation"].min(), -0.5)  # walls take energy alone; up to -40 W once
+            self.assertLess(self.energy_open(), 10)
+
+    def test_water_inside_that_slides_is_no_load(self):
+        """Almost without friction, at y+ of 500, the post has no more to turn than that: water inside would need 7 W."""
+        power = self.turn_post("equilibrium", 1e-5)["post_power"]
+        self.assertLess(abs(power).mean(), 1)
+
+    def test_ranks_do_not_matter_where_walls_slide_at_times(self):
+        one, two = (self.turn_post("equilibrium", 4e-3, ranks)["post_torque"] for ranks in (1, 2))
+        self.assertLess(abs(two - one).mean(), 0.02 * abs(one).mean())
 
     def test_a_restart_goes_on(self):
         def results_of(folder, *options, ranks):

@@ -239,10 +239,10 @@ void Mask<Dim>::add_constraint_force(Vec constraint_force, Vec density, double t
 }
 
 template <int Dim>
-Loads<Dim> Mask<Dim>::sliding_momentum(Vec velocity, Vec density, double time) const {
+Loads<Dim> Mask<Dim>::inner_momentum(Vec velocity, Vec density, double time) const {
   Loads<Dim> momenta(bodies_.size());
   const ConstFaceView<Dim> u(grid_.face_dm(), velocity), rho(grid_.face_dm(), density);
-  const ConstFaceView<Dim> holder(grid_.face_dm(), body_), fraction(grid_.face_dm(), fraction_);
+  const ConstFaceView<Dim> holder(grid_.face_dm(), body_), fraction(grid_.face_dm(), fluid_share());
   const ConstFaceView<Dim> solid(grid_.face_dm(), solid_velocity_);
   const auto motions = states_at(bodies_, time);
   grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
@@ -250,8 +250,8 @@ Loads<Dim> Mask<Dim>::sliding_momentum(Vec velocity, Vec density, double time) c
     const auto b = static_cast<std::size_t>(holder(face, c));
     const Point<Dim> place = grid_.face_center(face, c);
     const double speed = u(face, c) - solid(face, c);
-    const double held = grid_.cell_volume() * (1 - fraction(face, c)) * rho(face, c);
-    momenta[b].add(place - motions[b].center, c, held * speed);
+    const double inside = grid_.cell_volume() * (1 - fraction(face, c)) * rho(face, c);
+    momenta[b].add(place - motions[b].center, c, inside * speed);
   });
   return ordered_sum<Dim>(grid_.comm(), momenta);
 }

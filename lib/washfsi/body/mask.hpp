@@ -31,6 +31,9 @@ class Mask {
     slides_ = true;
   }
 
+  /// H where markers hold the walls: smooth, 1/2 (1 - 1/2 - 1/pi).
+  static constexpr double fraction_half_a_cell_behind = 0.0908;
+
   Vec fluid_fraction() const { return fraction_; }  ///< H, on faces
   /// The share of each face that lies in fluid: H, but where markers hold the walls and H is 0 only behind them.
   Vec fluid_share() const { return share_ ? share_ : fraction_; }
@@ -51,10 +54,10 @@ class Mask {
   /// the step. Collective.
   Loads<Dim> loads(Vec constraint_force, Vec density, Vec pressure, double time) const;
 
-  /// The momentum of the water that each body holds beyond that with which it would move with it, and its angular
+  /// The momentum of the water inside each body beyond that with which it would move with it, and its angular
   /// momentum about the body's centre: by as much as it grew over a step, over dt, `loads` are too small on a body
-  /// behind whose walls it slides. Collective.
-  Loads<Dim> sliding_momentum(Vec velocity, Vec density, double time) const;
+  /// behind whose walls it lags or slides. Collective.
+  Loads<Dim> inner_momentum(Vec velocity, Vec density, double time) const;
 
   /// Energy that the water lost in a step of dt where a moving mask took it along: 1/2 rho |u_solid - u|^2 on the faces
   /// that are solid now, u the velocity before, over dt [W; in the plane W/m]. An effect of the staircase. Collective.

@@ -35,14 +35,17 @@ struct Ends {
 // 2 mu e:e over the viscosity's scale, summed over this rank's cells and, between two directions, over the edges where
 // their faces meet. Where all faces are solid or beyond the box nothing is counted.
 template <int Dim, class Form>
-double squared_strain(const Grid<Dim>& grid, const ConstFaceView<Dim>& u, const Form& mu, Vec fluid_fraction) {
+double squared_strain(const Grid<Dim>& grid, const ConstFaceView<Dim>& u, const Form& mu, const FlowState& state) {
+  const Vec fluid_fraction = state.fluid_fraction ? state.fluid_fraction : state.liquid.density;
   const petsc::LocalVector local_fraction(grid.face_dm());
   WASH_PETSC(VecZeroEntries(local_fraction));  // beyond the box all is solid
   WASH_PETSC(DMGlobalToLocal(grid.face_dm(), fluid_fraction, INSERT_VALUES, local_fraction));
   const ConstFaceView<Dim> fraction(grid.face_dm(), local_fraction);
   const Spacing<Dim> h(grid.spacing());
   const Ends<Dim> ends(grid);
-  const auto is_wet = [&](const Index<Dim>& face, auto c) { return !ends.at_lower(face, c) && fraction(face, c) > 0; };
+  const auto is_wet = [&](const Index<Dim>& face, auto c) {
+    return !ends.at_lower(face, c) && fraction(face, c) > state.dry_fraction;
+  };
   double sum = 0;
   for_each_component<Dim>([&](auto c) {
     for_each<Dim>(grid.owned(), [&](const Index<Dim>& cell) {
@@ -71,10 +74,9 @@ double squared_strain(const Grid<Dim>& grid, const ConstFaceView<Dim>& u, const 
 template <int Dim>
 double dissipated(const Grid<Dim>& grid, const ConstFaceView<Dim>& u, const FlowState& state) {
   if (state.liquid.viscosity.everywhere == 0 && !state.liquid.viscosity.in_cells) return 0;
-  const Vec fraction = state.fluid_fraction ? state.fluid_fraction : state.liquid.density;
   double result = 0;
   with_viscosity<Dim>(grid, state.liquid.viscosity, [&](const auto& viscosity) {
-    result = viscosity.scale * squared_strain(grid, u, viscosity, fraction);
+    result = viscosity.scale * squared_strain(grid, u, viscosity, state);
   });
   return result;
 }
@@ -89,9 +91,7 @@ FlowDiagnostics<Dim> FlowDiagnostics<Dim>::of(const Grid<Dim>& grid, const FlowS
   const ConstFaceView<Dim> fraction(grid.face_dm(), state.fluid_fraction ? state.fluid_fraction : density);
   const Spacing<Dim> h(grid.spacing());
   const Ends<Dim> ends(grid);
-  const bool has_solids = state.fluid_fraction, are_full = state.inner_velocity;
-  const ConstFaceView<Dim> inner(grid.face_dm(), are_full ? state.inner_velocity : density);
-  const ConstFaceView<Dim> counts(grid.face_dm(), state.free_fraction ? state.free_fraction : density);
+  const bool has_solids = state.fluid_fraction;
   const Point<Dim> middle = 0.5 * (grid.lower() + grid.upper());
   double energy = 0, turning = 0;
   for_each<Dim>(grid.owned(), [&](const Index<Dim>& cell) {
@@ -100,14 +100,11 @@ FlowDiagnostics<Dim> FlowDiagnostics<Dim>::of(const Grid<Dim>& grid, const FlowS
       const Index<Dim> next = shifted<Dim>(cell, d, 1);
       const double lower = u(cell, d), upper = u(next, d);
       courant += dt * std::max(std::abs(lower), std::abs(upper)) * h.inverse[d];
-      const double H = has_solids ? fraction(cell, d) : 1, of_inner = are_full ? 1 - H : 0;
-      const double part = counts(cell, d) == 0 ? 0 : ends.at_lower(cell, d) ? 0.5 : 1, mass = part * rho(cell, d);
-      const double solid = are_full ? inner(cell, d) : 0, all = are_full ? 1 : H;
-      energy += 0.5 * mass * (all * lower * lower - of_inner * solid * solid);
+      const double H = has_solids ? fraction(cell, d) : 1, part = ends.at_lower(cell, d) ? 0.5 : 1;
+      const double momentum = part * H * rho(cell, d) * lower;
+      energy += 0.5 * momentum * lower;
       if (ends.at_upper(next, d)) energy += 0.25 * rho(cell, d) * upper * upper;
-      if constexpr (d < 2)
-        turning +=
-            (d == 0 ? -1 : 1) * mass * (all * lower - of_inner * solid) * (grid.face_center(cell, d) - middle)[1 - d];
+      if constexpr (d < 2) turning += (d == 0 ? -1 : 1) * momentum * (grid.face_center(cell, d) - middle)[1 - d];
     });
     if (!std::isfinite(courant)) courant = std::numeric_limits<double>::infinity();
     if (courant > result.courant.value) {

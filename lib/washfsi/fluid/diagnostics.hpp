@@ -11,13 +11,10 @@ struct FlowState {
   Vec velocity;  ///< local, of face_dm, its ghosts filled [m/s]
   LiquidFields liquid;
   Vec fluid_fraction = nullptr;  ///< H of the faces; none: no solids
-  Vec inner_velocity = nullptr;  ///< of solids full of water, which is not to be counted [m/s]
-  Vec free_fraction = nullptr;   ///< 0 on faces that are not to be counted; none: counts all
+  double dry_fraction = 0;       ///< H up to which a face is not in the fluid whose friction counts
 };
 
-/// What is watched after each step. Sums are over faces, without those in solids [in 2D per unit depth]: H times what
-/// is summed; of solids full of water all of it, less 1 - H times what it is of water that moves with them, which is
-/// what leaves the sum to the forces alone that hold the walls.
+/// What is watched after each step. Sums are over faces, H times what is summed [in 2D per unit depth].
 template <int Dim>
 struct FlowDiagnostics {
   double kinetic_energy = 0;    ///< 1/2 sum rho |u|^2 [J]

@@ -106,8 +106,9 @@ typename BodyMarkers<Dim>::State BodyMarkers<Dim>::at(const PosedBodies<Dim>& po
                                                       std::size_t marker, double time) {
   const std::size_t b = body_of_[patch];
   const Point<Dim> place = posed.in_space(b, arms_[marker]);
-  const bool acts = grid_.contains(place) && !is_covered(posed, b, marker, place) && !rubs_a_wall(bodies_[b], place);
-  if (!acts) return {0.5 * (grid_.lower() + grid_.upper()), Point<Dim>::Zero(), false};
+  const bool is_within = grid_.contains(place), covered = is_within && is_covered(posed, b, marker, place);
+  if (!is_within || covered || rubs_a_wall(bodies_[b], place))
+    return {0.5 * (grid_.lower() + grid_.upper()), Point<Dim>::Zero(), false, covered};
   return {place, bodies_[b].motion.velocity(place, time), true};
 }
 

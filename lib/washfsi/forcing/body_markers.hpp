@@ -33,6 +33,7 @@ class BodyMarkers {
   struct State {
     Point<Dim> place, velocity;  ///< [m, m/s]
     bool acts;                   ///< false beyond the box, behind another body's surface, and where it would rub a wall
+    bool is_covered = false;     ///< behind another body's surface
   };
   State at(const PosedBodies<Dim>& posed, std::size_t patch, std::size_t marker, double time);
 

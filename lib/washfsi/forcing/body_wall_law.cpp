@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "washfsi/body/turned.hpp"
 #include "washfsi/fluid/wall_law.hpp"
 #include "washfsi/grid/cell_share.hpp"
 #include "washfsi/support/collective.hpp"
@@ -17,10 +18,10 @@ constexpr DeltaOptions delta{DeltaKernel::yang, 2, 2};
 // Places before the surface, in cells; behind it what is held begins at 5/2. Of friction that acts at 1, up to a fifth
 // falls on the water inside, by where the wall lies in its cell; at 3/2 up to 3 %.
 constexpr double acting_place = 1.5, matching_place = 3, inner_place = -3;
-constexpr double least_cover = 1e-3;                       // of the delta, where inner water slides
-constexpr double viscous_layer = 5, turbulent_layer = 10;  // y+ at the matching place
-constexpr double inner_number = 0.25;                      // of viscosity, step and spacing within bodies
-constexpr double inside_below = 0.01;                      // share of fluid in a cell within a body
+constexpr double least_cover = 1e-3;                      // of the delta, where inner water slides
+constexpr double viscous_layer = 5, turbulent_layer = 6;  // y+ at the matching place
+constexpr double inner_number = 0.25;                     // of viscosity, step and spacing within bodies
+constexpr double inside_below = 0.01;                     // share of fluid in a cell within a body
 
 enum Kept : std::size_t { far, near };
 
@@ -49,12 +50,15 @@ BodyWallLaw<Dim>::BodyWallLaw(const Grid<Dim>& grid, const Boundary<Dim>& bounda
   patch_normals_.assign(markers.patches(), Point<Dim>::Zero());
   for (const auto& point : all)
     if (point.is_thick) patch_normals_[point.patch] = point.normal;
+  patch_slides_.resize(markers.patches());
   const auto ranks = static_cast<std::size_t>(ranks_of(grid.comm()));
   const auto rank = static_cast<std::size_t>(rank_of(grid.comm()));
   count_ = all.size();
   begin_ = count_ * rank / ranks;
   const std::size_t end = count_ * (rank + 1) / ranks;
   points_.assign(all.begin() + static_cast<std::ptrdiff_t>(begin_), all.begin() + static_cast<std::ptrdiff_t>(end));
+  for (std::size_t p = begin_; p < end; ++p)
+    if (all[p].is_thick && (p + 1 == count_ || all[p + 1].patch != all[p].patch)) speakers_.push_back(p - begin_);
   kept_.assign(kept_of_each * points_.size(), Point<Dim>::Zero());
   forces_.assign(points_.size(), Point<Dim>::Zero());
   slips_ = forces_;
@@ -115,13 +119,8 @@ Points<Dim> BodyWallLaw<Dim>::speeds_along(Vec local_velocity, double distance, 
 // Between the bodies' frames and space.
 template <int Dim>
 Points<Dim> BodyWallLaw<Dim>::turned(Points<Dim> values, bool into_space) const {
-  std::vector<Pose<Dim>> turns;
-  for (const auto& body : bodies_) turns.push_back(Pose<Dim>::at(Point<Dim>::Zero(), body.motion.angle(time_)));
-  for (std::size_t p = 0; p < values.size(); ++p) {
-    const Pose<Dim>& turn = turns[points_[p].body];
-    values[p] = into_space ? turn.in_space(values[p]) : turn.in_body_frame(values[p]);
-  }
-  return values;
+  return washfsi::turned<Dim>(std::move(values), bodies_, time_, into_space,
+                              [this](std::size_t p) { return points_[p].body; });
 }
 
 template <int Dim>
@@ -133,7 +132,6 @@ void BodyWallLaw<Dim>::observe(const StepFlow& flow, const PureLiquid& liquid) {
   const GhostedVelocity<Dim> local(boundary_, grid_.wide_face_dm(), flow.velocity, flow.time);
   const Points<Dim> at_near = speeds_along(local, 0, transfer_, acting_place),
                     at_far = speeds_along(local, matching_place, probes_, matching_place);
-  std::vector<double> sums{0, 0};
   for (std::size_t p = 0; p < points_.size(); ++p) {
     y_plus_[p] = 0;
     forces_[p].setZero();
@@ -141,18 +139,40 @@ void BodyWallLaw<Dim>::observe(const StepFlow& flow, const PureLiquid& liquid) {
     if (!acts_[p]) continue;
     filter(p, at_near[p], at_far[p], flow.last_step);
     rub(p, liquid);
-    sums[0] += holds_by(y_plus_[p]);
-    sums[1] += 1;
   }
   forces_ = turned(std::move(forces_), true);
   slips_ = turned(std::move(slips_), true);
   WASH_PETSC(VecZeroEntries(friction_));
   (void)transfer_.spread(forces_, friction_);
-  sums = ordered_sum(grid_.comm(), sums);
-  turbulent_ = sums[1] > 0 ? sums[0] / sums[1] : 0;
+  tell_patches(flow.last_step);
   const double spacing = grid_.spacing().minCoeff();
   inner_viscosity_ = flow.last_step > 0 ? inner_number * liquid.density * spacing * spacing / flow.last_step : 0;
   begun_ = observes_ = true;
+}
+
+template <int Dim>
+void BodyWallLaw<Dim>::tell_patches(double step) {
+  std::vector<double> of_points{0, 0};
+  for (std::size_t p = 0; p < points_.size(); ++p) {
+    if (!acts_[p]) continue;
+    of_points[0] += holds_by(y_plus_[p]);
+    of_points[1] += 1;
+  }
+  of_points = ordered_sum(grid_.comm(), of_points);
+  turbulent_ = of_points[1] > 0 ? of_points[0] / of_points[1] : 0;
+
+  constexpr std::size_t width = 2;
+  std::vector<double> of_patches(width * patch_slides_.size(), 0.0);
+  for (const std::size_t p : speakers_) {
+    if (!acts_[p]) continue;
+    const double part = holds_by(y_plus_[p]);
+    double* patch = &of_patches[width * points_[p].patch];
+    patch[0] = part;
+    patch[1] = part * step * kept_[kept_of_each * p + far].norm() / points_[p].along;
+  }
+  of_patches = ordered_sum(grid_.comm(), of_patches);
+  for (std::size_t p = 0; p < patch_slides_.size(); ++p)
+    patch_slides_[p] = {of_patches[width * p], of_patches[width * p + 1]};
 }
 
 template <int Dim>

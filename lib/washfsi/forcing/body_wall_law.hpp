@@ -7,14 +7,15 @@
 //   2. u_tau         of Reichardt's law for u(3)
 //   3. F             = -rho u_tau^2 A u/|u| on the water, spread by the delta round y = 3/2, so that nearly all acts
 //                    before the wall; A the point's area
-//   4. markers       hold only the velocity along the normal, by the part of the points at which the law holds
+//   4. markers       hold only the velocity along the normal where the law holds
 //   5. inner water   what is held behind the walls slides along them by u(0), and from a cell on behind them the
 //                    viscosity is rho h^2/(4 dt)
 // The last is what makes 3 all of the friction. Were the inner water at rest, the wall would be a layer of shear as
 // thin as a cell, which rubs by itself where it crosses the grid at an angle a: u = f(n) along it has a divergence of
 // f''' h^2/24 cos a sin a (cos^2 a - sin^2 a) on the faces, and what the pressure makes of that goes through the wall.
 // And water inside with a viscosity of its own would be as turbulent as that outside, and let eddies through.
-// Where y+ of u(3) is 5 or less nothing is changed; from 10 on all is.
+// Where y+ of u(3) is 5 or less nothing is changed; from 6 on all is, patch by patch. What markers let go of in between
+// they would hold all the same, as nothing but their solver sees a part.
 #pragma once
 
 #include "washfsi/body/load.hpp"
@@ -23,6 +24,12 @@
 #include "washfsi/forcing/wall_points.hpp"
 
 namespace washfsi {
+
+/// How the water slides along a patch of markers.
+struct PatchSlide {
+  double part = 0;    ///< by how much the law holds, from 0 to 1
+  double passes = 0;  ///< how many cells it passes in a step, times `part`
+};
 
 template <int Dim>
 class BodyWallLaw : public WallViscosity {
@@ -51,8 +58,7 @@ class BodyWallLaw : public WallViscosity {
   /// Out of the surface at each patch of markers, in its body's frame: where the law holds, only the water's velocity
   /// along it is to be held. Zero where parts are thin, and both faces share the patch.
   const Points<Dim>& patch_normals() const { return patch_normals_; }
-  /// The part of the points at which the law holds.
-  double part() const { return turbulent_; }
+  const std::vector<PatchSlide>& patch_slides() const { return patch_slides_; }  ///< of all ranks' patches
 
   /// What goes on from step to step, in the bodies' frames: so many of each of this rank's points. They hold a run's
   /// earlier flow after `go_on`; else the next flow is taken as it is.
@@ -71,6 +77,7 @@ class BodyWallLaw : public WallViscosity {
   Points<Dim> turned(Points<Dim> values, bool into_space) const;
   void filter(std::size_t point, const Point<Dim>& near, const Point<Dim>& far, double dt);
   void rub(std::size_t point, const PureLiquid& liquid);
+  void tell_patches(double step);
 
   const Grid<Dim>& grid_;
   const Boundary<Dim>& boundary_;
@@ -86,12 +93,14 @@ class BodyWallLaw : public WallViscosity {
   std::vector<double> covers_;               ///< what each point covers of the inner water; 0 beyond the box
   std::vector<double> y_plus_;               ///< of the matching place
   Points<Dim> kept_;                         ///< of each point: u(3), u(0)
-  double turbulent_ = 0;                     ///< part of the points at which the law holds
-  double inner_viscosity_ = 0;               ///< [Pa s]
-  double time_ = 0;                          ///< of `observe` [s]
-  Vec fluid_share_ = nullptr;                ///< of the flow seen last
-  bool begun_ = false;                       ///< what is kept holds an earlier flow
-  bool observes_ = false;                    ///< this run has seen one
+  std::vector<PatchSlide> patch_slides_;
+  std::vector<std::size_t> speakers_;  ///< this rank's points that stand for their patch
+  double turbulent_ = 0;               ///< part of the points at which the law holds
+  double inner_viscosity_ = 0;         ///< [Pa s]
+  double time_ = 0;                    ///< of `observe` [s]
+  Vec fluid_share_ = nullptr;          ///< of the flow seen last
+  bool begun_ = false;                 ///< what is kept holds an earlier flow
+  bool observes_ = false;              ///< this run has seen one
 };
 
 extern template class BodyWallLaw<2>;

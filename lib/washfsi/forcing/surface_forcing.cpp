@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "washfsi/body/turned.hpp"
 #include "washfsi/coupling/marker_vectors.hpp"
 #include "washfsi/fluid/krylov.hpp"
 #include "washfsi/forcing/edge_nearness.hpp"
@@ -15,6 +16,10 @@ namespace {
 
 // Narrow, and smooth for what moves over the grid.
 constexpr DeltaOptions delta{DeltaKernel::yang, 2, 2};
+
+// Where water slides along, what of a step's force markers hardly feel would pile up, as it acts on other water in the
+// next: a quarter of a cell that the water passes by takes half of it.
+constexpr double forgets = 4;  // [1/cell]
 
 template <int Dim>
 MarkerLayout<Dim> layout_for(const Grid<Dim>& grid, const BodyTreatment& treatment) {
@@ -44,6 +49,7 @@ SurfaceForcing<Dim>::SurfaceForcing(const Grid<Dim>& grid, const Boundary<Dim>& 
   const auto rank = static_cast<std::size_t>(rank_of(grid.comm()));
   begin_ = static_cast<std::size_t>(starts_[rank] / Dim);
   end_ = static_cast<std::size_t>(starts_[rank + 1] / Dim);
+  closed_.emplace(grid, bodies, markers_, begin_, end_);
   forces_.assign(owned(), Point<Dim>::Zero());
   kept_ = forces_;
   create_solver();
@@ -107,26 +113,16 @@ void SurfaceForcing<Dim>::update(double time) {
     if (acts) shares_[p - begin_] = 1.0 / static_cast<double>(markers_.start(p + 1) - markers_.start(p));
   }
   transfer_.locate(places);
+  closed_->update(states_, time);
   if (!nearness_) return;
   std::vector<bool> at_edges(states_.size(), false);
   for_each_acting([&](std::size_t, std::size_t m) { at_edges[m] = markers_.is_sharp(markers_.start(begin_) + m); });
   find_edge_nearness<Dim>(grid_, transfer_, at_edges, nearness_);
 }
 
-// Calls visit(patch, marker) for all markers that act, both counted from this rank's first.
-template <int Dim>
-template <class Visit>
-void SurfaceForcing<Dim>::for_each_acting(Visit&& visit) const {
-  const std::size_t first = markers_.start(begin_);
-  for (std::size_t p = begin_; p < end_; ++p)
-    for (std::size_t m = markers_.start(p) - first; m < markers_.start(p + 1) - first; ++m)
-      if (states_[m].acts) visit(p - begin_, m);
-}
-
 template <int Dim>
 void SurfaceForcing<Dim>::let_slide(const BodyWallLaw<Dim>& law) {
   law_ = &law;
-  slides_ = law.part();
   const auto first = law.patch_normals().begin();
   slide_normals_.assign(first + static_cast<std::ptrdiff_t>(begin_), first + static_cast<std::ptrdiff_t>(end_));
 }
@@ -134,8 +130,9 @@ void SurfaceForcing<Dim>::let_slide(const BodyWallLaw<Dim>& law) {
 // What of a patch's velocity or force is not free to slide.
 template <int Dim>
 Point<Dim> SurfaceForcing<Dim>::held(const Point<Dim>& value, std::size_t patch) const {
-  if (slides_ == 0 || normals_[patch].isZero(0)) return value;
-  return value - slides_ * (value - value.dot(normals_[patch]) * normals_[patch]);
+  const double part = law_ ? law_->patch_slides()[begin_ + patch].part : 0;
+  if (part == 0 || normals_.empty()) return value;
+  return value - part * (value - value.dot(normals_[patch]) * normals_[patch]);
 }
 
 // From patches to their markers that act.
@@ -155,16 +152,18 @@ Points<Dim> SurfaceForcing<Dim>::means(const Points<Dim>& of_markers) const {
   return result;
 }
 
+// Without what no force can change.
+template <int Dim>
+Points<Dim> SurfaceForcing<Dim>::felt_means(const Points<Dim>& of_markers) const {
+  Points<Dim> result = means(of_markers);
+  closed_->remove_from(result);
+  return result;
+}
+
 template <int Dim>
 Points<Dim> SurfaceForcing<Dim>::turned(const Points<Dim>& values, bool into_space) const {
-  std::vector<Pose<Dim>> turns;
-  for (const auto& body : bodies_) turns.push_back(Pose<Dim>::at(Point<Dim>::Zero(), body.motion.angle(time_)));
-  Points<Dim> result(values.size());
-  for (std::size_t p = 0; p < values.size(); ++p) {
-    const Pose<Dim>& turn = turns[markers_.body_of(begin_ + p)];
-    result[p] = into_space ? turn.in_space(values[p]) : turn.in_body_frame(values[p]);
-  }
-  return result;
+  return washfsi::turned<Dim>(values, bodies_, time_, into_space,
+                              [this](std::size_t p) { return markers_.body_of(begin_ + p); });
 }
 
 template <int Dim>
@@ -172,13 +171,14 @@ void SurfaceForcing<Dim>::begin_trial(const TimeStep& step, Vec density) {
   step_ = step;
   fluid_density_ = density;
   forces_ = turned(kept_, true);
-  if (slides_ > 0) normals_ = turned(slide_normals_, true);
+  if (law_) normals_ = turned(slide_normals_, true);
 }
 
 template <int Dim>
 void SurfaceForcing<Dim>::accept() {
   Points<Dim> acting = forces_;  // what is not passed on must not return when it is
-  for (std::size_t p = 0; p < acting.size(); ++p) acting[p] = held(acting[p], p);
+  for (std::size_t p = 0; p < acting.size(); ++p)
+    acting[p] = held(acting[p], p) / (1 + (law_ ? forgets * law_->patch_slides()[begin_ + p].passes : 0));
   kept_ = turned(acting, false);
 }
 
@@ -204,7 +204,7 @@ Points<Dim> SurfaceForcing<Dim>::slips(Vec velocity) const {
   const GhostedVelocity<Dim> local(boundary_, grid_.wide_face_dm(), velocity, time_);
   Points<Dim> result = transfer_.interpolate(local);
   for (std::size_t m = 0; m < result.size(); ++m) result[m] = states_[m].velocity - result[m];
-  return means(result);
+  return felt_means(result);
 }
 
 template <int Dim>
@@ -216,21 +216,6 @@ double SurfaceForcing<Dim>::rms(const Points<Dim>& values) const {
   }
   sums = ordered_sum(grid_.comm(), sums);
   return std::sqrt(sums[0] / std::max(sums[1], 1.0));
-}
-
-template <int Dim>
-double SurfaceForcing<Dim>::lost_power(Vec velocity_before, Vec velocity, double dt) const {
-  const GhostedVelocity<Dim> mean(boundary_, grid_.wide_face_dm(), velocity_before, time_ - dt),
-      now(boundary_, grid_.wide_face_dm(), velocity, time_);
-  WASH_PETSC(VecAXPBY(mean, 0.5, 0.5, now));
-  const Points<Dim> given = shared_out(forces_), of_water = transfer_.interpolate(mean);
-  double lost = 0;
-  for_each_acting([&](std::size_t p, std::size_t m) {
-    const RigidMotion<Dim>& motion = bodies_[markers_.body_of(begin_ + p)].motion;
-    const Point<Dim> own = motion.velocity(states_[m].place, time_ - 0.5 * dt);
-    lost += given[m].dot(own - of_water[m]);
-  });
-  return ordered_sum(grid_.comm(), lost);
 }
 
 template <int Dim>
@@ -250,7 +235,7 @@ Points<Dim> SurfaceForcing<Dim>::response(const Points<Dim>& forces) const {
   (*project_)(increment);
   const petsc::LocalVector local(grid_.wide_face_dm(), increment);
   boundary_.fill_homogeneous(local);
-  return means(transfer_.interpolate(local));
+  return felt_means(transfer_.interpolate(local));
 }
 
 template <int Dim>
@@ -273,6 +258,7 @@ Points<Dim> SurfaceForcing<Dim>::approximate_forces(const Points<Dim>& velocitie
   }
   for (std::size_t p = 0; p < forces.size(); ++p)
     forces[p] = shares_[p] == 0 ? Point<Dim>(Point<Dim>::Zero()) : held(forces[p], p);
+  closed_->remove_from(forces);
   return forces;
 }
 
@@ -298,49 +284,6 @@ void SurfaceForcing<Dim>::hold(const Project& project, Vec velocity) {
   const Points<Dim> more = to_points<Dim>(solution_);
   accelerate(more, velocity);
   forces_ += more;
-}
-
-// What sides keep of each marker's force, of which a share is asked for.
-template <int Dim>
-Points<Dim> SurfaceForcing<Dim>::kept_by_sides(const typename Boundary<Dim>::OnSides& shares,
-                                               const std::optional<SideName>& only) const {
-  Points<Dim> kept = shared_out(forces_);
-  const petsc::LocalVector local(grid_.wide_face_dm());
-  boundary_.fill_from_rest(local, shares, only);
-  const Points<Dim> parts = transfer_.interpolate_from_sides(local);
-  for (std::size_t m = 0; m < kept.size(); ++m) kept[m] = kept[m].cwiseProduct(parts[m]);
-  return kept;
-}
-
-// What a body's force leaves in a side that moves with it has never left the body.
-template <int Dim>
-Loads<Dim> SurfaceForcing<Dim>::loads() const {
-  Loads<Dim> loads = law_ ? law_->loads_here() : Loads<Dim>(bodies_.size());
-  const Points<Dim> given = shared_out(forces_);
-  const Points<Dim> kept = kept_by_sides([&](auto... place) { return boundary_.covered_share(place..., time_); });
-  for_each_acting([&](std::size_t p, std::size_t m) {
-    const std::size_t b = markers_.body_of(begin_ + p);
-    loads[b].add(states_[m].place - bodies_[b].motion.center_at(time_), kept[m] - given[m]);
-  });
-  return ordered_sum<Dim>(grid_.comm(), loads);
-}
-
-template <int Dim>
-Loads<Dim> SurfaceForcing<Dim>::loads_on_sides(const std::vector<SideName>& sides) const {
-  Loads<Dim> loads(sides.size());
-  const Point<Dim> middle = 0.5 * (grid_.lower() + grid_.upper());
-  for (std::size_t s = 0; s < sides.size(); ++s) {
-    const SideName side = sides[s];
-    if (!any_rank(grid_.comm(), !boundary_.covered_wholly(side.axis, side.end))) continue;
-    const Points<Dim> kept =
-        kept_by_sides([&](auto... place) { return 1 - boundary_.covered_share(place..., time_); }, side);
-    for_each_acting([&](std::size_t, std::size_t m) {
-      Point<Dim> place = states_[m].place;
-      place[side.axis] = (side.end == End::lower ? grid_.lower() : grid_.upper())[side.axis];
-      loads[s].add(place - middle, kept[m]);
-    });
-  }
-  return ordered_sum<Dim>(grid_.comm(), loads);
 }
 
 template class SurfaceForcing<2>;

@@ -14,6 +14,7 @@
 #include "washfsi/fluid/wall_forces.hpp"
 #include "washfsi/forcing/body_markers.hpp"
 #include "washfsi/forcing/body_wall_law.hpp"
+#include "washfsi/forcing/closed_walls.hpp"
 #include "washfsi/forcing/overlap_inverse.hpp"
 
 namespace washfsi {
@@ -65,6 +66,7 @@ class SurfaceForcing : public WallForces {
   static PetscErrorCode multiply(Mat matrix, Vec x, Vec y);
   static PetscErrorCode precondition(PC pc, Vec x, Vec y);
   Point<Dim> held(const Point<Dim>& value, std::size_t patch) const;
+  /// Calls visit(patch, marker) for all markers that act, both counted from this rank's first.
   template <class Visit>
   void for_each_acting(Visit&& visit) const;
   Points<Dim> kept_by_sides(const typename Boundary<Dim>::OnSides& shares,
@@ -74,6 +76,7 @@ class SurfaceForcing : public WallForces {
   Points<Dim> turned(const Points<Dim>& values, bool into_space) const;
   Points<Dim> shared_out(const Points<Dim>& of_patches) const;
   Points<Dim> means(const Points<Dim>& of_markers) const;
+  Points<Dim> felt_means(const Points<Dim>& of_markers) const;
   Points<Dim> slips(Vec velocity) const;
   Points<Dim> response(const Points<Dim>& forces) const;
   Points<Dim> approximate_forces(const Points<Dim>& velocities) const;
@@ -87,6 +90,7 @@ class SurfaceForcing : public WallForces {
   double slip_tolerance_, density_;
   Transfer<Dim> transfer_;
   BodyMarkers<Dim> markers_;
+  std::optional<ClosedWalls<Dim>> closed_;                ///< made when `begin_` is known
   std::vector<OverlapInverse<Dim>> inverses_;             ///< of each body
   std::vector<int> counts_, starts_;                      ///< of each rank's patches, times Dim
   std::size_t begin_ = 0, end_ = 0;                       ///< this rank's patches
@@ -96,7 +100,6 @@ class SurfaceForcing : public WallForces {
   Points<Dim> kept_;                                      ///< F of the step before, in the bodies' frames
   Points<Dim> slide_normals_, normals_;                   ///< of this rank's patches: in their bodies' frames; in space
   const BodyWallLaw<Dim>* law_ = nullptr;                 ///< by which the water slides
-  double slides_ = 0;                                     ///< by what part
   double time_ = 0;                                       ///< of `update`
   petsc::Vector nearness_;                                ///< of faces; null where `nearness` is
   petsc::Matrix matrix_;
@@ -106,6 +109,15 @@ class SurfaceForcing : public WallForces {
   Vec fluid_density_ = nullptr;       ///< of it
   const Project* project_ = nullptr;  ///< while the solver runs
 };
+
+template <int Dim>
+template <class Visit>
+void SurfaceForcing<Dim>::for_each_acting(Visit&& visit) const {
+  const std::size_t first = markers_.start(begin_);
+  for (std::size_t p = begin_; p < end_; ++p)
+    for (std::size_t m = markers_.start(p) - first; m < markers_.start(p + 1) - first; ++m)
+      if (states_[m].acts) visit(p - begin_, m);
+}
 
 extern template class SurfaceForcing<2>;
 extern template class SurfaceForcing<3>;

@@ -53,25 +53,24 @@ void BodyMeasure<Dim>::declare(QuantityList& quantities) {
 }
 
 template <int Dim>
-Loads<Dim> BodyMeasure<Dim>::sliding_momenta() const {
+Loads<Dim> BodyMeasure<Dim>::inner_momenta() const {
   const Model<Dim>& model = system_.model;
-  return model.mask.sliding_momentum(model.fluid.velocity(), model.liquid.density(), system_.state.clock.time);
+  return model.mask.inner_momentum(model.fluid.velocity(), model.liquid.density(), system_.state.clock.time);
 }
 
 template <int Dim>
 void BodyMeasure<Dim>::prepare() {
-  if (system_.model.wall_law) sliding_momenta_ = sliding_momenta();
+  if (system_.model.walls) inner_momenta_ = inner_momenta();
 }
 
-// What loads have not got, as the momentum of the water that slides inside has it.
+// What loads have not got, as the momentum of the water inside has it.
 template <int Dim>
-Loads<Dim> BodyMeasure<Dim>::sliding_inertia(double dt) {
+Loads<Dim> BodyMeasure<Dim>::inner_inertia(double dt) {
   Loads<Dim> inertia(loads_.size());
-  if (!system_.model.wall_law) return inertia;
-  const Loads<Dim> before = std::exchange(sliding_momenta_, sliding_momenta());
+  if (!system_.model.walls) return inertia;
+  const Loads<Dim> before = std::exchange(inner_momenta_, inner_momenta());
   for (std::size_t b = 0; b < inertia.size(); ++b)
-    inertia[b] = {(sliding_momenta_[b].force - before[b].force) / dt,
-                  (sliding_momenta_[b].torque - before[b].torque) / dt};
+    inertia[b] = {(inner_momenta_[b].force - before[b].force) / dt, (inner_momenta_[b].torque - before[b].torque) / dt};
   return inertia;
 }
 
@@ -86,17 +85,17 @@ void BodyMeasure<Dim>::observe(const Observation<Dim>& seen) {
   const Loads<Dim> beneath =
       model.mask.hidden_wall_shear(model.boundary, seen.velocity, model.liquid.viscosity(), time);
   const Loads<Dim> of_markers = model.walls ? model.walls->loads() : Loads<Dim>(loads_.size());
-  const Loads<Dim> of_sliding = sliding_inertia(seen.dt);
+  const Loads<Dim> of_inner = inner_inertia(seen.dt);
   for (std::size_t b = 0; b < loads_.size(); ++b)
-    for (const Loads<Dim>* part : {&beneath, &of_markers, &of_sliding}) loads_[b] += (*part)[b];
+    for (const Loads<Dim>* part : {&beneath, &of_markers}) loads_[b] += (*part)[b];
   if (control_volumes_)
     balance_loads_ = control_volumes_->loads({fluid.velocity_before(), fluid.velocity(), fluid.pressure(), density,
                                               system_.step.force, model.mask.fluid_share(), model.liquid.viscosity(),
                                               time, seen.dt, fluid.driving().gradient()});
   for (std::size_t b = 0; b < loads_.size(); ++b)
-    for (Load<Dim>* load : {&loads_[b], &balance_loads_[b]}) *load += seen.contact.bodies[b];
-  mask_dissipation_ = model.wall_law ? 0 : model.mask.dissipation(fluid.velocity_before(), density, seen.dt);
-  if (model.walls) mask_dissipation_ += model.walls->lost_power(fluid.velocity_before(), fluid.velocity(), seen.dt);
+    for (Load<Dim>* load : {&loads_[b], &balance_loads_[b]}) (*load += of_inner[b]) += seen.contact.bodies[b];
+  mask_dissipation_ = model.walls ? model.walls->lost_power(fluid.velocity_before(), fluid.velocity(), seen.dt)
+                                  : model.mask.dissipation(fluid.velocity_before(), density, seen.dt);
   for (std::size_t b = 0; b < loads_.size(); ++b) powers_[b] = power(model.bodies[b].motion, loads_[b], middle);
 }
 

@@ -28,13 +28,13 @@ class BodyMeasure : public Measure<Dim> {
   void observe_start(const Observation<Dim>&) override { prepare(); }
 
  private:
-  Loads<Dim> sliding_momenta() const;
-  Loads<Dim> sliding_inertia(double dt);
+  Loads<Dim> inner_momenta() const;
+  Loads<Dim> inner_inertia(double dt);
 
   const System<Dim>& system_;
   std::optional<ControlVolumes<Dim>> control_volumes_;
   Loads<Dim> loads_, balance_loads_;
-  Loads<Dim> sliding_momenta_;   ///< of the water inside bodies, after the step before, with a law of friction
+  Loads<Dim> inner_momenta_;     ///< of the water inside bodies that markers hold, after the step before
   std::vector<double> powers_;   ///< that each body puts into the water [W; W/m in the plane]
   double mask_dissipation_ = 0;  ///< [W; W/m in the plane]
 };

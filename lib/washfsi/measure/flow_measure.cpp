@@ -39,10 +39,10 @@ template <int Dim>
 void FlowMeasure<Dim>::observe(const Observation<Dim>& seen) {
   const Model<Dim>& model = system_.model;
   dt_ = seen.dt;
-  const Vec inner_velocity = model.walls ? model.mask.solid_velocity() : nullptr;
-  const Vec free_fraction = model.wall_law ? model.mask.fluid_fraction() : nullptr;  // what is held slides by itself
-  flow_ = FlowDiagnostics<Dim>::of(
-      model.grid, {seen.velocity, model.liquid.fields(), model.fluid_share(), inner_velocity, free_fraction}, dt_);
+  // Behind walls that markers hold there is water too: that of the first half of a cell belongs to the friction.
+  const double dry_fraction = model.walls ? Mask<Dim>::fraction_half_a_cell_behind : 0;
+  flow_ = FlowDiagnostics<Dim>::of(model.grid,
+                                   {seen.velocity, model.liquid.fields(), model.fluid_share(), dry_fraction}, dt_);
   if (model.wall_law)
     flow_.dissipation +=
         model.wall_law->dissipation(model.fluid.velocity_before(), model.fluid.velocity(), system_.state.clock.time);

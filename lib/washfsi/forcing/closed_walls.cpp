@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/forcing/closed_walls.hpp"
+
+#include <algorithm>
+
+#include "washfsi/body/turned.hpp"
+#include "washfsi/support/collective.hpp"
+
+namespace washfsi {
+
+namespace {
+
+// Out of the body at a patch; none where it is thinner than a cell.
+template <int Dim>
+Point<Dim> way_out(const Shape<Dim>& shape, const MarkerPatches<Dim>& patches, std::size_t patch,
+                   const Point<Dim>& cell) {
+  Point<Dim> middle = Point<Dim>::Zero();
+  for (std::size_t m = patches.starts[patch]; m < patches.starts[patch + 1]; ++m) middle += patches.feet[m];
+  middle /= static_cast<double>(patches.starts[patch + 1] - patches.starts[patch]);
+  const Point<Dim> normal = distance_gradient<Dim>(shape, middle, 1e-3 * cell.minCoeff()).normalized();
+  const double along = normal.cwiseProduct(cell).norm();
+  return shape.distance(middle - along * normal) < -0.5 * along ? normal : Point<Dim>(Point<Dim>::Zero());
+}
+
+}  // namespace
+
+template <int Dim>
+ClosedWalls<Dim>::ClosedWalls(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies,
+                              const BodyMarkers<Dim>& markers, std::size_t begin, std::size_t end)
+    : grid_(grid), bodies_(bodies), are_thick_(bodies.size(), 1) {
+  std::size_t first = 0;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const MarkerPatches<Dim>& patches = markers.of_body(b);
+    for (std::size_t p = 0; p < patches.size(); ++p) {
+      const Point<Dim> normal = way_out<Dim>(*bodies[b].shape, patches, p, grid.spacing());
+      if (normal.isZero(0)) are_thick_[b] = 0;
+      if (first + p < begin || first + p >= end) continue;
+      body_of_.push_back(b);
+      sizes_.push_back(patches.starts[p + 1] - patches.starts[p]);
+      normals_.push_back(normal);
+    }
+    first += patches.size();
+  }
+}
+
+template <int Dim>
+void ClosedWalls<Dim>::update(const std::vector<typename BodyMarkers<Dim>::State>& states, double time) {
+  areas_ = turned<Dim>(normals_, bodies_, time, true, [this](std::size_t p) { return body_of_[p]; });
+  std::vector<double> sums(2 * bodies_.size(), 0.0);  // of the squares; of what lies open
+  std::size_t m = 0;
+  for (std::size_t p = 0; p < areas_.size(); ++p) {
+    double acting = 0;
+    for (const std::size_t end = m + sizes_[p]; m < end; ++m) {
+      acting += states[m].acts ? 1 : 0;
+      sums[2 * body_of_[p] + 1] += states[m].is_covered ? 1 : 0;
+    }
+    areas_[p] *= acting;
+    sums[2 * body_of_[p]] += areas_[p].squaredNorm();
+  }
+  sums = ordered_sum(grid_.comm(), sums);
+  squares_.clear();
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    squares_.push_back(are_thick_[b] && sums[2 * b + 1] == 0 ? sums[2 * b] : 0);
+}
+
+template <int Dim>
+void ClosedWalls<Dim>::remove_from(Points<Dim>& values) const {
+  if (std::all_of(squares_.begin(), squares_.end(), [](double square) { return square == 0; })) return;
+  std::vector<double> sums(bodies_.size(), 0.0);
+  for (std::size_t p = 0; p < values.size(); ++p) sums[body_of_[p]] += values[p].dot(areas_[p]);
+  sums = ordered_sum(grid_.comm(), sums);
+  for (std::size_t p = 0; p < values.size(); ++p)
+    if (const double square = squares_[body_of_[p]]; square > 0) values[p] -= sums[body_of_[p]] / square * areas_[p];
+}
+
+template class ClosedWalls<2>;
+template class ClosedWalls<3>;
+
+}  // namespace washfsi
