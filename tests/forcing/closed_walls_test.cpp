@@ -11,7 +11,7 @@
 namespace washfsi::test {
 namespace {
 
-/// A ball and, if it has a radius, another a third of the box to its right; all patches are this rank's.
+/// A ball and, if it has a radius, another a third of the box to its right.
 class Balls {
  public:
   explicit Balls(double radius_of_other = 0)

@@ -152,27 +152,24 @@ void BodyWallLaw<Dim>::observe(const StepFlow& flow, const PureLiquid& liquid) {
 
 template <int Dim>
 void BodyWallLaw<Dim>::tell_patches(double step) {
-  std::vector<double> of_points{0, 0};
+  constexpr std::size_t width = 2;
+  const std::size_t of_points = width * patch_slides_.size();  // behind what is of the patches
+  std::vector<double> sums(of_points + 2, 0.0);
   for (std::size_t p = 0; p < points_.size(); ++p) {
     if (!acts_[p]) continue;
-    of_points[0] += holds_by(y_plus_[p]);
-    of_points[1] += 1;
+    sums[of_points] += holds_by(y_plus_[p]);
+    sums[of_points + 1] += 1;
   }
-  of_points = ordered_sum(grid_.comm(), of_points);
-  turbulent_ = of_points[1] > 0 ? of_points[0] / of_points[1] : 0;
-
-  constexpr std::size_t width = 2;
-  std::vector<double> of_patches(width * patch_slides_.size(), 0.0);
   for (const std::size_t p : speakers_) {
     if (!acts_[p]) continue;
     const double part = holds_by(y_plus_[p]);
-    double* patch = &of_patches[width * points_[p].patch];
+    double* patch = &sums[width * points_[p].patch];
     patch[0] = part;
     patch[1] = part * step * kept_[kept_of_each * p + far].norm() / points_[p].along;
   }
-  of_patches = ordered_sum(grid_.comm(), of_patches);
-  for (std::size_t p = 0; p < patch_slides_.size(); ++p)
-    patch_slides_[p] = {of_patches[width * p], of_patches[width * p + 1]};
+  sums = ordered_sum(grid_.comm(), sums);
+  for (std::size_t p = 0; p < patch_slides_.size(); ++p) patch_slides_[p] = {sums[width * p], sums[width * p + 1]};
+  turbulent_ = sums[of_points + 1] > 0 ? sums[of_points] / sums[of_points + 1] : 0;
 }
 
 template <int Dim>

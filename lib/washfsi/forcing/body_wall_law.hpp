@@ -14,8 +14,8 @@
 // thin as a cell, which rubs by itself where it crosses the grid at an angle a: u = f(n) along it has a divergence of
 // f''' h^2/24 cos a sin a (cos^2 a - sin^2 a) on the faces, and what the pressure makes of that goes through the wall.
 // And water inside with a viscosity of its own would be as turbulent as that outside, and let eddies through.
-// Where y+ of u(3) is 5 or less nothing is changed; from 6 on all is, patch by patch. What markers let go of in between
-// they would hold all the same, as nothing but their solver sees a part.
+// Where y+ of u(3) is 5 or less nothing is changed; from 6 on all is, patch by patch. The step is narrow, since
+// markers that hold a part of a velocity hold all of it: their solver goes on until no slip is left.
 #pragma once
 
 #include "washfsi/body/load.hpp"

@@ -10,13 +10,9 @@ namespace washfsi {
 
 namespace {
 
-// Out of the body at a patch; none where it is thinner than a cell.
+// Out of the body at a patch's middle; none where it is thinner than a cell.
 template <int Dim>
-Point<Dim> way_out(const Shape<Dim>& shape, const MarkerPatches<Dim>& patches, std::size_t patch,
-                   const Point<Dim>& cell) {
-  Point<Dim> middle = Point<Dim>::Zero();
-  for (std::size_t m = patches.starts[patch]; m < patches.starts[patch + 1]; ++m) middle += patches.feet[m];
-  middle /= static_cast<double>(patches.starts[patch + 1] - patches.starts[patch]);
+Point<Dim> way_out(const Shape<Dim>& shape, const Point<Dim>& middle, const Point<Dim>& cell) {
   const Point<Dim> normal = distance_gradient<Dim>(shape, middle, 1e-3 * cell.minCoeff()).normalized();
   const double along = normal.cwiseProduct(cell).norm();
   return shape.distance(middle - along * normal) < -0.5 * along ? normal : Point<Dim>(Point<Dim>::Zero());
@@ -32,7 +28,7 @@ ClosedWalls<Dim>::ClosedWalls(const Grid<Dim>& grid, const std::vector<Body<Dim>
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const MarkerPatches<Dim>& patches = markers.of_body(b);
     for (std::size_t p = 0; p < patches.size(); ++p) {
-      const Point<Dim> normal = way_out<Dim>(*bodies[b].shape, patches, p, grid.spacing());
+      const Point<Dim> normal = way_out<Dim>(*bodies[b].shape, patches.middle(p), grid.spacing());
       if (normal.isZero(0)) are_thick_[b] = 0;
       if (first + p < begin || first + p >= end) continue;
       body_of_.push_back(b);

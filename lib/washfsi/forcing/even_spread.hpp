@@ -22,6 +22,12 @@ struct MarkerPatches {
   std::vector<std::size_t> starts{0};  ///< first marker of each patch, and the end
 
   std::size_t size() const { return starts.size() - 1; }
+  /// Of what a patch holds of the surface.
+  Point<Dim> middle(std::size_t patch) const {
+    Point<Dim> sum = Point<Dim>::Zero();
+    for (std::size_t m = starts[patch]; m < starts[patch + 1]; ++m) sum += feet[m];
+    return sum / static_cast<double>(starts[patch + 1] - starts[patch]);
+  }
 };
 
 /// Takes away the most crowded of some places, one after the other, until all are a spacing from each other: what is

@@ -122,6 +122,7 @@ void SurfaceForcing<Dim>::update(double time) {
 
 template <int Dim>
 void SurfaceForcing<Dim>::let_slide(const BodyWallLaw<Dim>& law) {
+  if (law_ == &law) return;
   law_ = &law;
   const auto first = law.patch_normals().begin();
   slide_normals_.assign(first + static_cast<std::ptrdiff_t>(begin_), first + static_cast<std::ptrdiff_t>(end_));

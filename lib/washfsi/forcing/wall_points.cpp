@@ -135,9 +135,7 @@ std::vector<WallPoint<Dim>> wall_points(const std::vector<Body<Dim>>& bodies, co
     const MarkerPatches<Dim>& patches = markers.of_body(b);
     const std::size_t of_body = points.size();
     for (std::size_t p = 0; p < patches.size(); ++p) {
-      Point<Dim> middle = Point<Dim>::Zero();
-      for (std::size_t m = patches.starts[p]; m < patches.starts[p + 1]; ++m) middle += patches.feet[m];
-      middle /= static_cast<double>(patches.starts[p + 1] - patches.starts[p]);
+      const Point<Dim> middle = patches.middle(p);
       for (const Point<Dim>& normal : faces.ways_out(middle)) {
         const double along = normal.cwiseProduct(cell).norm();
         const Point<Dim> foot = faces.surface(middle, normal);

@@ -40,11 +40,6 @@ double largest(MPI_Comm comm, double value) {
   return value;
 }
 
-std::vector<double> largest(MPI_Comm comm, std::vector<double> values) {
-  MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_MAX, comm);
-  return values;
-}
-
 bool any_rank(MPI_Comm comm, bool mine) {
   int any = mine ? 1 : 0;
   MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPI_INT, MPI_MAX, comm);

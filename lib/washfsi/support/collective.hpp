@@ -18,7 +18,6 @@ std::vector<double> ordered_sum(MPI_Comm comm, const std::vector<double>& values
 
 /// Largest value of any rank. Collective.
 double largest(MPI_Comm comm, double value);
-std::vector<double> largest(MPI_Comm comm, std::vector<double> values);
 
 /// True if it is true on any rank. Collective.
 bool any_rank(MPI_Comm comm, bool mine);
