@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "washfsi/body/combinations.hpp"
 #include "washfsi/body/mask.hpp"
 #include "washfsi/body/primitives.hpp"
 #include "washfsi/fluid/wall_law.hpp"
@@ -17,7 +18,7 @@ namespace {
 constexpr PureLiquid water{1000, 1e-3};
 constexpr double last_step = 0.01;
 
-/// A half space in the unit box, and before it water that is sheared along it.
+/// A half space in the unit box or a sheet across it, and before it water that is sheared along it.
 struct ShearedWater {
   double turn = 0;                            ///< of the wall's normal from y, about z [rad]
   Point<3> place = {0.5, 0.37, 0.5};          ///< on the wall [m]
@@ -27,6 +28,8 @@ struct ShearedWater {
   PetscInt cells = 20;
   BoundaryKind below = BoundaryKind::slip;  ///< the box's lower side
   double moves_from = 0;                    ///< along x; it rests before [m]
+  double thickness = 0;                     ///< of a sheet; 0: a half space [cells]
+  bool rests_behind = false;                ///< behind the wall
 
   Point<3> normal() const { return {-std::sin(turn), std::cos(turn), 0}; }
   Point<3> way() const { return {0.6 * std::cos(turn), 0.6 * std::sin(turn), 0.8}; }
@@ -67,7 +70,8 @@ class Case {
       for_each<3>(grid_.owned(), [&](const Index<3>& face) {
         const Point<3> place = grid_.face_center(face, c);
         const double speed = of.slip + of.shear * (place - of.place).dot(of.normal());
-        u(face, c) = of.body_velocity[c] + (place[0] >= of.moves_from ? speed : 0) * of.way()[c];
+        const bool moves = place[0] >= of.moves_from && (!of.rests_behind || (place - of.place).dot(of.normal()) > 0);
+        u(face, c) = of.body_velocity[c] + (moves ? speed : 0) * of.way()[c];
       });
     WASH_PETSC(VecSet(viscosity_, water.viscosity));
     law_.observe({velocity_, 0, mask_.fluid_share(), last_step}, water);
@@ -162,7 +166,12 @@ class Case {
   const std::vector<Body<3>>& bodies(const ShearedWater& of) {
     bodies_.emplace_back();
     bodies_[0].name = "wall";
-    bodies_[0].shape = std::make_unique<HalfSpace<3>>(of.normal());
+    if (of.thickness > 0)
+      bodies_[0].shape =
+          std::make_unique<Placed<3>>(std::make_unique<Cuboid<3>>(Point<3>(3, of.thickness * of.spacing(), 3)),
+                                      Pose<3>::at(Point<3>::Zero(), of.turn));
+    else
+      bodies_[0].shape = std::make_unique<HalfSpace<3>>(of.normal());
     bodies_[0].motion.center = of.place;
     bodies_[0].motion.translation = of.body_velocity;
     return bodies_;
@@ -272,6 +281,29 @@ TEST(BodyWallLaw, HoldsAtEachPatchByTheWaterBeforeIt) {
   EXPECT_EQ(seen.parts_between(0.6, 0.7).least, 1);
 }
 
+TEST(BodyWallLaw, RubsBothFacesOfASheet) {
+  for (const double shift : {0.0, 0.25, 0.5})
+    for (const double degrees : {0.0, 20.0}) {
+      ShearedWater flow;
+      flow.shear = 0;
+      flow.thickness = 0.4;
+      flow.turn = degrees * std::acos(-1) / 180;
+      flow.place[1] += shift * flow.spacing();
+      EXPECT_LT((Case(flow).stress() / flow.expected() + 2 * flow.way()).norm(), 0.02) << shift << ", " << degrees;
+    }
+}
+
+// It cannot hold the water on one face alone.
+TEST(BodyWallLaw, LetsASheetSlideByTheWaterThatPassesFaster) {
+  ShearedWater flow;
+  flow.shear = 0;
+  flow.thickness = 0.4;
+  flow.rests_behind = true;
+  const Case seen(flow);
+  EXPECT_EQ(seen.parts_between(0.3, 0.7).least, 1);
+  EXPECT_LT((seen.stress() / flow.expected() + flow.way()).norm(), 0.02);
+}
+
 TEST(BodyWallLaw, TellsYPlusOfHalfACell) {
   const ShearedWater flow;
   const double distance = 3 * flow.spacing(), nu = water.viscosity / water.density;
@@ -298,6 +330,8 @@ TEST(WallPoints, HaveTheAreaOfTheirSurface) {
   EXPECT_NEAR(area_of(std::make_unique<Sphere<3>>(0.3), middle) / (4 * std::acos(-1) * 0.09), 1, 0.02);
   EXPECT_NEAR(area_of(std::make_unique<Cuboid<3>>(Point<3>(0.5, 0.4, 0.3)), middle) / 0.94, 1, 0.06);  // less at edges
   EXPECT_NEAR(area_of(std::make_unique<HalfSpace<3>>(Point<3>(0, 1, 0)), middle), 1, 1e-9);
+  for (const double cells : {0.1, 0.7, 1.0, 1.3, 2.0})  // thick
+    EXPECT_NEAR(area_of(std::make_unique<Cuboid<3>>(Point<3>(3, cells / 20, 3)), middle), 2, 1e-3) << cells;
   EXPECT_NEAR(area_of(std::make_unique<HalfSpace<3>>(Point<3>(-0.6, 0.8, 0)), {0.5, 0.5, 0.5}), 1.25, 0.02);
 }
 

@@ -110,19 +110,47 @@ TEST(SurfaceMarkers, DoNotDependOnTheRegion) {
   EXPECT_EQ(here.markers, there.markers);
 }
 
+// How far from the middle of a plate across x its markers reach along y and z.
+double reach_of(const MarkerPatches<3>& patches) {
+  double widest = 0;
+  for (const auto& marker : patches.markers) widest = std::max(widest, marker.tail<2>().cwiseAbs().maxCoeff());
+  return widest;
+}
+
 TEST(SurfaceMarkers, OfAThinPlateAreOneSheetWithinItsEdges) {
   constexpr double cell = 0.1;
   for (const double thickness : {0.002, 0.03, 0.1}) {
     const Cuboid<3> plate(Point<3>(thickness, 1, 1));
     const MarkerPatches<3> patches =
         surface_markers<3>(plate, Bounds<3>::round(Point<3>::Zero(), Point<3>::Constant(1)), layout(cell));
-    double widest = 0;
-    for (const auto& marker : patches.markers) {
-      EXPECT_LT(std::abs(marker[0]), 0.1 * cell) << thickness;
-      widest = std::max(widest, marker.tail<2>().cwiseAbs().maxCoeff());
-    }
-    EXPECT_NEAR(widest, 0.5 - 0.5 * moments.sheet_reach() * cell, 0.05 * cell) << thickness;
+    for (const auto& marker : patches.markers) EXPECT_LT(std::abs(marker[0]), 0.1 * cell) << thickness;
+    EXPECT_NEAR(reach_of(patches), 0.5 - 0.5 * moments.sheet_reach() * cell, 0.05 * cell) << thickness;
   }
+}
+
+// They act as far beyond themselves along the sheet as across it.
+TEST(SurfaceMarkers, OfASheetThatWaterSlidesAlongLieFartherWithin) {
+  constexpr double cell = 0.1;
+  MarkerLayout<3> sliding = layout(cell);
+  sliding.inner_water_slides = true;
+  const Cuboid<3> plate(Point<3>(0.03, 1, 1));
+  const auto patches = surface_markers<3>(plate, Bounds<3>::round(Point<3>::Zero(), Point<3>::Constant(1)), sliding);
+  EXPECT_NEAR(reach_of(patches), 0.5 - moments.sheet_reach() * cell, 0.05 * cell);
+}
+
+// The vane of a machine in cells three times as wide as high, to which its upper and lower edges are blunt.
+TEST(SurfaceMarkers, OfASheetInFlatCellsAreInItsMiddle) {
+  const Point<3> cell(0.3, 0.3, 0.1);
+  const Cuboid<3> vane(Point<3>(1.2 * cell[0], 3, 1));
+  const auto patches =
+      surface_markers<3>(vane, Bounds<3>::round(Point<3>::Zero(), Point<3>::Constant(4)), {cell, 1.2, moments});
+  double widest = 0;
+  for (const auto& marker : patches.markers) {
+    if (std::abs(marker[2]) > 0.5 - 1.5 * cell[2]) continue;
+    EXPECT_LT(std::abs(marker[0]), 0.1 * cell[0]);
+    widest = std::max(widest, std::abs(marker[1]));
+  }
+  EXPECT_NEAR(widest, 1.5 - 0.5 * moments.sheet_reach() * cell[1], 0.06 * cell[1]);
 }
 
 // Blades of a turbine have equal markers, and keep them when it is turned.

@@ -22,7 +22,6 @@ CYCLES = f"""-options_file {SOURCE / 'inputs' / 'wash.opts'}
 -agitator_frequency 10
 -agitator_angular_speed {{}}
 -time_step 5e-3
--time_cfl 0
 -time_end 0.3
 """
 CASE = f"-options_file {SOURCE / 'inputs' / 'sheet.opts'}\n-fluid_viscosity {{}}\n-time_end 0.5\n-time_cfl 0\n-time_step 2e-3\n"

@@ -37,6 +37,16 @@ def plug(run, rise, shift=0.0, axes=(0, 1)):
             *options, "-time_step", 0.004, "-time_cfl", 0.6, "-history_interval", 0.02], along
 
 
+def plate(shift, axes=(0, 1)):
+    """Options of a plate 0.8 cells thick and 16 long in a stream along it, so many cells aside."""
+    sides = [word for axis in "xy" for end in ("lower", "upper") for word in (f"-bc_{axis}_{end}", "periodic")]
+    return ["-grid_cells", vector((64, 32), axes), "-grid_upper", vector((4, 2), axes), *sides, "-fluid_density", 1,
+            "-fluid_viscosity", 5e-4, "-wall_model", "equilibrium", "-fluid_initial", "uniform",
+            "-fluid_initial_velocity", vector((SPEED, 0), axes), "-bodies", "plate", "-body_method", "direct_forcing",
+            "-plate_shape", "box", "-plate_size", vector((1, 0.05), axes), "-plate_center", vector((2, 1 + shift * CELL), axes),
+            "-time_step", 0.002, "-time_cfl", 0.5, "-history_interval", 0.004]
+
+
 POST = ["-grid_cells", "48,48", "-grid_upper", "3,3", "-fluid_density", 1, "-bodies", "post,tub", "-body_method", "direct_forcing",
         "-post_shape", "sphere", "-post_radius", 0.5, "-post_center", "1.5,1.5", "-post_angular_speed", 6, "-post_frequency", 0.5,
         "-tub_shape", "sphere", "-tub_radius", 1.2, "-tub_center", "1.5,1.5", "-tub_inverted", "true", "-time_step", 0.005, "-time_end", 3,
@@ -80,6 +90,36 @@ class WallLaw(ProgramTest):
         self.assertAlmostEqual(self.friction(118, 43, axes=(1, 0)) / one, 1, delta=1e-3)
         self.assertAlmostEqual(self.friction(118, 43, ranks=2) / one, 1, delta=1e-3)
 
+    def friction_of_plate(self, shift, axes=(0, 1), ranks=1):
+        """Mean load per area of the plate, which water passes along it."""
+        self.run_well(ranks, *plate(shift, axes), "-time_end", 0.3, "-output_dir", "out")
+        history = read_columns(self.folder / "out" / "history.csv")
+        return history["plate_force_" + "xy"[axes[0]]][history["time"] > 0.1].mean() / 2
+
+    def test_a_thin_plate_rubs_on_both_faces(self):
+        """Held by its markers it would have 7 to 13 times the load."""
+        for shift in (0.0, 0.25, 0.5):
+            self.assertAlmostEqual(self.friction_of_plate(shift) / LAW, 1, delta=0.1)
+            self.assertLess(self.energy_open("out"), 1)
+        one = self.friction_of_plate(0.25)
+        self.assertAlmostEqual(self.friction_of_plate(0.25, axes=(1, 0)) / one, 1, delta=1e-3)
+        self.assertAlmostEqual(self.friction_of_plate(0.25, ranks=2) / one, 1, delta=1e-3)
+
+    def torque_of_vane(self, model, thickness):
+        """Root of the mean square torque of a vane 45 cells long that turns to and fro, so many cells thick."""
+        self.run_well(1, "-grid_cells", "96,96", "-grid_upper", "3,3", "-fluid_density", 1, "-fluid_viscosity", 1e-4, "-wall_model", model,
+                      "-bodies", "vane", "-body_method", "direct_forcing", "-vane_shape", "box", "-vane_size", f"1.4,{thickness / 32}",
+                      "-vane_center", "1.5,1.5", "-vane_angular_speed", 6, "-vane_frequency", 0.5, "-time_step", 0.005, "-time_cfl", 0.5,
+                      "-time_end", 2, "-history_interval", 0.02, "-output_dir", model)
+        return np.sqrt(np.mean(read_columns(self.folder / model / "history.csv")["vane_torque"] ** 2))
+
+    def test_layers_part_from_the_tips_of_a_vane_of_any_thickness(self):
+        """If they slid round its tips it would have little more than half of the torque."""
+        for thickness in (1.5, 2):
+            ratio = self.torque_of_vane("equilibrium", thickness) / self.torque_of_vane("none", thickness)
+            self.assertGreater(ratio, 0.8)
+            self.assertLess(ratio, 1.35)
+
     def turn_post(self, model, viscosity, ranks=1):
         """The history of a post that turns to and fro in a tub of thin water."""
         self.run_well(ranks, *POST, "-fluid_viscosity", viscosity, "-wall_model", model, "-output_dir", model)
@@ -117,7 +157,8 @@ class WallLaw(ProgramTest):
             with h5py.File(self.folder / folder / "checkpoint.h5") as file:
                 return {name: file[name][()] for name in ("fluid/velocity", "walls/means")}
 
-        self.assert_restart_goes_on(results_of, [*plug(118, 43)[0], "-checkpoint_interval", 0.05], 0.05, 0.1)
+        for case in (plug(118, 43)[0], plate(0.25)):
+            self.assert_restart_goes_on(results_of, [*case, "-checkpoint_interval", 0.05], 0.05, 0.1)
 
 
 if __name__ == "__main__":

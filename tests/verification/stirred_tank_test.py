@@ -3,7 +3,8 @@
 
 Prints the tables of docs/verification/stirred_tank.md. Arguments: grids (cells a side, by default 48 64), or `places`: 48
 cells, the turbine shifted by a quarter and half a cell along z, by half a cell along x, turned by 15 and 30 degrees. Means are over the
-half turn from t = 0.1 to 0.2 s after an impulsive start.
+half turn from t = 0.1 to 0.2 s after an impulsive start. Or `water` and grids: at Re = 5e4, with an eddy viscosity and a law for friction;
+means are over the second turn.
 """
 
 import subprocess
@@ -18,6 +19,9 @@ START, END, CLEARANCE, COARSE = 0.1, 0.2, 0.1, 48
 WIDTH, HEIGHT = 0.32, 0.3  # of the box [m]
 MOST_APART = 0.03          # of the mean power number, between places
 BAND = (3.5, 4.5)          # at Re = 100: Rushton, Costich and Everett
+WATER_BAND = (4.6, 6.0)    # at Re = 5e4; thin blades have more than thick ones
+MOST_APART_IN_WATER = 0.05
+WATER = ["-fluid_viscosity", 1e-3, "-turbulence", "vreman", "-wall_model", "equilibrium", "-time_cfl", 0.5, "-time_end", 0.4]
 
 
 def center(across, up):
@@ -29,15 +33,15 @@ PLACES = {"as it is": [], "h/4 up": center(0, 0.25), "h/2 up": center(0, 0.5), "
           "15 degrees": ["-impeller_turn", 15], "30 degrees": ["-impeller_turn", 30]}
 
 
-def power_number(cells, options):
-    """Runs the case; returns the mean power number, the torque's standard deviation over its mean, and the open energy
-    and that lost at moving walls over the work."""
+def power_number(cells, options, start=START):
+    """Runs the case; returns the mean power number from `start` on, the torque's standard deviation over its mean, and the open
+    energy and that lost at moving walls over the work."""
     with tempfile.TemporaryDirectory(prefix="washfsi_") as folder:
         subprocess.run(command(2, "-options_file", SOURCE / "inputs" / "stirred_tank.opts", "-time_end", END, "-time_cfl", 0,
                                "-time_step", 1e-3 * COARSE / cells, "-grid_cells", f"{cells},{cells},{cells}",
                                "-output_interval", 1, "-output_dir", folder, *options), check=True, stdout=subprocess.DEVNULL)
         history = read_columns(Path(folder) / "history.csv")
-    torque = -history["impeller_torque_z"][history["time"] > START]
+    torque = -history["impeller_torque_z"][history["time"] > start]
     dt = history["dt"]
     work, lost = (history["impeller_power"] * dt).sum(), (history["mask_dissipation"] * dt).sum()
     scheme = (history["numerical_dissipation"] * dt).sum() if "numerical_dissipation" in history else 0
@@ -46,7 +50,21 @@ def power_number(cells, options):
     return torque.mean() * scale, torque.std() / torque.mean(), left / work, lost / work
 
 
+def water():
+    """Runs the turbine in water on some grids; prints its power numbers and returns whether they agree with the measured ones."""
+    print_record_head("cells", "Np, second turn", "torque's deviation", "energy open", "lost at moving walls")
+    numbers = []
+    for cells in ARGUMENTS[1:] or ("64", "96"):
+        number, *parts = power_number(int(cells), WATER, start=0.2)
+        numbers.append(number)
+        print_record(f"{cells}³", f"{number:.2f}", *(f"{100 * part:.1f} %" for part in parts), arguments=ARGUMENTS)
+    apart = max(numbers) / min(numbers) - 1
+    return WATER_BAND[0] <= min(numbers) and max(numbers) <= WATER_BAND[1] and apart < MOST_APART_IN_WATER
+
+
 def main():
+    if ARGUMENTS[:1] == ["water"]:
+        return 0 if water() else 1
     places = ARGUMENTS == ["places"]
     cases = [(name, COARSE, options) for name, options in PLACES.items()] if places else [
         ("as it is", int(cells), []) for cells in ARGUMENTS or (48, 64)]

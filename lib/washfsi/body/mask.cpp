@@ -77,6 +77,15 @@ void Mask<Dim>::update(double time) {
   if (treatment_.method == BodyMethod::cut_stencil) find_cuts(posed, time);
 }
 
+template <int Dim>
+void Mask<Dim>::count_as_water(Vec near) {
+  const ConstFaceView<Dim> fraction(grid_.face_dm(), fraction_), nearness(grid_.face_dm(), near);
+  const FaceView<Dim> share(grid_.face_dm(), fluid_share());
+  grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
+    if (fraction(face, c) == 1) share(face, c) = std::max(share(face, c), nearness(face, c));
+  });
+}
+
 // H as a function of the signed distance (thesis 4.2).
 template <int Dim>
 double Mask<Dim>::fraction_at(double distance) const {
@@ -225,14 +234,12 @@ void Mask<Dim>::add_constraint_force(Vec constraint_force, Vec density, double t
   const ConstFaceView<Dim> f(grid_.face_dm(), constraint_force), rho(grid_.face_dm(), density);
   const ConstFaceView<Dim> holder(grid_.face_dm(), body_), fraction(grid_.face_dm(), fluid_share());
   const auto motions = states_at(bodies_, time);
-  std::vector<char> moves;
-  for (const auto& body : bodies_) moves.push_back(body.motion.at_rest() ? 0 : 1);
   grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
     if (holder(face, c) < 0) return;
     const auto b = static_cast<std::size_t>(holder(face, c));
     const Point<Dim> place = grid_.face_center(face, c);
     const auto& motion = motions[b];
-    const bool drags = moves[b] && fraction(face, c) < 1;
+    const bool drags = fraction(face, c) < 1 && !bodies_[b].motion.at_rest();
     const double inertia = drags ? (1 - fraction(face, c)) * rho(face, c) * motion.acceleration_at(place)[c] : 0;
     loads[b].add(place - motion.center, c, grid_.cell_volume() * (inertia - f(face, c)));
   });

@@ -31,6 +31,11 @@ class Mask {
     slides_ = true;
   }
 
+  /// Counts all of what lies where `near` is 1 as water: along thin parts and edges that it slides by, that behind
+  /// walls goes with the water before them, not with the body. `near` is of faces, from 0 to 1; until the next
+  /// `update`.
+  void count_as_water(Vec near);
+
   /// H where markers hold the walls: smooth, 1/2 (1 - 1/2 - 1/pi).
   static constexpr double fraction_half_a_cell_behind = 0.0908;
 

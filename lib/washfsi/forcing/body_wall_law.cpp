@@ -48,8 +48,7 @@ BodyWallLaw<Dim>::BodyWallLaw(const Grid<Dim>& grid, const Boundary<Dim>& bounda
       friction_(grid.face_vector()) {
   const auto all = wall_points<Dim>(bodies, markers, grid.spacing(), matching_place);
   patch_normals_.assign(markers.patches(), Point<Dim>::Zero());
-  for (const auto& point : all)
-    if (point.is_thick) patch_normals_[point.patch] = point.normal;
+  for (const auto& point : all) patch_normals_[point.patch] = point.normal;
   patch_slides_.resize(markers.patches());
   const auto ranks = static_cast<std::size_t>(ranks_of(grid.comm()));
   const auto rank = static_cast<std::size_t>(rank_of(grid.comm()));
@@ -58,7 +57,7 @@ BodyWallLaw<Dim>::BodyWallLaw(const Grid<Dim>& grid, const Boundary<Dim>& bounda
   const std::size_t end = count_ * (rank + 1) / ranks;
   points_.assign(all.begin() + static_cast<std::ptrdiff_t>(begin_), all.begin() + static_cast<std::ptrdiff_t>(end));
   for (std::size_t p = begin_; p < end; ++p)
-    if (all[p].is_thick && (p + 1 == count_ || all[p + 1].patch != all[p].patch)) speakers_.push_back(p - begin_);
+    faces_.push_back(2 * all[p].patch + (p > 0 && all[p - 1].patch == all[p].patch ? 1 : 0));
   kept_.assign(kept_of_each * points_.size(), Point<Dim>::Zero());
   forces_.assign(points_.size(), Point<Dim>::Zero());
   slips_ = forces_;
@@ -91,7 +90,7 @@ void BodyWallLaw<Dim>::place() {
     places_.push_back(acts_.back() ? acting : anywhere);
     probes.push_back(acts_.back() ? Point<Dim>(foot + matching_place * step) : anywhere);
     inner.push_back(foot + inner_place * step);
-    covers_.push_back(grid_.contains(inner.back()) ? point.area * point.along : 0);
+    covers_.push_back(point.is_thick && grid_.contains(inner.back()) ? point.area * point.along : 0);
     if (covers_.back() == 0) inner.back() = anywhere;
   }
   transfer_.locate(places_);
@@ -132,44 +131,43 @@ void BodyWallLaw<Dim>::observe(const StepFlow& flow, const PureLiquid& liquid) {
   const GhostedVelocity<Dim> local(boundary_, grid_.wide_face_dm(), flow.velocity, flow.time);
   const Points<Dim> at_near = speeds_along(local, 0, transfer_, acting_place),
                     at_far = speeds_along(local, matching_place, probes_, matching_place);
+  const double nu = liquid.viscosity / liquid.density;
   for (std::size_t p = 0; p < points_.size(); ++p) {
     y_plus_[p] = 0;
-    forces_[p].setZero();
-    slips_[p].setZero();
     if (!acts_[p]) continue;
     filter(p, at_near[p], at_far[p], flow.last_step);
-    rub(p, liquid);
+    const double distance = matching_place * points_[p].along;
+    y_plus_[p] = wall_distance(kept_[kept_of_each * p + far].norm() * distance / nu);
   }
+  tell_patches(flow.last_step);
+  for (std::size_t p = 0; p < points_.size(); ++p) rub(p, liquid);
   forces_ = turned(std::move(forces_), true);
   slips_ = turned(std::move(slips_), true);
   WASH_PETSC(VecZeroEntries(friction_));
   (void)transfer_.spread(forces_, friction_);
-  tell_patches(flow.last_step);
   const double spacing = grid_.spacing().minCoeff();
   inner_viscosity_ = flow.last_step > 0 ? inner_number * liquid.density * spacing * spacing / flow.last_step : 0;
   begun_ = observes_ = true;
 }
 
+// A patch slides as the faster water on its two faces has it.
 template <int Dim>
 void BodyWallLaw<Dim>::tell_patches(double step) {
-  constexpr std::size_t width = 2;
-  const std::size_t of_points = width * patch_slides_.size();  // behind what is of the patches
-  std::vector<double> sums(of_points + 2, 0.0);
+  const std::size_t faces = 2 * patch_slides_.size();  // of each what the law holds and what passes, then of all points
+  std::vector<double> sums(2 * faces + 2, 0.0);
   for (std::size_t p = 0; p < points_.size(); ++p) {
     if (!acts_[p]) continue;
-    sums[of_points] += holds_by(y_plus_[p]);
-    sums[of_points + 1] += 1;
-  }
-  for (const std::size_t p : speakers_) {
-    if (!acts_[p]) continue;
     const double part = holds_by(y_plus_[p]);
-    double* patch = &sums[width * points_[p].patch];
-    patch[0] = part;
-    patch[1] = part * step * kept_[kept_of_each * p + far].norm() / points_[p].along;
+    sums[2 * faces] += part;
+    sums[2 * faces + 1] += 1;
+    if (points_[p].at_edge) continue;
+    sums[2 * faces_[p]] = part;
+    sums[2 * faces_[p] + 1] = part * step * kept_[kept_of_each * p + far].norm() / points_[p].along;
   }
   sums = ordered_sum(grid_.comm(), sums);
-  for (std::size_t p = 0; p < patch_slides_.size(); ++p) patch_slides_[p] = {sums[width * p], sums[width * p + 1]};
-  turbulent_ = sums[of_points + 1] > 0 ? sums[of_points] / sums[of_points + 1] : 0;
+  for (std::size_t p = 0; p < patch_slides_.size(); ++p)
+    patch_slides_[p] = {std::max(sums[4 * p], sums[4 * p + 2]), std::max(sums[4 * p + 1], sums[4 * p + 3])};
+  turbulent_ = sums[2 * faces + 1] > 0 ? sums[2 * faces] / sums[2 * faces + 1] : 0;
 }
 
 template <int Dim>
@@ -181,16 +179,17 @@ void BodyWallLaw<Dim>::filter(std::size_t p, const Point<Dim>& at_near, const Po
   mean[near] += weight * (at_near - mean[near]);
 }
 
-// In the bodies' frames.
+// In the bodies' frames. Where a patch slides, the water on a face that it passes slowly rubs by the law's laminar
+// part.
 template <int Dim>
 void BodyWallLaw<Dim>::rub(std::size_t p, const PureLiquid& liquid) {
   const WallPoint<Dim>& point = points_[p];
   const Point<Dim>* mean = &kept_[kept_of_each * p];
-  const double speed = mean[far].norm(), distance = matching_place * point.along;
-  const double nu = liquid.viscosity / liquid.density;
-  y_plus_[p] = wall_distance(speed * distance / nu);
-  const double part = holds_by(y_plus_[p]), friction = y_plus_[p] * nu / distance;
-  if (part == 0 || !point.is_thick) return;
+  const double speed = mean[far].norm(), part = patch_slides_[point.patch].part;
+  forces_[p].setZero();
+  slips_[p].setZero();
+  if (!acts_[p] || part == 0 || speed == 0) return;
+  const double friction = y_plus_[p] * liquid.viscosity / liquid.density / (matching_place * point.along);
   forces_[p] = -part * liquid.density * friction * friction * point.area / speed * mean[far];
   slips_[p] = part * mean[near];
 }

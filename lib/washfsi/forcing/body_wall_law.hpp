@@ -2,7 +2,7 @@
 //
 // The friction of bodies that markers hold, where the wall layer is thinner than a cell. As at the box's sides
 // (`wall_model.hpp`) it is that of the law of the wall; here it acts as a force on the water before the walls. At
-// points on the surface of parts thicker than two cells, y from it in cells and u along it relative to the body:
+// points on the surface, on both faces of thin parts, y from it in cells and u along it relative to the body:
 //   1. u(3), u(0)    filtered over T = y/|u|, y = 3: longer ones would not follow an agitator's strokes
 //   2. u_tau         of Reichardt's law for u(3)
 //   3. F             = -rho u_tau^2 A u/|u| on the water, spread by the delta round y = 3/2, so that nearly all acts
@@ -15,7 +15,8 @@
 // f''' h^2/24 cos a sin a (cos^2 a - sin^2 a) on the faces, and what the pressure makes of that goes through the wall.
 // And water inside with a viscosity of its own would be as turbulent as that outside, and let eddies through.
 // Where y+ of u(3) is 5 or less nothing is changed; from 6 on all is, patch by patch. The step is narrow, since
-// markers that hold a part of a velocity hold all of it: their solver goes on until no slip is left.
+// markers that hold a part of a velocity hold all of it: their solver goes on until no slip is left. The faces of a
+// sheet share its markers: these let go where the water passes either of them fast enough, and both rub by the law.
 #pragma once
 
 #include "washfsi/body/load.hpp"
@@ -55,8 +56,8 @@ class BodyWallLaw : public WallViscosity {
   /// The largest y+ of half a cell from each body, by the law at 3; 0 where it does not hold. Collective.
   std::vector<double> largest_y_plus() const;
 
-  /// Out of the surface at each patch of markers, in its body's frame: where the law holds, only the water's velocity
-  /// along it is to be held. Zero where parts are thin, and both faces share the patch.
+  /// Out of the surface at each patch of markers, or of one face where two share it, in its body's frame: where the law
+  /// holds, only the water's velocity along it is to be held. Zero in corners, where there is no point.
   const Points<Dim>& patch_normals() const { return patch_normals_; }
   const std::vector<PatchSlide>& patch_slides() const { return patch_slides_; }  ///< of all ranks' patches
 
@@ -94,13 +95,13 @@ class BodyWallLaw : public WallViscosity {
   std::vector<double> y_plus_;               ///< of the matching place
   Points<Dim> kept_;                         ///< of each point: u(3), u(0)
   std::vector<PatchSlide> patch_slides_;
-  std::vector<std::size_t> speakers_;  ///< this rank's points that stand for their patch
-  double turbulent_ = 0;               ///< part of the points at which the law holds
-  double inner_viscosity_ = 0;         ///< [Pa s]
-  double time_ = 0;                    ///< of `observe` [s]
-  Vec fluid_share_ = nullptr;          ///< of the flow seen last
-  bool begun_ = false;                 ///< what is kept holds an earlier flow
-  bool observes_ = false;              ///< this run has seen one
+  std::vector<std::size_t> faces_;  ///< of this rank's points: twice the patch, and 1 more on a sheet's other face
+  double turbulent_ = 0;            ///< part of the points at which the law holds
+  double inner_viscosity_ = 0;      ///< [Pa s]
+  double time_ = 0;                 ///< of `observe` [s]
+  Vec fluid_share_ = nullptr;       ///< of the flow seen last
+  bool begun_ = false;              ///< what is kept holds an earlier flow
+  bool observes_ = false;           ///< this run has seen one
 };
 
 extern template class BodyWallLaw<2>;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "washfsi/support/point.hpp"
@@ -22,6 +23,12 @@ struct MarkerPatches {
   std::vector<std::size_t> starts{0};  ///< first marker of each patch, and the end
 
   std::size_t size() const { return starts.size() - 1; }
+  /// Whether the markers of a patch lie in the middle of a thin part, on no face of it.
+  bool is_in_sheet(std::size_t patch) const {
+    return std::equal(markers.begin() + static_cast<std::ptrdiff_t>(starts[patch]),
+                      markers.begin() + static_cast<std::ptrdiff_t>(starts[patch + 1]),
+                      feet.begin() + static_cast<std::ptrdiff_t>(starts[patch]));
+  }
   /// Of what a patch holds of the surface.
   Point<Dim> middle(std::size_t patch) const {
     Point<Dim> sum = Point<Dim>::Zero();

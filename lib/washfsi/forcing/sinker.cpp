@@ -14,7 +14,8 @@ namespace washfsi {
 
 namespace {
 
-constexpr double edge_factor = 0.5;   // of the reach of a sheet, beyond its edges: as a face acts before itself
+constexpr double sliding_edges = 1;   // of a sheet's reach, beyond its edges: as a face acts before itself
+constexpr double held_edges = 0.5;    // the same where water does not slide along the sheet: by plates at Re = 20
 constexpr double held_from = 0.3;     // in cells, by which faces that are held lie deeper than they must, in the mean
 constexpr double smooth_bend = 0.25;  // in cells, above which a place belongs to an edge
 constexpr double eddies = 2.1;        // of a cylinder and of a sphere alike, by their drag in creeping flow
@@ -127,8 +128,8 @@ Point<Dim> Sinker<Dim>::refined(const Point<Dim>& place, const Point<Dim>& way, 
 // from the edge's own face, is moved to the outline that the sheet may fill, or to the middle of a narrower sheet.
 template <int Dim>
 Candidate<Dim> Sinker<Dim>::in_sheet(Point<Dim> place, const Point<Dim>& out) const {
-  place = centred(place, sheet_normal<Dim>(shape_, place, cell_));  // beside its middle a sheet's normal is not sure
-  const Point<Dim> normal = sheet_normal<Dim>(shape_, place, cell_);
+  place = centred(place, sheet_normal<Dim>(shape_, place, layout_.cell));  // beside its middle it is not sure
+  const Point<Dim> normal = sheet_normal<Dim>(shape_, place, layout_.cell);
   place = centred(place, normal);
   const Point<Dim> along_sheet = out - out.dot(normal) * normal;
   Points<Dim> edges;  // the ways to them
@@ -150,7 +151,7 @@ Point<Dim> Sinker<Dim>::to_nearest_edge(const Point<Dim>& place, const Point<Dim
   double least = std::numeric_limits<double>::max();
   const auto look = [&](const Point<Dim>& way) {
     const double along = way.cwiseProduct(layout_.cell).norm();
-    const double ahead = extent(place, way, 2 * edge_factor * along * layout_.moments.sheet_reach(), along);
+    const double ahead = extent(place, way, 2 * beyond_edges(along), along);
     if (ahead >= least) return;
     least = ahead;
     nearest = way;
@@ -177,11 +178,17 @@ int Sinker<Dim>::sharpness(const Points<Dim>& edges) {
   return edges.empty() ? 0 : 1;
 }
 
+// How far the outermost markers of a sheet act beyond themselves.
+template <int Dim>
+double Sinker<Dim>::beyond_edges(double along) const {
+  return (layout_.inner_water_slides ? sliding_edges : held_edges) * along * layout_.moments.sheet_reach();
+}
+
 // Moves a place back from an edge ahead, or from anywhere to it; whether it did.
 template <int Dim>
 bool Sinker<Dim>::keep_within(Point<Dim>& place, const Point<Dim>& way, bool to_edge) const {
   const double along = way.cwiseProduct(layout_.cell).norm();
-  const double sheet = edge_factor * along * layout_.moments.sheet_reach();
+  const double sheet = beyond_edges(along);
   const double ahead = extent(place, way, 2 * sheet, along);
   if (to_edge ? ahead == 2 * sheet : ahead >= sheet) return false;
   if (ahead >= sheet) {

@@ -34,6 +34,7 @@ class Sinker {
   Candidate<Dim> in_sheet(Point<Dim> place, const Point<Dim>& out) const;
   Point<Dim> to_nearest_edge(const Point<Dim>& place, const Point<Dim>& normal) const;
   static int sharpness(const Points<Dim>& edges);
+  double beyond_edges(double along) const;
   bool keep_within(Point<Dim>& place, const Point<Dim>& way, bool to_edge) const;
   Point<Dim> centred(const Point<Dim>& place, const Point<Dim>& normal) const;
   double extent(const Point<Dim>& place, const Point<Dim>& tangent, double most, double along) const;

@@ -39,7 +39,8 @@ SurfaceForcing<Dim>::SurfaceForcing(const Grid<Dim>& grid, const Boundary<Dim>& 
       slip_tolerance_(treatment.slip_tolerance),
       density_(density),
       transfer_(grid, boundary, delta),
-      markers_(grid, bodies, layout_for(grid, treatment)) {
+      markers_(grid, bodies, layout_for(grid, treatment)),
+      limits_advection_(treatment.limits_advection) {
   const MarkerLayout<Dim> layout = layout_for(grid, treatment);
   for (std::size_t b = 0; b < bodies.size(); ++b) inverses_.emplace_back(markers_.of_body(b), layout);
   const auto ranks = static_cast<std::size_t>(ranks_of(grid.comm()));
@@ -53,7 +54,7 @@ SurfaceForcing<Dim>::SurfaceForcing(const Grid<Dim>& grid, const Boundary<Dim>& 
   forces_.assign(owned(), Point<Dim>::Zero());
   kept_ = forces_;
   create_solver();
-  if (treatment.limits_advection && markers_.any_is_sharp()) nearness_ = grid.face_vector();
+  if ((limits_advection_ || treatment.inner_water_slides) && markers_.any_is_sharp()) nearness_ = grid.face_vector();
   update(0);
 }
 

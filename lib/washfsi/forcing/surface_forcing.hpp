@@ -33,9 +33,11 @@ class SurfaceForcing : public WallForces {
   /// The law is that of these markers and stays alive.
   void let_slide(const BodyWallLaw<Dim>& law);
 
-  /// On faces: from 1 beside edges and thin parts to 0 beyond the reach of their forces; null if there are none. Valid
-  /// until they move.
+  /// On faces: from 1 beside edges and thin parts to 0 beyond the reach of their forces; null if there are none, or
+  /// nothing asks for it. Valid until they move.
   Vec nearness() const { return nearness_; }
+  /// The same where central advection is to give way; else null.
+  Vec limits_advection() const { return limits_advection_ ? static_cast<Vec>(nearness_) : nullptr; }
   void begin_trial(const TimeStep& step, Vec density) override;
   void add_held(Vec force) override;
   void push(Vec velocity) override;
@@ -101,6 +103,7 @@ class SurfaceForcing : public WallForces {
   Points<Dim> slide_normals_, normals_;                   ///< of this rank's patches: in their bodies' frames; in space
   const BodyWallLaw<Dim>* law_ = nullptr;                 ///< by which the water slides
   double time_ = 0;                                       ///< of `update`
+  bool limits_advection_;                                 ///< beside edges and thin parts
   petsc::Vector nearness_;                                ///< of faces; null where `nearness` is
   petsc::Matrix matrix_;
   petsc::Solver solver_;

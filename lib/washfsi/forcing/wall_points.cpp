@@ -17,27 +17,54 @@ namespace {
 template <int Dim>
 class FaceFinder {
  public:
-  FaceFinder(const Shape<Dim>& shape, const Point<Dim>& cell) : shape_(shape), cell_(cell.minCoeff()) {}
+  FaceFinder(const Shape<Dim>& shape, const Point<Dim>& cell) : shape_(shape), cell_(cell), least_(cell.minCoeff()) {}
 
+  // Those of a patch; `of` is what they are of.
+  struct Origin {
+    std::size_t body, patch;
+  };
+  void add_points(const MarkerPatches<Dim>& patches, std::size_t p, double clear, Origin of,
+                  std::vector<WallPoint<Dim>>& points) const {
+    const Point<Dim> middle = patches.middle(p);
+    const bool in_sheet = patches.is_in_sheet(p);
+    const std::span feet(&patches.feet[patches.starts[p]], patches.starts[p + 1] - patches.starts[p]);
+    for (const Point<Dim>& normal : ways_out(middle, in_sheet)) {
+      const double along = normal.cwiseProduct(cell_).norm();
+      const Point<Dim> foot = surface(middle, normal);
+      if (shape_.distance(foot + clear * along * normal) < 0.5 * clear * along) continue;
+      const bool is_thick = shape_.distance(foot - 2 * along * normal) < -1.5 * along;
+      points.push_back({of.body, of.patch, foot, normal, along, is_thick, in_sheet, !in_sheet && bends(feet, normal)});
+    }
+  }
+
+ private:
   // Out of the shape from a place on its surface, or from the middle of a thin part, where the distance is a ridge.
-  Points<Dim> ways_out(const Point<Dim>& place) const {
+  Points<Dim> ways_out(const Point<Dim>& place, bool in_sheet) const {
     constexpr double steepest_ridge = 0.7;
-    const Point<Dim> slope = distance_gradient<Dim>(shape_, place, 0.5 * cell_);
-    if (slope.norm() > steepest_ridge) return {slope.normalized()};
+    const Point<Dim> slope = distance_gradient<Dim>(shape_, place, 0.5 * least_);
+    if (!in_sheet && slope.norm() > steepest_ridge) return {slope.normalized()};
     const Point<Dim> across = sheet_normal<Dim>(shape_, place, cell_);
     return {across, -across};
+  }
+
+  // Whether a patch of markers bends away from the normal of one of its faces.
+  bool bends(std::span<const Point<Dim>> feet, const Point<Dim>& normal) const {
+    constexpr double least = 0.8;  // of the product of the normals
+    return std::any_of(feet.begin(), feet.end(), [&](const Point<Dim>& foot) {
+      return std::abs(distance_gradient<Dim>(shape_, foot, 0.05 * least_).dot(normal)) < least;
+    });
   }
 
   // Where a way leads out of the shape, by Newton's method along it; where it began if it does not.
   Point<Dim> surface(const Point<Dim>& place, const Point<Dim>& way) const {
     Point<Dim> foot = place;
     for (int n = 0; n < 4; ++n) foot -= shape_.distance(foot) * way;
-    return std::abs(shape_.distance(foot)) < 0.1 * cell_ ? foot : place;
+    return std::abs(shape_.distance(foot)) < 0.1 * least_ ? foot : place;
   }
 
- private:
   const Shape<Dim>& shape_;
-  double cell_;
+  const Point<Dim>& cell_;
+  double least_;
 };
 
 /// Cells of a lattice in a body's frame, so many to each of the grid's, within a region.
@@ -64,7 +91,8 @@ struct FineCells {
 };
 
 /// Shares a body's surface out to the points on it, each part to the nearest on the same face: by the volume of fine
-/// cells in a layer round it. So the areas of all points together are that of the surface within the region.
+/// cells in a layer round it. So the areas of all points together are that of the surface within the region. The layer
+/// of a part thinner than itself lies round its middle, and is of both faces.
 template <int Dim>
 class AreaFinder {
  public:
@@ -98,9 +126,22 @@ class AreaFinder {
     const double distance = shape_.distance(place);
     if (std::abs(distance) > layer * cell_.maxCoeff()) return;
     const Point<Dim> out = distance_gradient<Dim>(shape_, place, 1e-3 * cell_.minCoeff()).normalized();
-    const double thickness = layer * out.cwiseProduct(cell_).norm(), part = 1 - std::abs(distance) / thickness;
-    WallPoint<Dim>* point = part > 0 ? nearest(place, out) : nullptr;
-    if (point) point->area += part * cells_.size.prod() / thickness;
+    const double thickness = layer * out.cwiseProduct(cell_).norm();
+    WallPoint<Dim>* point = std::abs(distance) < thickness ? nearest(place, out) : nullptr;
+    if (!point) return;
+    WallPoint<Dim>* other = point->in_sheet ? other_face(point) : nullptr;
+    if (other && (point->foot - other->foot).norm() > 2 * thickness) other = nullptr;
+    const double away = other ? (place - 0.5 * (point->foot + other->foot)).dot(point->normal) : distance;
+    const double area = std::max(0.0, 1 - std::abs(away) / thickness) * cells_.size.prod() / thickness;
+    point->area += area;
+    if (other) other->area += area;
+  }
+
+  // Null where the other face has no point.
+  WallPoint<Dim>* other_face(WallPoint<Dim>* point) const {
+    const auto is_it = [&](const WallPoint<Dim>& candidate) { return candidate.patch == point->patch; };
+    if (point > points_.data() && is_it(*(point - 1))) return point - 1;
+    return point + 1 < points_.data() + points_.size() && is_it(*(point + 1)) ? point + 1 : nullptr;
   }
 
   WallPoint<Dim>* nearest(const Point<Dim>& place, const Point<Dim>& out) const {
@@ -134,16 +175,7 @@ std::vector<WallPoint<Dim>> wall_points(const std::vector<Body<Dim>>& bodies, co
     const FaceFinder<Dim> faces(shape, cell);
     const MarkerPatches<Dim>& patches = markers.of_body(b);
     const std::size_t of_body = points.size();
-    for (std::size_t p = 0; p < patches.size(); ++p) {
-      const Point<Dim> middle = patches.middle(p);
-      for (const Point<Dim>& normal : faces.ways_out(middle)) {
-        const double along = normal.cwiseProduct(cell).norm();
-        const Point<Dim> foot = faces.surface(middle, normal);
-        if (shape.distance(foot + clear * along * normal) >= 0.5 * clear * along)
-          points.push_back(
-              {b, first + p, foot, normal, along, shape.distance(foot - 2 * along * normal) < -1.5 * along});
-      }
-    }
+    for (std::size_t p = 0; p < patches.size(); ++p) faces.add_points(patches, p, clear, {b, first + p}, points);
     AreaFinder<Dim>(shape, markers.region(bodies[b]), cell, std::span(points).subspan(of_body)).share_out();
     first += patches.size();
   }

@@ -13,6 +13,8 @@ struct WallPoint {
   Point<Dim> foot, normal;  ///< on the surface [m], and out of it; in the body's frame
   double along;             ///< a cell's size in the normal's direction [m]
   bool is_thick;            ///< the body goes on behind it for two cells
+  bool in_sheet;            ///< of a thin part: the point before or after it in their order is on the other face
+  bool at_edge;             ///< the patch bends round an edge: no law, markers hold all there, so that layers part
   double area = 0;          ///< of the surface that is nearest to it [m2; m in the plane]
 };
 

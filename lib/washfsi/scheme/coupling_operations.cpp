@@ -60,6 +60,7 @@ void hold_walls(Model<Dim>& model, double time) {
     return model.mask.covered(place, own, posed, time);
   });
   model.walls->update(time);
+  model.count_sliding_water();
 }
 
 template <int Dim>

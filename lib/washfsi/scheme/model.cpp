@@ -55,7 +55,7 @@ bool cloth_limits(const ModelOptions<Dim>& options) {
 template <int Dim>
 FluidOptions<Dim> with_edges(const ModelOptions<Dim>& options, const SurfaceForcing<Dim>* walls) {
   FluidOptions<Dim> fluid = options.fluid;
-  fluid.limits_at_edges = cloth_limits(options) || (walls && walls->nearness());
+  fluid.limits_at_edges = cloth_limits(options) || (walls && walls->limits_advection());
   return fluid;
 }
 
@@ -112,6 +112,12 @@ Model<Dim>::Model(MPI_Comm comm, const ModelOptions<Dim>& options, std::vector<B
       films_drain(options.films_drain),
       verify_interval(options.verify_interval) {
   if (cloth_limits(options)) cloth_nearness = grid.face_vector();
+  count_sliding_water();
+}
+
+template <int Dim>
+void Model<Dim>::count_sliding_water() {
+  if (wall_law && walls->nearness()) mask.count_as_water(walls->nearness());
 }
 
 // In this order they are summed.
@@ -138,7 +144,7 @@ void Model<Dim>::locate_cloth(const Points<Dim>& places) {
 
 template <int Dim>
 Vec Model<Dim>::nearness() const {
-  const Vec of_walls = walls ? walls->nearness() : nullptr;
+  const Vec of_walls = walls ? walls->limits_advection() : nullptr;
   if (!cloth_nearness || !of_walls) return cloth_nearness ? static_cast<Vec>(cloth_nearness) : of_walls;
   WASH_PETSC(VecPointwiseMax(cloth_nearness, cloth_nearness, of_walls));
   return cloth_nearness;

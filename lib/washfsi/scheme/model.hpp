@@ -56,6 +56,9 @@ struct Model {
   /// How near faces are to what central advection gives way to upwind beside (`StepFields`); null if it does nowhere.
   /// Collective.
   Vec nearness() const;
+  /// Counts the water at thin parts of bodies as water (`Mask::count_as_water`) if the law lets it slide there. After
+  /// mask and walls have been placed.
+  void count_sliding_water();
   /// H on faces; null without solids.
   Vec fluid_fraction() const { return mask.empty() ? nullptr : mask.fluid_fraction(); }
   /// The share of faces that lies in fluid; null without solids.

@@ -51,8 +51,8 @@ void add_wall_model(const Model<Dim>& model, Findings& findings) {
                  : "of the box's sides, not of bodies",
        Verdict::warn, Finding::none, Finding::none,
        on_bodies
-           ? "the law of bodies is validated on flat walls only, along the grid and at 20 degrees to it, and parts "
-             "thinner than two cells have none; compare with more -grid_cells"
+           ? "the law of bodies is validated on flat walls and thin plates only, along the grid and at 20 degrees to "
+             "it; compare with more -grid_cells"
            : "friction of bodies is that of the grid; -body_method direct_forcing, or more -grid_cells"});
 }
 
