@@ -104,9 +104,9 @@ def places():
     return passed
 
 
-def late_drag(history):
-    """Mean drag from t = 1 on, over half the density, in a stream of speed 1."""
-    late = history["time"] > 1
+def late_drag(history, start=1):
+    """Mean drag from a time on, over half the density, in a stream of speed 1."""
+    late = history["time"] > start
     return 2 * np.average(history["plate_force_x"][late], weights=history["dt"][late])
 
 
@@ -176,16 +176,15 @@ def squares():
     return True
 
 
-def drag_in_water(cells, shift, time=24):
+def drag_in_water(cells, shift):
     """Mean drag coefficient from t = 8 on of a square plate 0.1 thick across a stream of Re = 1e5 whose friction is by the law."""
     sides = [word for axis in "yz" for end in ("lower", "upper") for word in (f"-bc_{axis}_{end}", "slip")]
     history, _ = run("-grid_cells", f"{10 * cells},{6 * cells},{6 * cells}", "-grid_lower", "-3,-3,-3", "-grid_upper", "7,3,3", *sides,
                      "-bc_x_lower", "inflow", "-bc_x_lower_velocity", "1,0,0", "-bc_x_upper", "outflow", "-fluid_viscosity", 1e-5,
                      "-fluid_initial", "uniform", "-fluid_initial_velocity", "1,0,0", "-turbulence", "vreman", "-wall_model", "equilibrium",
                      "-bodies", "plate", "-plate_shape", "box", "-plate_size", "0.1,1,1",
-                     "-plate_center", f"{shift / cells},{shift / cells},0", "-time_step", 0.08 / cells, "-time_cfl", 0.4, "-time_end", time)
-    late = history["time"] > 8
-    return 2 * np.average(history["plate_force_x"][late], weights=history["dt"][late])
+                     "-plate_center", f"{shift / cells},{shift / cells},0", "-time_step", 0.08 / cells, "-time_cfl", 0.4, "-time_end", 24)
+    return late_drag(history, start=8)
 
 
 def water():

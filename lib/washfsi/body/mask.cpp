@@ -239,8 +239,8 @@ void Mask<Dim>::add_constraint_force(Vec constraint_force, Vec density, double t
     const auto b = static_cast<std::size_t>(holder(face, c));
     const Point<Dim> place = grid_.face_center(face, c);
     const auto& motion = motions[b];
-    const bool drags = fraction(face, c) < 1 && !bodies_[b].motion.at_rest();
-    const double inertia = drags ? (1 - fraction(face, c)) * rho(face, c) * motion.acceleration_at(place)[c] : 0;
+    const double inertia =
+        fraction(face, c) < 1 ? (1 - fraction(face, c)) * rho(face, c) * motion.acceleration_at(place)[c] : 0;
     loads[b].add(place - motion.center, c, grid_.cell_volume() * (inertia - f(face, c)));
   });
 }

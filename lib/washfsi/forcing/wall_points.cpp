@@ -19,10 +19,10 @@ class FaceFinder {
  public:
   FaceFinder(const Shape<Dim>& shape, const Point<Dim>& cell) : shape_(shape), cell_(cell), least_(cell.minCoeff()) {}
 
-  // Those of a patch; `of` is what they are of.
   struct Origin {
     std::size_t body, patch;
   };
+  // Those of a patch; `of` is what they are of.
   void add_points(const MarkerPatches<Dim>& patches, std::size_t p, double clear, Origin of,
                   std::vector<WallPoint<Dim>>& points) const {
     const Point<Dim> middle = patches.middle(p);
