@@ -44,7 +44,7 @@ BodyTreatment BodyTreatment::from_options(Options& options) {
     block.choice("body_mask", treatment.edge,
                  "mask of the solid; smooth over two spacings to either side, for the mapping methods");
     block.real("body_marker_spacing", treatment.marker_spacing, "cells", spacings,
-               "mean width of a patch of markers on a thin part, which share one force; 1.3 times as wide round solids "
+               "width of a patch of markers, which share one force: 1.2 times this on thin parts, 1.8 round solids "
                "(direct_forcing)");
     block.real("body_slip_tolerance", treatment.slip_tolerance, "-", tight,
                "rms slip that is left at the walls' markers, over the largest speed (direct_forcing)");

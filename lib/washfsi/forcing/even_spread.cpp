@@ -205,6 +205,39 @@ std::vector<std::size_t> equal_cells(const std::vector<Candidate<Dim>>& markers,
   return owners;
 }
 
+template <int Dim>
+using Cells = std::vector<std::vector<Candidate<Dim>>>;
+
+template <int Dim>
+Cells<Dim> in_cells(const std::vector<Candidate<Dim>>& markers, std::size_t count, const Point<Dim>& spacing) {
+  const std::vector<std::size_t> owners =
+      equal_cells(markers, Elimination<Dim>(markers, spacing).reduced_to(count), spacing);
+  Cells<Dim> cells(count);
+  for (std::size_t m = 0; m < markers.size(); ++m)
+    if (owners[m] < count) cells[owners[m]].push_back(markers[m]);
+  return cells;
+}
+
+// The one nearest to the middle of all.
+template <int Dim>
+Candidate<Dim> middlemost(const std::vector<Candidate<Dim>>& markers, const Point<Dim>& spacing) {
+  Point<Dim> sum = Point<Dim>::Zero();
+  for (const auto& marker : markers) sum += marker.place;
+  const Point<Dim> middle = sum / static_cast<double>(markers.size());
+  const auto apart = [&](const auto& marker) { return (marker.place - middle).cwiseQuotient(spacing).norm(); };
+  return *std::min_element(markers.begin(), markers.end(),
+                           [&](const auto& a, const auto& b) { return apart(a) < apart(b); });
+}
+
+template <int Dim>
+std::vector<Candidate<Dim>> thinned_to(std::size_t count, const std::vector<Candidate<Dim>>& markers,
+                                       const Point<Dim>& spacing) {
+  std::vector<Candidate<Dim>> result;
+  for (const auto& cell : in_cells<Dim>(markers, count, spacing))
+    if (!cell.empty()) result.push_back(middlemost<Dim>(cell, spacing));
+  return result;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -213,18 +246,14 @@ std::vector<Candidate<Dim>> spread_evenly(const std::vector<Candidate<Dim>>& can
 }
 
 template <int Dim>
-MarkerPatches<Dim> gathered(std::vector<Candidate<Dim>> markers, std::size_t count, const Point<Dim>& spacing) {
+MarkerPatches<Dim> gathered(std::vector<Candidate<Dim>> markers, std::size_t count, const Point<Dim>& spacing,
+                            std::size_t most) {
   for (auto& marker : markers) marker.sharpness = 0;
-  const std::vector<std::size_t> owners =
-      equal_cells(markers, Elimination<Dim>(markers, spacing).reduced_to(count), spacing);
-  std::vector<std::vector<std::size_t>> cells(count);
-  for (std::size_t m = 0; m < markers.size(); ++m)
-    if (owners[m] < count) cells[owners[m]].push_back(m);
   MarkerPatches<Dim> patches;
-  for (const auto& cell : cells) {
-    for (const std::size_t m : cell) {
-      patches.markers.push_back(markers[m].place);
-      patches.feet.push_back(markers[m].foot);
+  for (const auto& cell : in_cells<Dim>(markers, count, spacing)) {
+    for (const auto& marker : cell.size() > most ? thinned_to<Dim>(most, cell, spacing) : cell) {
+      patches.markers.push_back(marker.place);
+      patches.feet.push_back(marker.foot);
     }
     if (!cell.empty()) patches.starts.push_back(patches.markers.size());
   }
@@ -232,8 +261,8 @@ MarkerPatches<Dim> gathered(std::vector<Candidate<Dim>> markers, std::size_t cou
 }
 
 template std::vector<Candidate<2>> spread_evenly<2>(const std::vector<Candidate<2>>&, const Point<2>&);
-template MarkerPatches<2> gathered<2>(std::vector<Candidate<2>>, std::size_t, const Point<2>&);
+template MarkerPatches<2> gathered<2>(std::vector<Candidate<2>>, std::size_t, const Point<2>&, std::size_t);
 template std::vector<Candidate<3>> spread_evenly<3>(const std::vector<Candidate<3>>&, const Point<3>&);
-template MarkerPatches<3> gathered<3>(std::vector<Candidate<3>>, std::size_t, const Point<3>&);
+template MarkerPatches<3> gathered<3>(std::vector<Candidate<3>>, std::size_t, const Point<3>&, std::size_t);
 
 }  // namespace washfsi

@@ -23,6 +23,11 @@ struct MarkerPatches {
   std::vector<std::size_t> starts{0};  ///< first marker of each patch, and the end
 
   std::size_t size() const { return starts.size() - 1; }
+  void append(const MarkerPatches& more) {
+    for (std::size_t p = 1; p < more.starts.size(); ++p) starts.push_back(markers.size() + more.starts[p]);
+    markers.insert(markers.end(), more.markers.begin(), more.markers.end());
+    feet.insert(feet.end(), more.feet.begin(), more.feet.end());
+  }
   /// Whether the markers of a patch lie in the middle of a thin part, on no face of it.
   bool is_in_sheet(std::size_t patch) const {
     return std::equal(markers.begin() + static_cast<std::ptrdiff_t>(starts[patch]),
@@ -45,8 +50,10 @@ template <int Dim>
 std::vector<Candidate<Dim>> spread_evenly(const std::vector<Candidate<Dim>>& candidates, const Point<Dim>& spacing);
 
 /// Markers in so many cells of about equal size (Yuksel's method for their first middles, then Lloyd's), about a
-/// spacing across: each joins the nearest middle.
+/// spacing across: each joins the nearest middle. Of more than the most in a cell those stay that are nearest to the
+/// middles of as many equal parts of it.
 template <int Dim>
-MarkerPatches<Dim> gathered(std::vector<Candidate<Dim>> markers, std::size_t count, const Point<Dim>& spacing);
+MarkerPatches<Dim> gathered(std::vector<Candidate<Dim>> markers, std::size_t count, const Point<Dim>& spacing,
+                            std::size_t most);
 
 }  // namespace washfsi

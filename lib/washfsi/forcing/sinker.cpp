@@ -14,13 +14,13 @@ namespace washfsi {
 
 namespace {
 
-constexpr double sliding_edges = 1;   // of a sheet's reach, beyond its edges: as a face acts before itself
-constexpr double held_edges = 0.5;    // the same where water does not slide along the sheet: by plates at Re = 20
-constexpr double held_from = 0.3;     // in cells, by which faces that are held lie deeper than they must, in the mean
-constexpr double smooth_bend = 0.25;  // in cells, above which a place belongs to an edge
-constexpr double eddies = 2.1;        // of a cylinder and of a sphere alike, by their drag in creeping flow
-constexpr double narrow = 1.5;        // radius in cells up to which eddies are left out
-constexpr double most_stress = 0.6;   // over that of the water before the markers
+constexpr double held_edges = 0.15;    // in cells, by which sheets act beyond the shares of their outermost markers
+constexpr double sliding_edges = 0.4;  // the same where water slides along them: by a turbine and plates in water
+constexpr double held_from = 0.3;      // in cells, by which faces that are held lie deeper than they must, in the mean
+constexpr double smooth_bend = 0.25;   // in cells, above which a place belongs to an edge
+constexpr double eddies = 2.1;         // of a cylinder and of a sphere alike, by their drag in creeping flow
+constexpr double narrow = 1.5;         // radius in cells up to which eddies are left out
+constexpr double most_stress = 0.6;    // over that of the water before the markers
 
 template <int Dim>
 double largest_of(const Eigen::Matrix<double, Dim, Dim>& symmetric) {
@@ -178,24 +178,25 @@ int Sinker<Dim>::sharpness(const Points<Dim>& edges) {
   return edges.empty() ? 0 : 1;
 }
 
-// How far the outermost markers of a sheet act beyond themselves.
+// How far the outermost markers of a sheet act beyond themselves: over the half of their spacing for which they stand,
+// and farther where water slides along the sheet.
 template <int Dim>
 double Sinker<Dim>::beyond_edges(double along) const {
-  return (layout_.inner_water_slides ? sliding_edges : held_edges) * along * layout_.moments.sheet_reach();
+  return (0.5 * sheet_mean_spacing<Dim> + (layout_.inner_water_slides ? sliding_edges : held_edges)) * along;
 }
 
 // Moves a place back from an edge ahead, or from anywhere to it; whether it did.
 template <int Dim>
 bool Sinker<Dim>::keep_within(Point<Dim>& place, const Point<Dim>& way, bool to_edge) const {
   const double along = way.cwiseProduct(layout_.cell).norm();
-  const double sheet = beyond_edges(along);
-  const double ahead = extent(place, way, 2 * sheet, along);
-  if (to_edge ? ahead == 2 * sheet : ahead >= sheet) return false;
+  const double sheet = beyond_edges(along), most = sheet + along * layout_.moments.sheet_reach();
+  const double ahead = extent(place, way, most, along);
+  if (to_edge ? ahead == most : ahead >= sheet) return false;
   if (ahead >= sheet) {
     place += (ahead - sheet) * way;
     return true;
   }
-  const double behind = extent(place, -way, 2 * sheet, along);
+  const double behind = extent(place, -way, most, along);
   place -= std::min(sheet - ahead, std::max(0.0, behind - ahead) / 2) * way;
   return true;
 }

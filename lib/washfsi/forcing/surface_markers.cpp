@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 #include "washfsi/body/subdivide.hpp"
@@ -14,15 +15,25 @@ namespace {
 
 template <int Dim>
 constexpr double seeds_a_cell = Dim == 2 ? 8 : 3;
-constexpr double marker_spacing = 0.54;  // least distance of markers [cells]
+constexpr double marker_spacing = 0.54;  // least distance of markers on solids [cells]
 constexpr double wider_on_solids = 1.3;  // what closes round a solid is held as well by wider patches
+
+// In thin parts. Those in space have few patches, which must be even: they are of finer seeds and places, some of which
+// stand for all.
+template <int Dim>
+constexpr double sheet_seeds_a_cell = Dim == 2 ? 8 : 6;
+template <int Dim>
+constexpr double sheet_spacing = Dim == 2 ? marker_spacing : 0.3;  // least distance of places [cells]
+constexpr double sheet_width = 1.2;                                // of patches, over that of the layout
+constexpr double least_sheet_width = 0.75;                         // where sheets meet [cells]
+constexpr std::size_t sheet_markers = 4;                           // most in a patch
 
 /// Cells of which each seeds one place of the surface; laid from the shape's origin, so that its markers do not depend
 /// on where it is.
 template <int Dim>
 class SeedCells {
  public:
-  SeedCells(const Bounds<Dim>& region, const Point<Dim>& cell) : spacing_(cell / seeds_a_cell<Dim>) {
+  SeedCells(const Bounds<Dim>& region, const Point<Dim>& spacing) : spacing_(spacing) {
     for (int d = 0; d < Dim; ++d) {
       box_.lower[d] = static_cast<PetscInt>(std::floor(region.lower[d] / spacing_[d])) - 1;
       box_.upper[d] = static_cast<PetscInt>(std::ceil(region.upper[d] / spacing_[d])) + 1;
@@ -42,16 +53,11 @@ class SeedCells {
   Box<Dim> box_{};
 };
 
-// Markers in the middle of a sheet are on no face of it.
+// In an order that does not depend on the region, for what is equally crowded.
 template <int Dim>
-bool has_sheets(const std::vector<Candidate<Dim>>& markers) {
-  return std::any_of(markers.begin(), markers.end(), [](const auto& marker) { return marker.place == marker.foot; });
-}
-
-template <int Dim>
-MarkerPatches<Dim> markers_of_part(const Shape<Dim>& shape, const Bounds<Dim>& region,
-                                   const MarkerLayout<Dim>& layout) {
-  const SeedCells<Dim> seeds(region, layout.cell);
+std::vector<Candidate<Dim>> candidates_of(const Shape<Dim>& shape, const Bounds<Dim>& region,
+                                          const MarkerLayout<Dim>& layout, const Point<Dim>& spacing) {
+  const SeedCells<Dim> seeds(region, spacing);
   const Sinker<Dim> sinker(shape, layout);
   std::vector<Candidate<Dim>> candidates;
   subdivide<Dim>(
@@ -60,15 +66,79 @@ MarkerPatches<Dim> markers_of_part(const Shape<Dim>& shape, const Bounds<Dim>& r
       [&](const Index<Dim>& cell) {
         if (const auto candidate = sinker.sink(seeds.center(cell))) candidates.push_back(*candidate);
       });
-  // in an order that does not depend on the region, for what is equally crowded
   std::sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
     return std::lexicographical_compare(a.place.begin(), a.place.end(), b.place.begin(), b.place.end());
   });
-  const auto markers = spread_evenly<Dim>(candidates, marker_spacing * layout.cell);
-  const double width = layout.spacing * (has_sheets<Dim>(markers) ? 1 : wider_on_solids);
-  const double in_one = std::pow(std::max(1.0, width / marker_spacing), Dim - 1);
-  const auto count = static_cast<std::size_t>(std::ceil(static_cast<double>(markers.size()) / in_one - 0.5));
-  return gathered<Dim>(markers, std::min(markers.size(), std::max<std::size_t>(count, 1)), width * layout.cell);
+  return candidates;
+}
+
+// Of those in the middle of a part that seeds above each other have in common the one nearest to a seed; rounded, so
+// that what is equally crowded is so along all axes. Neither seeds nor planes of symmetry lie on the sides of the
+// cells.
+template <int Dim>
+std::vector<Candidate<Dim>> distinct(const std::vector<Candidate<Dim>>& candidates, const Point<Dim>& spacing) {
+  const Point<Dim> fine = 0.01 * spacing;
+  std::map<std::pair<Index<Dim>, int>, std::pair<double, Point<Dim>>> found;
+  for (const auto& candidate : candidates) {
+    Index<Dim> cell;
+    Point<Dim> seed;
+    for (int d = 0; d < Dim; ++d) {
+      cell[d] = std::lround(candidate.place[d] / spacing[d] + 0.25);
+      seed[d] = (static_cast<double>(cell[d]) - 0.5) * spacing[d];
+    }
+    const Point<Dim> place = candidate.place.cwiseQuotient(fine).array().round().matrix().cwiseProduct(fine);
+    const double apart = (place - seed).cwiseQuotient(spacing).norm();
+    const auto [known, is_new] = found.try_emplace({cell, candidate.sharpness}, apart, place);
+    if (!is_new && apart < known->second.first) known->second = {apart, place};
+  }
+  std::vector<Candidate<Dim>> result;
+  for (const auto& [key, nearest] : found) result.push_back({nearest.second, nearest.second, key.second});
+  return result;
+}
+
+// Of so many places a spacing apart, in patches of a width.
+template <int Dim>
+std::size_t patch_count(std::size_t markers, double spacing, double width) {
+  const double in_one = std::pow(std::max(1.0, width / spacing), Dim - 1);
+  const auto count = static_cast<std::size_t>(std::ceil(static_cast<double>(markers) / in_one - 0.5));
+  return std::min(markers, std::max<std::size_t>(count, 1));
+}
+
+// Those on faces, or those in the middle of thin parts, which are on no face.
+template <int Dim>
+std::vector<Candidate<Dim>> only(bool in_sheets, const std::vector<Candidate<Dim>>& candidates) {
+  std::vector<Candidate<Dim>> result;
+  std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(result),
+               [&](const auto& candidate) { return (candidate.place == candidate.foot) == in_sheets; });
+  return result;
+}
+
+template <int Dim>
+MarkerPatches<Dim> patches_of_sheets(const Shape<Dim>& shape, const Bounds<Dim>& region,
+                                     const MarkerLayout<Dim>& layout) {
+  const Point<Dim> spacing = layout.cell / sheet_seeds_a_cell<Dim>;
+  const auto candidates = only<Dim>(true, candidates_of<Dim>(shape, region, layout, spacing));
+  const auto places = spread_evenly<Dim>(distinct<Dim>(candidates, spacing), sheet_spacing<Dim> * layout.cell);
+  const double width = sheet_width * layout.spacing;
+  const std::size_t apart = spread_evenly<Dim>(places, least_sheet_width * layout.cell).size();
+  const std::size_t count = std::min(apart, patch_count<Dim>(places.size(), sheet_mean_spacing<Dim>, width));
+  return gathered<Dim>(places, count, width * layout.cell, sheet_markers);
+}
+
+template <int Dim>
+MarkerPatches<Dim> markers_of_part(const Shape<Dim>& shape, const Bounds<Dim>& region,
+                                   const MarkerLayout<Dim>& layout) {
+  const Point<Dim> spacing = layout.cell / seeds_a_cell<Dim>;
+  const auto markers =
+      spread_evenly<Dim>(candidates_of<Dim>(shape, region, layout, spacing), marker_spacing * layout.cell);
+  const auto on_faces = only<Dim>(false, markers);
+  const bool has_sheets = on_faces.size() < markers.size();
+  const double width = layout.spacing * (has_sheets ? 1 : wider_on_solids);
+  const auto most = on_faces.size();
+  MarkerPatches<Dim> patches =
+      gathered<Dim>(on_faces, patch_count<Dim>(most, marker_spacing, width), width * layout.cell, most);
+  if (has_sheets) patches.append(patches_of_sheets<Dim>(shape, region, layout));
+  return patches;
 }
 
 // The box round a region as it is in the frame of a part.
