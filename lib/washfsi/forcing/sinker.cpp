@@ -14,13 +14,13 @@ namespace washfsi {
 
 namespace {
 
-constexpr double held_edges = 0.15;    // in cells, by which sheets act beyond the shares of their outermost markers
-constexpr double sliding_edges = 0.4;  // the same where water slides along them: by a turbine and plates in water
-constexpr double held_from = 0.3;      // in cells, by which faces that are held lie deeper than they must, in the mean
-constexpr double smooth_bend = 0.25;   // in cells, above which a place belongs to an edge
-constexpr double eddies = 2.1;         // of a cylinder and of a sphere alike, by their drag in creeping flow
-constexpr double narrow = 1.5;         // radius in cells up to which eddies are left out
-constexpr double most_stress = 0.6;    // over that of the water before the markers
+constexpr double held_edges = 0.15;     // in cells, by which sheets act beyond the shares of their outermost markers
+constexpr double sliding_edges = 0.35;  // the same where water slides along them: by a turbine and plates in water
+constexpr double held_from = 0.3;       // in cells, by which faces that are held lie deeper than they must, in the mean
+constexpr double smooth_bend = 0.25;    // in cells, above which a place belongs to an edge
+constexpr double eddies = 2.1;          // of a cylinder and of a sphere alike, by their drag in creeping flow
+constexpr double narrow = 1.5;          // radius in cells up to which eddies are left out
+constexpr double most_stress = 0.6;     // over that of the water before the markers
 
 template <int Dim>
 double largest_of(const Eigen::Matrix<double, Dim, Dim>& symmetric) {
