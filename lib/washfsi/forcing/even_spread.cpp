@@ -224,9 +224,8 @@ Candidate<Dim> middlemost(const std::vector<Candidate<Dim>>& markers, const Poin
   Point<Dim> sum = Point<Dim>::Zero();
   for (const auto& marker : markers) sum += marker.place;
   const Point<Dim> middle = sum / static_cast<double>(markers.size());
-  const auto apart = [&](const auto& marker) { return (marker.place - middle).cwiseQuotient(spacing).norm(); };
-  return *std::min_element(markers.begin(), markers.end(),
-                           [&](const auto& a, const auto& b) { return apart(a) < apart(b); });
+  return *std::ranges::min_element(
+      markers, {}, [&](const auto& marker) { return (marker.place - middle).cwiseQuotient(spacing).norm(); });
 }
 
 template <int Dim>
@@ -241,8 +240,13 @@ std::vector<Candidate<Dim>> thinned_to(std::size_t count, const std::vector<Cand
 }  // namespace
 
 template <int Dim>
+std::vector<Candidate<Dim>> thinned(const std::vector<Candidate<Dim>>& candidates, const Point<Dim>& spacing) {
+  return Elimination<Dim>(candidates, spacing).thinned();
+}
+
+template <int Dim>
 std::vector<Candidate<Dim>> spread_evenly(const std::vector<Candidate<Dim>>& candidates, const Point<Dim>& spacing) {
-  return relaxed<Dim>(Elimination<Dim>(candidates, spacing).thinned(), candidates, spacing);
+  return relaxed<Dim>(thinned<Dim>(candidates, spacing), candidates, spacing);
 }
 
 template <int Dim>
@@ -260,8 +264,10 @@ MarkerPatches<Dim> gathered(std::vector<Candidate<Dim>> markers, std::size_t cou
   return patches;
 }
 
+template std::vector<Candidate<2>> thinned<2>(const std::vector<Candidate<2>>&, const Point<2>&);
 template std::vector<Candidate<2>> spread_evenly<2>(const std::vector<Candidate<2>>&, const Point<2>&);
 template MarkerPatches<2> gathered<2>(std::vector<Candidate<2>>, std::size_t, const Point<2>&, std::size_t);
+template std::vector<Candidate<3>> thinned<3>(const std::vector<Candidate<3>>&, const Point<3>&);
 template std::vector<Candidate<3>> spread_evenly<3>(const std::vector<Candidate<3>>&, const Point<3>&);
 template MarkerPatches<3> gathered<3>(std::vector<Candidate<3>>, std::size_t, const Point<3>&, std::size_t);
 

@@ -44,8 +44,12 @@ struct MarkerPatches {
 
 /// Takes away the most crowded of some places, one after the other, until all are a spacing from each other: what is
 /// left lies more evenly than places taken in any order (Yuksel, Comput. Graph. Forum 34 (2015) 25). Then takes back
-/// what has room again, so that no gap is wider than two spacings, and moves each to the middle of the candidates of
-/// its sharpness that are nearest to it, some times over (Lloyd's method). Corners are kept first, then edges.
+/// what has room again, so that no gap is wider than two spacings. Corners are kept first, then edges.
+template <int Dim>
+std::vector<Candidate<Dim>> thinned(const std::vector<Candidate<Dim>>& candidates, const Point<Dim>& spacing);
+
+/// The same, each then moved to the middle of the candidates of its sharpness that are nearest to it, some times over
+/// (Lloyd's method).
 template <int Dim>
 std::vector<Candidate<Dim>> spread_evenly(const std::vector<Candidate<Dim>>& candidates, const Point<Dim>& spacing);
 

@@ -15,7 +15,7 @@ namespace washfsi {
 namespace {
 
 constexpr double held_edges = 0.15;     // in cells, by which sheets act beyond the shares of their outermost markers
-constexpr double sliding_edges = 0.35;  // the same where water slides along them: by a turbine and plates in water
+constexpr double sliding_edges = 0.35;  // the same where water slides along them: by a turbine in water
 constexpr double held_from = 0.3;       // in cells, by which faces that are held lie deeper than they must, in the mean
 constexpr double smooth_bend = 0.25;    // in cells, above which a place belongs to an edge
 constexpr double eddies = 2.1;          // of a cylinder and of a sphere alike, by their drag in creeping flow
@@ -179,7 +179,7 @@ int Sinker<Dim>::sharpness(const Points<Dim>& edges) {
 }
 
 // How far the outermost markers of a sheet act beyond themselves: over the half of their spacing for which they stand,
-// and farther where water slides along the sheet.
+// and farther.
 template <int Dim>
 double Sinker<Dim>::beyond_edges(double along) const {
   return (0.5 * sheet_mean_spacing<Dim> + (layout_.inner_water_slides ? sliding_edges : held_edges)) * along;

@@ -55,9 +55,8 @@ class SeedCells {
 
 // In an order that does not depend on the region, for what is equally crowded.
 template <int Dim>
-std::vector<Candidate<Dim>> candidates_of(const Shape<Dim>& shape, const Bounds<Dim>& region,
-                                          const MarkerLayout<Dim>& layout, const Point<Dim>& spacing) {
-  const SeedCells<Dim> seeds(region, spacing);
+std::vector<Candidate<Dim>> candidates_of(const Shape<Dim>& shape, const MarkerLayout<Dim>& layout,
+                                          const SeedCells<Dim>& seeds) {
   const Sinker<Dim> sinker(shape, layout);
   std::vector<Candidate<Dim>> candidates;
   subdivide<Dim>(
@@ -116,11 +115,11 @@ std::vector<Candidate<Dim>> only(bool in_sheets, const std::vector<Candidate<Dim
 template <int Dim>
 MarkerPatches<Dim> patches_of_sheets(const Shape<Dim>& shape, const Bounds<Dim>& region,
                                      const MarkerLayout<Dim>& layout) {
-  const Point<Dim> spacing = layout.cell / sheet_seeds_a_cell<Dim>;
-  const auto candidates = only<Dim>(true, candidates_of<Dim>(shape, region, layout, spacing));
-  const auto places = spread_evenly<Dim>(distinct<Dim>(candidates, spacing), sheet_spacing<Dim> * layout.cell);
+  const SeedCells<Dim> seeds(region, layout.cell / sheet_seeds_a_cell<Dim>);
+  const auto candidates = only<Dim>(true, candidates_of<Dim>(shape, layout, seeds));
+  const auto places = spread_evenly<Dim>(distinct<Dim>(candidates, seeds.spacing()), sheet_spacing<Dim> * layout.cell);
   const double width = sheet_width * layout.spacing;
-  const std::size_t apart = spread_evenly<Dim>(places, least_sheet_width * layout.cell).size();
+  const std::size_t apart = thinned<Dim>(places, least_sheet_width * layout.cell).size();
   const std::size_t count = std::min(apart, patch_count<Dim>(places.size(), sheet_mean_spacing<Dim>, width));
   return gathered<Dim>(places, count, width * layout.cell, sheet_markers);
 }
@@ -128,9 +127,8 @@ MarkerPatches<Dim> patches_of_sheets(const Shape<Dim>& shape, const Bounds<Dim>&
 template <int Dim>
 MarkerPatches<Dim> markers_of_part(const Shape<Dim>& shape, const Bounds<Dim>& region,
                                    const MarkerLayout<Dim>& layout) {
-  const Point<Dim> spacing = layout.cell / seeds_a_cell<Dim>;
-  const auto markers =
-      spread_evenly<Dim>(candidates_of<Dim>(shape, region, layout, spacing), marker_spacing * layout.cell);
+  const SeedCells<Dim> seeds(region, layout.cell / seeds_a_cell<Dim>);
+  const auto markers = spread_evenly<Dim>(candidates_of<Dim>(shape, layout, seeds), marker_spacing * layout.cell);
   const auto on_faces = only<Dim>(false, markers);
   const bool has_sheets = on_faces.size() < markers.size();
   const double width = layout.spacing * (has_sheets ? 1 : wider_on_solids);
