@@ -39,7 +39,7 @@ TEST(BodyMarkers, DoNotActBehindAnotherBodysSurface) {
       const std::size_t body = markers.body_of(p);
       const Point<2> place = posed.in_space(body, markers.arm(m));
       const double depth = -posed.distance(1 - body, place);
-      EXPECT_EQ(markers.at(posed, p, m, 0).acts, depth <= behind) << place.transpose();
+      EXPECT_EQ(markers.at(posed, p, m).acts, depth <= behind) << place.transpose();
       covered += depth > behind ? 1 : 0;
     }
   EXPECT_GT(covered, 20);

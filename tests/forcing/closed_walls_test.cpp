@@ -21,7 +21,7 @@ class Balls {
     const PosedBodies<2> posed(bodies_, 0);
     for (std::size_t p = begin(); p < end(); ++p)
       for (std::size_t m = markers_.start(p); m < markers_.start(p + 1); ++m)
-        states_.push_back(markers_.at(posed, p, m, 0));
+        states_.push_back(markers_.at(posed, p, m));
     walls_.update(states_, 0);
   }
 

@@ -48,15 +48,24 @@ struct Body {
   static Body from_options(Options& options, const std::string& name, double sample_spacing);
 };
 
+/// The motion of each body at one moment.
+template <int Dim>
+std::vector<typename RigidMotion<Dim>::State> motions_at(const std::vector<Body<Dim>>& bodies, double time) {
+  std::vector<typename RigidMotion<Dim>::State> states;
+  for (const auto& body : bodies) states.push_back(body.motion.state(time));
+  return states;
+}
+
 /// All bodies at one moment, for many places.
 template <int Dim>
 class PosedBodies {
  public:
   /// The bodies must outlive it.
-  PosedBodies(const std::vector<Body<Dim>>& bodies, double time) : bodies_(bodies) {
+  PosedBodies(const std::vector<Body<Dim>>& bodies, double time) : bodies_(bodies), motions_(motions_at(bodies, time)) {
     for (const auto& body : bodies) poses_.push_back(body.motion.pose(time));
   }
   std::size_t size() const { return bodies_.size(); }
+  const typename RigidMotion<Dim>::State& motion(std::size_t body) const { return motions_[body]; }
   /// Signed distance of one body [m]: negative in the solid.
   double distance(std::size_t body, const Point<Dim>& place) const {
     return bodies_[body].shape->distance(poses_[body].in_body_frame(place));
@@ -83,6 +92,7 @@ class PosedBodies {
 
  private:
   const std::vector<Body<Dim>>& bodies_;
+  std::vector<typename RigidMotion<Dim>::State> motions_;
   std::vector<typename RigidMotion<Dim>::Pose> poses_;
 };
 

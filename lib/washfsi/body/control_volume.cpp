@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "washfsi/body/subdivide.hpp"
+#include "washfsi/grid/subdivide.hpp"
 #include "washfsi/grid/velocity_gradient.hpp"
 
 namespace washfsi {

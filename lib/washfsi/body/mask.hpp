@@ -43,9 +43,8 @@ class Mask {
   /// The share of each face that lies in fluid: H, but where markers hold the walls and H is 0 only behind them.
   Vec fluid_share() const { return share_ ? share_ : fraction_; }
   Vec solid_velocity() const { return solid_velocity_; }  ///< on faces [m/s]
-  /// What bodies make of a place of a side of the box, whose own velocity is given: it has theirs by their share.
-  Covered<Dim> covered(const Point<Dim>& place, const Point<Dim>& own, const PosedBodies<Dim>& posed,
-                       double time) const;
+  /// What bodies make of the sides of the box, which have their velocities by their share. Valid as long as `posed`.
+  typename SideCover<Dim>::Cover cover(const PosedBodies<Dim>& posed) const;
   bool empty() const { return bodies_.empty(); }
   bool extrapolates() const { return treatment_.method == BodyMethod::ghost && !empty(); }
   /// What the fluid's equations need of it; valid until the next `update`.
@@ -79,6 +78,8 @@ class Mask {
   void for_each_inside(const PosedBodies<Dim>& posed, std::size_t body, double reach, const Visit& visit) const;
   void place(const PosedBodies<Dim>& posed, std::size_t body, double time);
   double fraction_at(double distance) const;
+  Covered<Dim> covered(const Point<Dim>& place, const Point<Dim>& own, const PosedBodies<Dim>& posed,
+                       bool by_moving) const;
   void find_cuts(const PosedBodies<Dim>& posed, double time);
   void add_constraint_force(Vec constraint_force, Vec density, double time, Loads<Dim>& loads) const;
   void add_wall_pressure(Vec pressure, double time, Loads<Dim>& loads) const;

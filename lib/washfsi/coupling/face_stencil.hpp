@@ -23,15 +23,27 @@ class FaceStencil {
   /// Weights along an axis of the faces of a component: those normal to the axis or those between.
   const AxisStencil& along(int axis, int component) const { return axes_[axis][axis == component ? 0 : 1]; }
 
-  /// Whether all of its faces lie within a box of so many cells, and not in its sides.
-  bool lies_within(const Index<Dim>& cells) const {
+  /// Whether some of its faces lie in sides of a box of so many cells or beyond them; adds these sides, by axis and
+  /// end, to `sides`.
+  bool find_reached(const Index<Dim>& cells, std::array<std::array<bool, 2>, Dim>& sides) const {
+    bool any = false;
     for (int d = 0; d < Dim; ++d)
-      for (const AxisStencil& faces : axes_[d])
-        if (faces.first < 1 || faces.first + faces.count > cells[d]) return false;
-    return true;
+      for (const AxisStencil& faces : axes_[d]) {
+        const bool lower = faces.first<1, upper = faces.first + faces.count> cells[d];
+        sides[d][0] = sides[d][0] || lower;
+        sides[d][1] = sides[d][1] || upper;
+        any = any || lower || upper;
+      }
+    return any;
   }
 
-  /// The mean of a component's faces by their weights.
+  /// The means of each component's faces by their weights.
+  Point<Dim> mean(const ConstFaceView<Dim>& field) const {
+    Point<Dim> means;
+    for_each_component<Dim>([&](auto c) { means[c] = mean(c, field); });
+    return means;
+  }
+  /// That of one component's.
   double mean(auto component, const ConstFaceView<Dim>& field) const {
     const AxisStencil& x = along(0, component);
     double sum = 0;

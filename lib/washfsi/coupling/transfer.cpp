@@ -36,6 +36,7 @@ void Transfer<Dim>::locate(const Points<Dim>& positions) {
   const Points<Dim> before = std::exchange(here_, exchange_.to_cells(positions));
   for (auto& position : here_) position = grid_.folded(position);
   find_stencils(before);
+  find_beside_sides();
 }
 
 // Those of markers at rest, of which a drum may have most, are kept.
@@ -52,12 +53,21 @@ void Transfer<Dim>::find_stencils(const Points<Dim>& before) {
 }
 
 template <int Dim>
+void Transfer<Dim>::find_beside_sides() {
+  beside_sides_.clear();
+  reached_sides_ = {};
+  for (std::size_t m = 0; m < here_.size(); ++m)
+    if (interpolate_stencils()[m].find_reached(grid_.cells(), reached_sides_)) beside_sides_.push_back(m);
+}
+
+template <int Dim>
 void Transfer<Dim>::add_to_local(const Points<Dim>& values, Vec local) const {
   WASH_PETSC(VecZeroEntries(local));
   const FaceView<Dim> field(grid_.wide_face_dm(), local);
   const double per_volume = 1 / grid_.cell_volume();
   for (std::size_t m = 0; m < spread_stencils_.size(); ++m)
-    for_each_component<Dim>([&](auto c) { spread_stencils_[m].add(c, per_volume * values[m][c], field); });
+    if (!values[m].isZero(0))
+      for_each_component<Dim>([&](auto c) { spread_stencils_[m].add(c, per_volume * values[m][c], field); });
 }
 
 template <int Dim>
@@ -89,24 +99,19 @@ void Transfer<Dim>::spread_amounts(const Points<Dim>& amounts, Vec density) cons
 
 template <int Dim>
 Points<Dim> Transfer<Dim>::interpolate(Vec local_velocity) const {
-  return interpolate_where([](const FaceStencil<Dim>&) { return true; }, local_velocity);
+  const petsc::LogPart part("interpolate");
+  const ConstFaceView<Dim> u(grid_.wide_face_dm(), local_velocity);
+  Points<Dim> velocities;
+  for (const FaceStencil<Dim>& stencil : interpolate_stencils()) velocities.push_back(stencil.mean(u));
+  return exchange_.to_owners(velocities);
 }
 
 template <int Dim>
 Points<Dim> Transfer<Dim>::interpolate_from_sides(Vec local_velocity) const {
-  const auto reaches_side = [&](const FaceStencil<Dim>& stencil) { return !stencil.lies_within(grid_.cells()); };
-  return interpolate_where(reaches_side, local_velocity);
-}
-
-template <int Dim>
-template <class Matters>
-Points<Dim> Transfer<Dim>::interpolate_where(const Matters& matters, Vec local_velocity) const {
   const petsc::LogPart part("interpolate");
   const ConstFaceView<Dim> u(grid_.wide_face_dm(), local_velocity);
-  const auto& stencils = delta_.interpolate_width != delta_.spread_width ? interpolate_stencils_ : spread_stencils_;
-  Points<Dim> velocities(stencils.size(), Point<Dim>::Zero());
-  for (std::size_t m = 0; m < stencils.size(); ++m)
-    if (matters(stencils[m])) for_each_component<Dim>([&](auto c) { velocities[m][c] = stencils[m].mean(c, u); });
+  Points<Dim> velocities(interpolate_stencils().size(), Point<Dim>::Zero());
+  for (const std::size_t m : beside_sides_) velocities[m] = interpolate_stencils()[m].mean(u);
   return exchange_.to_owners(velocities);
 }
 

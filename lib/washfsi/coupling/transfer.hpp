@@ -47,11 +47,15 @@ class Transfer {
   Points<Dim> interpolate(Vec local_velocity) const;
   /// The same for one that is zero but in the sides of the box and beyond them: only markers near them are looked at.
   Points<Dim> interpolate_from_sides(Vec local_velocity) const;
+  /// The sides that markers in this rank's cells reach.
+  const typename Boundary<Dim>::SideSet& reached_sides() const { return reached_sides_; }
 
  private:
   void find_stencils(const Points<Dim>& before);
-  template <class Matters>
-  Points<Dim> interpolate_where(const Matters& matters, Vec local_velocity) const;
+  const std::vector<FaceStencil<Dim>>& interpolate_stencils() const {
+    return interpolate_stencils_.empty() ? spread_stencils_ : interpolate_stencils_;
+  }
+  void find_beside_sides();
   void add_to_local(const Points<Dim>& values, Vec local) const;
 
   const Grid<Dim>& grid_;
@@ -61,6 +65,8 @@ class Transfer {
   Points<Dim> here_;  ///< places of the markers in this rank's cells, folded into the box
   /// Of the markers in this rank's cells. The second is empty if both deltas are the same.
   std::vector<FaceStencil<Dim>> spread_stencils_, interpolate_stencils_;
+  std::vector<std::size_t> beside_sides_;  ///< numbers of the markers whose stencils reach sides
+  typename Boundary<Dim>::SideSet reached_sides_{};
 };
 
 /// Velocity of each marker per unit time if every marker k bears the nodal force weights[k]: row sums of J H S / rho,

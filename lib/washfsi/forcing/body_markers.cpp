@@ -103,13 +103,13 @@ bool BodyMarkers<Dim>::rubs_a_wall(const Body<Dim>& body, const Point<Dim>& plac
 
 template <int Dim>
 typename BodyMarkers<Dim>::State BodyMarkers<Dim>::at(const PosedBodies<Dim>& posed, std::size_t patch,
-                                                      std::size_t marker, double time) {
+                                                      std::size_t marker) {
   const std::size_t b = body_of_[patch];
   const Point<Dim> place = posed.in_space(b, arms_[marker]);
   const bool is_within = grid_.contains(place), covered = is_within && is_covered(posed, b, marker, place);
   if (!is_within || covered || rubs_a_wall(bodies_[b], place))
     return {0.5 * (grid_.lower() + grid_.upper()), Point<Dim>::Zero(), false, covered};
-  return {place, bodies_[b].motion.velocity(place, time), true};
+  return {place, posed.motion(b).velocity_at(place), true};
 }
 
 template class BodyMarkers<2>;

@@ -35,7 +35,7 @@ class BodyMarkers {
     bool acts;                   ///< false beyond the box, behind another body's surface, and where it would rub a wall
     bool is_covered = false;     ///< behind another body's surface
   };
-  State at(const PosedBodies<Dim>& posed, std::size_t patch, std::size_t marker, double time);
+  State at(const PosedBodies<Dim>& posed, std::size_t patch, std::size_t marker);
 
  private:
   bool is_covered(const PosedBodies<Dim>& posed, std::size_t body, std::size_t marker, const Point<Dim>& place);

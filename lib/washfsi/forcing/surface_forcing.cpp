@@ -106,7 +106,7 @@ void SurfaceForcing<Dim>::update(double time) {
   for (std::size_t p = begin_; p < end_; ++p) {
     bool acts = false;
     for (std::size_t m = markers_.start(p); m < markers_.start(p + 1); ++m) {
-      states_.push_back(markers_.at(posed, p, m, time));
+      states_.push_back(markers_.at(posed, p, m));
       places.push_back(states_.back().place);
       acts = acts || states_.back().acts;
     }

@@ -8,6 +8,8 @@
 // J. Comput. Phys. 225 (2007) 2118. A step begins with the forces of the step before, which turn with their body.
 #pragma once
 
+#include <optional>
+
 #include "washfsi/body/mask.hpp"
 #include "washfsi/body/wall_loads.hpp"
 #include "washfsi/coupling/transfer.hpp"
@@ -71,8 +73,7 @@ class SurfaceForcing : public WallForces {
   /// Calls visit(patch, marker) for all markers that act, both counted from this rank's first.
   template <class Visit>
   void for_each_acting(Visit&& visit) const;
-  Points<Dim> kept_by_sides(const typename Boundary<Dim>::OnSides& shares,
-                            const std::optional<SideName>& only = {}) const;
+  Points<Dim> kept_by_sides(const std::optional<SideName>& open = {}) const;
   void create_solver();
   std::size_t owned() const { return end_ - begin_; }
   Points<Dim> turned(const Points<Dim>& values, bool into_space) const;

@@ -6,13 +6,12 @@
 
 namespace washfsi {
 
-// What sides keep of each marker's force, of which a share is asked for.
+// What sides keep of each marker's force: the bodies' part of all sides, or what they leave open of one.
 template <int Dim>
-Points<Dim> SurfaceForcing<Dim>::kept_by_sides(const typename Boundary<Dim>::OnSides& shares,
-                                               const std::optional<SideName>& only) const {
+Points<Dim> SurfaceForcing<Dim>::kept_by_sides(const std::optional<SideName>& open) const {
   Points<Dim> kept = shared_out(forces_);
   const petsc::LocalVector local(grid_.wide_face_dm());
-  boundary_.fill_from_rest(local, shares, only);
+  boundary_.fill_from_sides(local, time_, transfer_.reached_sides(), open);
   const Points<Dim> parts = transfer_.interpolate_from_sides(local);
   for (std::size_t m = 0; m < kept.size(); ++m) kept[m] = kept[m].cwiseProduct(parts[m]);
   return kept;
@@ -23,10 +22,11 @@ template <int Dim>
 Loads<Dim> SurfaceForcing<Dim>::loads() const {
   Loads<Dim> loads = law_ ? law_->loads_here() : Loads<Dim>(bodies_.size());
   const Points<Dim> given = shared_out(forces_);
-  const Points<Dim> kept = kept_by_sides([&](auto... place) { return boundary_.covered_share(place..., time_); });
+  const Points<Dim> kept = kept_by_sides();
+  const auto motions = motions_at(bodies_, time_);
   for_each_acting([&](std::size_t p, std::size_t m) {
     const std::size_t b = markers_.body_of(begin_ + p);
-    loads[b].add(states_[m].place - bodies_[b].motion.center_at(time_), kept[m] - given[m]);
+    loads[b].add(states_[m].place - motions[b].center, kept[m] - given[m]);
   });
   return ordered_sum<Dim>(grid_.comm(), loads);
 }
@@ -38,8 +38,7 @@ Loads<Dim> SurfaceForcing<Dim>::loads_on_sides(const std::vector<SideName>& side
   for (std::size_t s = 0; s < sides.size(); ++s) {
     const SideName side = sides[s];
     if (!any_rank(grid_.comm(), !boundary_.covered_wholly(side.axis, side.end))) continue;
-    const Points<Dim> kept =
-        kept_by_sides([&](auto... place) { return 1 - boundary_.covered_share(place..., time_); }, side);
+    const Points<Dim> kept = kept_by_sides(side);
     for_each_acting([&](std::size_t, std::size_t m) {
       Point<Dim> place = states_[m].place;
       place[side.axis] = (side.end == End::lower ? grid_.lower() : grid_.upper())[side.axis];
@@ -55,17 +54,17 @@ double SurfaceForcing<Dim>::lost_power(Vec velocity_before, Vec velocity, double
       now(boundary_, grid_.wide_face_dm(), velocity, time_);
   WASH_PETSC(VecAXPBY(mean, 0.5, 0.5, now));
   const Points<Dim> given = shared_out(forces_), of_water = transfer_.interpolate(mean);
+  const auto motions = motions_at(bodies_, time_ - 0.5 * dt);
   double lost = 0;
   for_each_acting([&](std::size_t p, std::size_t m) {
-    const RigidMotion<Dim>& motion = bodies_[markers_.body_of(begin_ + p)].motion;
-    const Point<Dim> own = motion.velocity(states_[m].place, time_ - 0.5 * dt);
+    const Point<Dim> own = motions[markers_.body_of(begin_ + p)].velocity_at(states_[m].place);
     lost += given[m].dot(own - of_water[m]);
   });
   return ordered_sum(grid_.comm(), lost);
 }
 
-template Points<2> SurfaceForcing<2>::kept_by_sides(const Boundary<2>::OnSides&, const std::optional<SideName>&) const;
-template Points<3> SurfaceForcing<3>::kept_by_sides(const Boundary<3>::OnSides&, const std::optional<SideName>&) const;
+template Points<2> SurfaceForcing<2>::kept_by_sides(const std::optional<SideName>&) const;
+template Points<3> SurfaceForcing<3>::kept_by_sides(const std::optional<SideName>&) const;
 template Loads<2> SurfaceForcing<2>::loads() const;
 template Loads<3> SurfaceForcing<3>::loads() const;
 template Loads<2> SurfaceForcing<2>::loads_on_sides(const std::vector<SideName>&) const;

@@ -6,8 +6,8 @@
 #include <iterator>
 #include <map>
 
-#include "washfsi/body/subdivide.hpp"
 #include "washfsi/forcing/sinker.hpp"
+#include "washfsi/grid/subdivide.hpp"
 
 namespace washfsi {
 

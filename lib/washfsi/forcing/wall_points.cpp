@@ -5,9 +5,9 @@
 #include <cmath>
 #include <span>
 
-#include "washfsi/body/subdivide.hpp"
 #include "washfsi/forcing/sheet_normal.hpp"
 #include "washfsi/geometry/near_search.hpp"
+#include "washfsi/grid/subdivide.hpp"
 
 namespace washfsi {
 

@@ -166,12 +166,6 @@ double Boundary<Dim>::largest_speed(double time) const {
   return largest(grid_.comm(), speed);
 }
 
-template <int Dim>
-bool Boundary<Dim>::touches(int axis, End end) const {
-  if (grid_.periodic(axis)) return false;
-  return end == End::lower ? grid_.owned().lower[axis] == 0 : grid_.owned().upper[axis] == grid_.cells()[axis];
-}
-
 // The velocity that holds on the side next to a face: in it, or half a cell from it.
 template <int Dim>
 double Boundary<Dim>::value(int axis, End end, const Index<Dim>& face, int component, double time) const {
@@ -267,13 +261,19 @@ void Boundary<Dim>::fill(Vec local_velocity, double time) const {
 }
 
 template <int Dim>
-void Boundary<Dim>::fill_from_rest(Vec local, const OnSides& velocities, const std::optional<SideName>& only) const {
+void Boundary<Dim>::fill_from_sides(Vec local, double time, const SideSet& sides,
+                                    const std::optional<SideName>& open) const {
   WASH_PETSC(VecZeroEntries(local));
   fill_from(local, [&](int axis, End end, int c, const auto& use) {
-    if (only && (axis != only->axis || end != only->end))
-      use([](const Index<Dim>&) { return 0.0; });
+    if (!sides[axis][end == End::upper ? 1 : 0]) return;
+    const auto* covered = cover(axis, end);
+    const bool is_open = open && axis == open->axis && end == open->end;
+    if (covered && (is_open || !open))
+      use([is_open, shares = covered->shares(c, time)](const Index<Dim>& face) {
+        return is_open ? 1 - shares(face) : shares(face);
+      });
     else
-      use([&](const Index<Dim>& face) { return velocities(axis, end, face, c); });
+      use([same = is_open ? 1.0 : 0.0](const Index<Dim>&) { return same; });
   });
 }
 
@@ -287,12 +287,10 @@ void Boundary<Dim>::fill_cells(Vec local_cells) const {
   const CellView<Dim> values(dm_of(local_cells), local_cells);
   const Box<Dim> part = ghosted_box<Dim>(local_cells);
   for_each_component<Dim>([&](auto axis) {
-    for (const End end : both_ends) {
-      if (!touches(axis, end)) continue;
-      const int beside = (axis + 1) % Dim;  // cells lie half a spacing from the side, as the faces of the others do
-      visit_ghosts<axis>(end, beside, part,
-                         [&](const Index<Dim>& ghost, const Index<Dim>& mirror) { values(ghost) = values(mirror); });
-    }
+    constexpr int beside = (axis + 1) % Dim;  // cells lie half a spacing from the side, as the faces of the others do
+    const auto copy = [&](const Index<Dim>& ghost, const Index<Dim>& mirror) { values(ghost) = values(mirror); };
+    for (const End end : both_ends)
+      if (touches(axis, end)) visit_ghosts<axis>(end, beside, part, copy);
   });
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -60,19 +59,19 @@ class Boundary {
   /// The share of bodies in the place of a side beside a face; 0 where none stands.
   double covered_share(int axis, End end, const Index<Dim>& face, int component, double time) const {
     const auto* covered = cover(axis, end);
-    return covered ? covered->share(face, component, time) : 0;
+    return covered ? covered->shares(component, time)(face) : 0;
   }
   /// Whether bodies cover all of this rank's part of a side.
   bool covered_wholly(int axis, End end) const {
     const auto* covered = cover(axis, end);
     return !touches(axis, end) || (covered && covered->covers_all());
   }
-  /// A number for each place of a side, by the face beside it.
-  using OnSides = std::function<double(int axis, End end, const Index<Dim>& face, int component)>;
-  /// Fills a local face vector as `fill` would if the water were at rest and the sides moved with these velocities. J
-  /// of it tells what sides keep of a marker's force: with ones all of it, with shares those shares. With `only` all
-  /// other sides rest.
-  void fill_from_rest(Vec local, const OnSides& velocities, const std::optional<SideName>& only = {}) const;
+  /// Whether a side is meant, by axis and end.
+  using SideSet = std::array<std::array<bool, 2>, Dim>;
+  /// Fills a local face vector, at and beyond the sides of a set, as `fill` would if the water were at rest and, in all
+  /// three directions, what bodies cover of the sides moved with 1; or, if a side is named, what they leave open of it.
+  /// J of it tells what sides keep of a marker's force.
+  void fill_from_sides(Vec local, double time, const SideSet& sides, const std::optional<SideName>& open) const;
 
   const Side<Dim>& side(int axis, End end) const;
   /// +1 or -1: the sign with which a ghost of this component mirrors the interior; 0 if it does not, on periodic and
@@ -87,7 +86,10 @@ class Boundary {
   template <class Visit>
   void visit_boundary_faces(int axis, End end, const Box<Dim>& part, Visit&& visit) const;
   Point<Dim> fold_with(Vec local, bool keep_sign) const;
-  bool touches(int axis, End end) const;
+  bool touches(int axis, End end) const {
+    if (grid_.periodic(axis)) return false;
+    return end == End::lower ? grid_.owned().lower[axis] == 0 : grid_.owned().upper[axis] == grid_.cells()[axis];
+  }
   double value(int axis, End end, const Index<Dim>& face, int component, double time) const;
   template <class Use>
   void with_values(int axis, End end, int component, double time, Use&& use) const;

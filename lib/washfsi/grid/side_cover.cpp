@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "washfsi/grid/subdivide.hpp"
+
 namespace washfsi {
 
 template <int Dim>
@@ -13,28 +15,49 @@ SideCover<Dim>::SideCover(const Grid<Dim>& grid, int axis, End end, const Point<
 }
 
 template <int Dim>
+Point<Dim> SideCover<Dim>::on_side(Point<Dim> place) const {
+  place[axis_] = end_ == End::lower ? grid_.lower()[axis_] : grid_.upper()[axis_];
+  return place;
+}
+
+template <int Dim>
 void SideCover<Dim>::set(double time, const Cover& cover) {
   const bool first = now_.velocities.empty();
+  if (first) resting_ = resting(cover);
   std::swap(before_, now_);
-  now_ = {time, {}, {}};
-  for_each<Dim>(plane_, [&](const Index<Dim>& face) { add(now_, face, cover); });
+  now_ = resting_;
+  now_.time = time;
+  const auto reconsider = [&](const Index<Dim>& face) { find(now_, face, cover.by_all); };
+  subdivide<Dim>(
+      grid_, plane_, cover.reach, [&](const Point<Dim>& place) { return cover.to_moving(on_side(place)); },
+      [&](const Box<Dim>& part, int sign) {
+        if (sign < 0) for_each<Dim>(part, reconsider);
+      },
+      reconsider);
   if (first) before_ = now_;
 }
 
 template <int Dim>
-void SideCover<Dim>::add(Moment& moment, const Index<Dim>& face, const Cover& cover) const {
-  Point<Dim> velocity = own_, shares = Point<Dim>::Zero();
+typename SideCover<Dim>::Moment SideCover<Dim>::resting(const Cover& cover) const {
+  Moment moment;
+  for_each<Dim>(plane_, [&](const Index<Dim>&) { ++moment.open_places; });
+  moment.velocities.assign(moment.open_places, own_);
+  moment.shares.assign(moment.open_places, Point<Dim>::Zero());
+  for_each<Dim>(plane_, [&](const Index<Dim>& face) { find(moment, face, cover.by_resting); });
+  return moment;
+}
+
+template <int Dim>
+void SideCover<Dim>::find(Moment& moment, const Index<Dim>& face, const typename Cover::At& cover) const {
+  Point<Dim>&velocity = moment.velocities[number(face)], &shares = moment.shares[number(face)];
+  const bool was_open = shares.minCoeff() < 1;
   for (int c = 0; c < Dim; ++c) {
-    Point<Dim> place = grid_.face_center(face, c);
-    place[axis_] = end_ == End::lower ? grid_.lower()[axis_] : grid_.upper()[axis_];
-    const Covered<Dim> covered = cover(place, own_);
-    if (c != axis_) velocity[c] = covered.velocity[c];
+    const Covered<Dim> covered = cover(on_side(grid_.face_center(face, c)), own_);
+    velocity[c] = c == axis_ ? own_[c] : covered.velocity[c];
     shares[c] = covered.share;
   }
-  moment.velocities.push_back(velocity);
-  moment.shares.push_back(shares);
+  if (was_open && shares.minCoeff() >= 1) --moment.open_places;
   moment.covers = moment.covers || !shares.isZero(0);
-  moment.covers_all = moment.covers_all && shares.minCoeff() >= 1;
   moment.moves = moment.moves || velocity != own_;
 }
 

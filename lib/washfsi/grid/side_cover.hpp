@@ -17,12 +17,18 @@ struct Covered {
 };
 
 /// A no-slip side of the box where bodies stand on it, at two moments: the ends of the step under way. Kept for the
-/// faces beside this rank's cells and ghosts.
+/// faces beside this rank's cells and ghosts. Bodies at rest are looked at once.
 template <int Dim>
 class SideCover {
  public:
-  /// At a place of the side, whose own velocity is given.
-  using Cover = std::function<Covered<Dim>(const Point<Dim>& place, const Point<Dim>& own)>;
+  /// What bodies make of a side at a moment.
+  struct Cover {
+    /// At a place of the side, whose own velocity is given.
+    using At = std::function<Covered<Dim>(const Point<Dim>& place, const Point<Dim>& own)>;
+    At by_all, by_resting;
+    std::function<double(const Point<Dim>& place)> to_moving;  ///< distance from the nearest that moves [m]
+    double reach;                                              ///< as far from a body nothing is covered [m]
+  };
 
   SideCover(const Grid<Dim>& grid, int axis, End end, const Point<Dim>& own);
 
@@ -33,24 +39,28 @@ class SideCover {
   /// Whether a body moves it there.
   bool moves() const { return before_.moves || now_.moves; }
   /// Whether bodies cover all of this rank's part at both moments.
-  bool covers_all() const { return before_.covers_all && now_.covers_all; }
+  bool covers_all() const { return before_.open_places == 0 && now_.open_places == 0; }
   /// What was last set becomes the moment before; the first time both are the same.
   void set(double time, const Cover& cover);
-  /// The velocity along the side, as a function of the face beside it, and the bodies' share beside one.
+  /// The velocity along the side, as a function of the face beside it.
   auto velocities(int component, double time) const {
     return [this, component, &moment = nearest(time)](const Index<Dim>& face) {
       return moment.velocities[number(face)][component];
     };
   }
-  double share(const Index<Dim>& face, int component, double time) const {
-    return nearest(time).shares[number(face)][component];
+  /// The bodies' share beside a face, likewise.
+  auto shares(int component, double time) const {
+    return [this, component, &moment = nearest(time)](const Index<Dim>& face) {
+      return moment.shares[number(face)][component];
+    };
   }
 
  private:
   struct Moment {
     double time = 0;
     Points<Dim> velocities, shares;  ///< of each place of the plane, by component at that component's faces
-    bool covers = false, covers_all = true, moves = false;
+    std::size_t open_places = 0;     ///< not covered wholly
+    bool covers = false, moves = false;
   };
   const Moment& nearest(double time) const {
     return std::abs(time - now_.time) <= std::abs(time - before_.time) ? now_ : before_;
@@ -61,14 +71,16 @@ class SideCover {
       if (d != axis_) number = number * (plane_.upper[d] - plane_.lower[d]) + face[d] - plane_.lower[d];
     return static_cast<std::size_t>(number);
   }
-  void add(Moment& moment, const Index<Dim>& face, const Cover& cover) const;
+  Point<Dim> on_side(Point<Dim> place) const;
+  void find(Moment& moment, const Index<Dim>& face, const typename Cover::At& cover) const;
+  Moment resting(const Cover& cover) const;
 
   const Grid<Dim>& grid_;
   int axis_;
   End end_;
   Point<Dim> own_;
   Box<Dim> plane_;  ///< one layer of the local faces along the side
-  Moment before_, now_;
+  Moment resting_, before_, now_;
 };
 
 extern template class SideCover<2>;

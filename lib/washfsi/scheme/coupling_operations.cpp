@@ -56,9 +56,7 @@ template <int Dim>
 void hold_walls(Model<Dim>& model, double time) {
   if (!model.walls) return;
   const PosedBodies<Dim> posed(model.bodies, time);
-  model.boundary.cover_sides(time, [&](const Point<Dim>& place, const Point<Dim>& own) {
-    return model.mask.covered(place, own, posed, time);
-  });
+  model.boundary.cover_sides(time, model.mask.cover(posed));
   model.walls->update(time);
   model.count_sliding_water();
 }
