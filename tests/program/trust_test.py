@@ -66,6 +66,14 @@ class Trust(ProgramTest):
         self.assert_found(found, "body drum", "ok", "cells")
         self.assert_found(found, "cycles", "warn", "1 of")
 
+    def test_blades_too_narrow_for_their_jets(self):
+        tank = ["-options_file", SOURCE / "inputs" / "stirred_tank.opts", "-impeller_parts", "blade", "-check"]
+        name = "impeller sheet width"
+        self.assertNotIn(name, self.findings(*tank))
+        water = [*tank, "-fluid_viscosity", 1e-3, "-turbulence", "vreman", "-wall_model", "equilibrium"]
+        self.assert_found(self.findings(*water), name, "warn", "3.3 cells from edge")
+        self.assert_found(self.findings(*water, "-impeller_blade_size", "0.05,0.002,0.05"), name, "ok", "cells from edge to edge")
+
     def test_thin_liquids_beside_cloth(self):
         thin = [*WASH, "-fluid_viscosity", 1e-3, "-check"]
         self.assert_found(self.findings(*thin), "water beside cloth", "warn", "-cloth_limits_advection")

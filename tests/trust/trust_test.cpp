@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "support/unit_grid.hpp"
+#include "washfsi/body/combinations.hpp"
 #include "washfsi/body/primitives.hpp"
 #include "washfsi/support/collective.hpp"
 #include "washfsi/trust/body_survey.hpp"
@@ -64,6 +65,32 @@ TEST(BodySurvey, SeesHowThinAPlateIs) {
       bodies[0].motion.angular_speed = turn;  // after a second
       EXPECT_NEAR(survey_bodies<3>(grid, bodies, 1)[0].thickness, 2, 0.25) << shift << " " << turn;
     }
+}
+
+// However it is turned; of thick parts nothing is said.
+TEST(BodySurvey, SeesHowNarrowAPlateIs) {
+  const Grid<3> grid = unit_grid<3>(32);
+  for (const double shift : {0.0, 0.3, 0.5})
+    for (const double turn : {0.0, 0.4}) {
+      std::vector<Body<3>> bodies;
+      bodies.push_back(body<3>("plate", std::make_unique<Cuboid<3>>(Point<3>(0.5, 6, 4) / 32),
+                               {0.5 + shift / 32, 0.5, 0.5 + shift / 32}));
+      bodies[0].motion.angular_speed = turn;  // after a second
+      EXPECT_NEAR(survey_bodies<3>(grid, bodies, 1)[0].sheet_width, 4, 0.5) << shift << " " << turn;
+      bodies[0].shape = std::make_unique<Cuboid<3>>(Point<3>(3, 6, 4) / 32);
+      EXPECT_EQ(survey_bodies<3>(grid, bodies, 1)[0].sheet_width, 8);
+    }
+}
+
+// A shell bends out of the plane that touches it, and has no edge.
+TEST(BodySurvey, SeesThatAShellHasNoEdge) {
+  const Grid<2> grid = unit_grid<2>(64);
+  std::vector<Body<2>> bodies;
+  std::vector<ShapePtr<2>> parts;
+  parts.push_back(std::make_unique<Sphere<2>>(0.4));
+  parts.push_back(std::make_unique<Inverted<2>>(std::make_unique<Sphere<2>>(0.4 - 0.6 / 64)));
+  bodies.push_back(body<2>("shell", std::make_unique<Intersection<2>>(std::move(parts)), {0.5, 0.5}));
+  EXPECT_GT(survey_bodies<2>(grid, bodies, 0)[0].sheet_width, 6);
 }
 
 TEST(BodySurvey, CountsWhatBodiesShare) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "washfsi/support/collective.hpp"
 
@@ -13,19 +14,41 @@ namespace {
 
 constexpr int bins_of_a_cell = 10;
 constexpr int bins = static_cast<int>(BodySurvey<2>::most_cells) * bins_of_a_cell;
+constexpr double bend = 0.5;  // of thin parts [cells]
 
-/// The surface of a body where it passes cells: how far it lies from its centre, and how thick the body is below it,
-/// the way along the normal to the other side, as counts of tenths of a cell.
+/// The surface of a body where it passes cells: how far it lies from its centre; how thick the body is below it, the
+/// way along the normal to the other side; and how wide its thin parts are, the way along them from edge to edge. Both
+/// as counts of tenths of a cell.
 template <int Dim>
 class Surface {
  public:
   Surface(const Grid<Dim>& grid, const PosedBodies<Dim>& posed, std::size_t body, const Point<Dim>& center)
-      : spacing_(grid.spacing()), posed_(posed), body_(body), center_(center), counts_(bins + 1, 0.0) {}
+      : spacing_(grid.spacing()),
+        posed_(posed),
+        body_(body),
+        center_(center),
+        thicknesses_(bins + 1, 0.0),
+        widths_(thicknesses_) {}
 
   void look(const Point<Dim>& place) {
+    if (normal_at(place).squaredNorm() > 0)
+      look_from(place);
+    else
+      look_from(place + 0.1 * spacing_);  // the middle of a thin part
+  }
+
+  // Of this rank's cells, from the vertical through the centre [m].
+  double reach() const { return reach_; }
+
+  // What a tenth of the surface, or of the thin parts, is below [cells].
+  double thinnest(MPI_Comm comm) const { return least_tenth(comm, thicknesses_, 0); }
+  double narrowest(MPI_Comm comm) const { return least_tenth(comm, widths_, BodySurvey<Dim>::most_cells); }
+
+ private:
+  void look_from(const Point<Dim>& place) {
     const double distance = posed_.distance(body_, place);
     const Point<Dim> normal = normal_at(place);
-    if (!normal.allFinite()) return;
+    if (!(normal.squaredNorm() > 0)) return;
     const double per_length = normal.cwiseQuotient(spacing_).norm();  // cells along the normal
     if (std::abs(distance) * per_length > 0.5) return;
     const Point<Dim> foot = place - distance * normal;
@@ -36,23 +59,61 @@ class Surface {
     int bin = 1;
     if (posed_.distance(body_, below(bin)) >= 0) return;  // an edge that the distance rounds off
     while (bin < bins && posed_.distance(body_, below(bin)) < 0) ++bin;
-    ++counts_[static_cast<std::size_t>(bin)];
+    ++thicknesses_[static_cast<std::size_t>(bin)];
+    if (bin > bins_of_a_cell * BodySurvey<Dim>::thin_cells) return;
+    const double width = width_at(foot - (0.5 * bin / (bins_of_a_cell * per_length)) * normal, normal);
+    ++widths_[static_cast<std::size_t>(std::lround(width * bins_of_a_cell))];
   }
 
-  // Of this rank's cells, from the vertical through the centre [m].
-  double reach() const { return reach_; }
-
-  // That which a tenth of the surface is thinner than [cells].
-  double thinnest(MPI_Comm comm) const {
-    const std::vector<double> counts = ordered_sum(comm, counts_);
+  static double least_tenth(MPI_Comm comm, const std::vector<double>& of_rank, double of_none) {
+    const std::vector<double> counts = ordered_sum(comm, of_rank);
     double all = 0, below = 0;
     for (const double count : counts) all += count;
+    if (all == 0) return of_none;
     std::size_t bin = 0;
     while (bin < bins && (below += counts[bin]) < 0.1 * all) ++bin;
     return static_cast<double>(bin) / bins_of_a_cell;
   }
 
- private:
+  // From edge to edge through a place in the middle of a thin part, towards the nearest edge [cells]. The part may bend
+  // by half a cell on the way.
+  double width_at(const Point<Dim>& middle, const Point<Dim>& normal) const {
+    constexpr double most = BodySurvey<Dim>::most_cells;
+    double to_edge = most, width = 2 * most;
+    for (const Point<Dim>& way : ways_along(normal)) {
+      const double there = steps_inside(middle, way), back = steps_inside(middle, -way);
+      if (std::min(there, back) >= to_edge) continue;
+      to_edge = std::min(there, back);
+      width = there + back;
+    }
+    return std::clamp(width - 2 * bend, 0.0, most);
+  }
+
+  // Unit vectors across the normal: one in the plane, eight in space.
+  static std::vector<Point<Dim>> ways_along(const Point<Dim>& normal) {
+    if constexpr (Dim == 2) {
+      return {Point<2>(-normal[1], normal[0])};
+    } else {
+      constexpr int count = 8;
+      const Point<3> one = normal.unitOrthogonal(), other = normal.cross(one);
+      std::vector<Point<3>> ways;
+      for (int n = 0; n < count; ++n) {
+        const double angle = n * std::numbers::pi / count;
+        ways.emplace_back(std::cos(angle) * one + std::sin(angle) * other);
+      }
+      return ways;
+    }
+  }
+
+  // How many cells from a place on the body ends, in tenths [cells].
+  double steps_inside(const Point<Dim>& from, const Point<Dim>& way) const {
+    const double step = 1 / (bins_of_a_cell * way.cwiseQuotient(spacing_).norm());  // [m]
+    const double margin = bend * bins_of_a_cell * step;
+    int steps = 0;
+    while (steps < bins && posed_.distance(body_, from + steps * step * way) < margin) ++steps;
+    return static_cast<double>(steps) / bins_of_a_cell;
+  }
+
   Point<Dim> normal_at(const Point<Dim>& place) const {
     return posed_.normal(body_, place, 0.01 * spacing_.minCoeff());
   }
@@ -61,7 +122,7 @@ class Surface {
   const PosedBodies<Dim>& posed_;
   std::size_t body_;
   Point<Dim> center_;
-  std::vector<double> counts_;
+  std::vector<double> thicknesses_, widths_;
   double reach_ = 0;
 };
 
@@ -89,6 +150,7 @@ BodySurvey<Dim> survey(const Grid<Dim>& grid, const PosedBodies<Dim>& posed, std
   });
   found.reach = surface.reach();
   found.thickness = surface.thinnest(grid.comm());
+  found.sheet_width = surface.narrowest(grid.comm());
   return found;
 }
 

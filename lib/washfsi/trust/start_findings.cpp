@@ -148,6 +148,15 @@ Finding thickness(const std::string& name, const BodySurvey<Dim>& survey, bool h
                   "its load depends on where its walls lie in their cells; more -grid_cells");
 }
 
+// The jets from narrower blades have two or three cells, which carry them as these happen to lie.
+template <int Dim>
+Finding width(const std::string& name, const BodySurvey<Dim>& survey) {
+  return at_least(name + " sheet width", survey.sheet_width, {6},
+                  format_text("%.2g cells from edge to edge", survey.sheet_width),
+                  "what fast water does to its thin parts depends on where they lie in their cells, by a quarter on "
+                  "four; more -grid_cells");
+}
+
 template <int Dim>
 void add_body(const Model<Dim>& model, std::size_t b, const std::vector<BodySurvey<Dim>>& surveys, Findings& findings) {
   const BodySurvey<Dim>& survey = surveys[b];
@@ -156,6 +165,7 @@ void add_body(const Model<Dim>& model, std::size_t b, const std::vector<BodySurv
   findings.push_back(presence<Dim>(model.bodies[b], survey, model.grid.cell_count(), markers));
   if (findings.back().verdict != Verdict::ok) return;
   findings.push_back(thickness(name, survey, markers > 0));
+  if (model.wall_law && !model.bodies[b].motion.at_rest()) findings.push_back(width(name, survey));
   for (std::size_t c = 0; c < b; ++c) {
     if (survey.shared[c] == 0) continue;
     const std::string& other = model.bodies[c].name;
