@@ -4,7 +4,7 @@
 Prints the tables of docs/verification/stirred_tank.md. Arguments: grids (cells a side, by default 48 64), or `places`: 48
 cells, the turbine shifted by a quarter and half a cell along z, by half a cell along x, turned by 15 and 30 degrees. Means are over the
 half turn from t = 0.1 to 0.2 s after an impulsive start. Or `water` and grids: at Re = 5e4, with an eddy viscosity and a law for friction;
-means are over the second turn.
+means are over the second turn. Or `heights` and grids: the same with the disc at several heights above a row of faces.
 """
 
 import subprocess
@@ -21,6 +21,7 @@ MOST_APART = 0.03          # of the mean power number, between places
 BAND = (3.5, 4.5)          # at Re = 100: Rushton, Costich and Everett
 WATER_BAND = (4.6, 6.0)    # at Re = 5e4; thin blades have more than thick ones
 MOST_APART_IN_WATER = 0.05
+HEIGHTS = (0, 0.25, 0.5, 0.75)  # of the disc above a row of faces [cells]
 WATER = ["-fluid_viscosity", 1e-3, "-turbulence", "vreman", "-wall_model", "equilibrium", "-time_cfl", 0.5, "-time_end", 0.4]
 
 
@@ -50,21 +51,30 @@ def power_number(cells, options, start=START):
     return torque.mean() * scale, torque.std() / torque.mean(), left / work, lost / work
 
 
-def water():
-    """Runs the turbine in water on some grids; prints its power numbers and returns whether they agree with the measured ones."""
-    print_record_head("cells", "Np, second turn", "torque's deviation", "energy open", "lost at moving walls")
+def at_height(part, cells):
+    """Returns the option that lays the disc this part of a cell above a row of faces, below its place."""
+    return ["-impeller_center", f"0,0,{(CLEARANCE * cells // HEIGHT + part) * HEIGHT / cells}"]
+
+
+def water(cases):
+    """Runs the turbine in water, cases being names, cells and options; prints its power numbers and returns whether they agree with
+    the measured ones and with each other."""
+    print_record_head("turbine", "cells", "Np, second turn", "torque's deviation", "energy open", "lost at moving walls")
     numbers = []
-    for cells in ARGUMENTS[1:] or ("64", "96"):
-        number, *parts = power_number(int(cells), WATER, start=0.2)
+    for name, cells, options in cases:
+        number, *parts = power_number(cells, [*WATER, *options], start=0.2)
         numbers.append(number)
-        print_record(f"{cells}³", f"{number:.2f}", *(f"{100 * part:.1f} %" for part in parts), arguments=ARGUMENTS)
+        print_record(name, f"{cells}³", f"{number:.2f}", *(f"{100 * part:.1f} %" for part in parts), arguments=ARGUMENTS)
     apart = max(numbers) / min(numbers) - 1
     return WATER_BAND[0] <= min(numbers) and max(numbers) <= WATER_BAND[1] and apart < MOST_APART_IN_WATER
 
 
 def main():
     if ARGUMENTS[:1] == ["water"]:
-        return 0 if water() else 1
+        return 0 if water([("as it is", int(cells), []) for cells in ARGUMENTS[1:] or (64, 96)]) else 1
+    if ARGUMENTS[:1] == ["heights"]:
+        return 0 if water([(f"{part} cells above a row", int(cells), at_height(part, int(cells)))
+                           for cells in ARGUMENTS[1:] or (64,) for part in HEIGHTS]) else 1
     places = ARGUMENTS == ["places"]
     cases = [(name, COARSE, options) for name, options in PLACES.items()] if places else [
         ("as it is", int(cells), []) for cells in ARGUMENTS or (48, 64)]
