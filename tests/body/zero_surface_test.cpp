@@ -66,6 +66,20 @@ TEST(ZeroSurface, HasNoHoles) {
   for (const auto& [edge, count] : passes) EXPECT_EQ(count, 1001);
 }
 
+// Of a plate that is thinner than a cell, however it lies: between the nodes that thick bodies need it would slip.
+TEST(ZeroSurface, OfAThinPlateIsWhole) {
+  const Cuboid<3> plate({0.5, 0.3 / 24, 0.2});
+  const Point<3> center(0.513, 0.472, 0.391);
+  for (const double angle : {0.0, 0.4, 1.0}) {
+    const auto pose = Pose<3>::at(center, angle);
+    const auto mesh = zero_surface<3>(unit_grid<3>(24),
+                                      [&](const Point<3>& place) { return plate.distance(pose.in_body_frame(place)); });
+    const auto [area, volume] = area_and_volume(mesh, center);
+    EXPECT_NEAR(area, 2 * (0.1 + 0.7 * 0.3 / 24), 0.06 * area) << angle;
+    EXPECT_NEAR(volume, 0.1 * 0.3 / 24, 0.2 * volume) << angle;
+  }
+}
+
 TEST(ZeroSurface, OfACircleIsItsLine) {
   const Point<2> center(0.45, 0.52);
   const SimplexMesh<2> mesh = ball<2>(32, 0.3, center);

@@ -156,6 +156,20 @@ class Contents(ProgramTest):
         self.assertLess(abs(area / (2 * np.pi * (high - low)) - 1), 0.01)
         self.assertLess(np.abs(np.hypot(points[:, 0], points[:, 1]) - 1).max(), 0.02)
 
+    def test_light_surfaces_keep_the_two_faces_of_a_sheet_apart(self):
+        x, y = (grid.ravel() for grid in np.meshgrid(np.linspace(0, 1, 100), np.linspace(0, 1, 100)))
+        i, j = (grid.ravel() for grid in np.meshgrid(np.arange(99), np.arange(99)))
+        corners = [j * 100 + i, j * 100 + i + 1, (j + 1) * 100 + i, (j + 1) * 100 + i + 1]
+        facets = np.concatenate([np.column_stack(corners[:3]), np.column_stack([corners[1], corners[3], corners[2]])])
+        faces = [np.column_stack([x, y, np.full_like(x, height)]) for height in (0, 0.001)]
+        points, light = light_surface(np.concatenate(faces), np.concatenate([facets[:, ::-1], facets + len(x)]), 5000)
+        self.assertTrue(1000 < len(light) <= 5000)
+        sides = points[light[:, 1:]] - points[light[:, :1]]
+        upwards = np.cross(sides[:, 0], sides[:, 1])[:, 2]
+        on_top = points[light][:, :, 2].mean(axis=1) > 0.0005
+        self.assertTrue((upwards[on_top] > 0).all() and (upwards[~on_top] < 0).all())
+        self.assertEqual(sorted(set(np.round(points[:, 2], 9))), [0, 0.001])
+
     def test_flow_of_any_grid_is_thinned_to_fit(self):
         for cells, room in (((33, 33, 33), 1e7), ((256, 64, 256), 2e6), ((208, 208, 10), 1e6), ((512, 512), 1e6), ((2000, 3, 3), 100)):
             coarser, apart = thinned(cells, 40, 3, room)

@@ -12,28 +12,32 @@ namespace washfsi {
 
 namespace {
 
-constexpr PetscInt nodes_a_cell = 2;
+constexpr PetscInt fewest_nodes = 2, most_nodes = 16;  // of a cell along each axis
 
 /// Marches through cells and collects what it finds.
 template <int Dim>
 class Marcher {
  public:
   Marcher(const Grid<Dim>& grid, const std::function<double(const Point<Dim>&)>& distance)
-      : grid_(grid), spacing_(grid.spacing() / nodes_a_cell), distance_(distance) {}
+      : grid_(grid), spacing_(grid.spacing() / most_nodes), distance_(distance) {}
 
-  void march(const Index<Dim>& cell) {
+  void march(const Index<Dim>& cell, PetscInt nodes_a_cell) {
+    step_ = most_nodes / nodes_a_cell;
     Box<Dim> parts;
     for (int d = 0; d < Dim; ++d) {
       parts.lower[d] = nodes_a_cell * cell[d];
       parts.upper[d] = nodes_a_cell * (cell[d] + 1);
     }
-    for_each<Dim>(parts, [&](const Index<Dim>& corner) { march_cube(corner); });
+    for_each<Dim>(parts, [&](Node corner) {
+      for (auto& number : corner) number *= step_;
+      march_cube(corner);
+    });
   }
 
   SimplexMesh<Dim> mesh;
 
  private:
-  using Node = Index<Dim>;
+  using Node = Index<Dim>;  ///< of the finest lattice
   using Corners = std::array<Node, Dim + 1>;
 
   Point<Dim> place(const Node& node) const {
@@ -56,7 +60,7 @@ class Marcher {
       Corners corners{corner};
       for (int step = 0; step < Dim; ++step) {
         corners[step + 1] = corners[step];
-        ++corners[step + 1][order[step]];
+        corners[step + 1][order[step]] += step_;
       }
       march_simplex(corners);
     } while (std::next_permutation(order.begin(), order.end()));
@@ -102,6 +106,7 @@ class Marcher {
 
   const Grid<Dim>& grid_;
   Point<Dim> spacing_;
+  PetscInt step_ = 1;  ///< between the nodes of the cell under way
   const std::function<double(const Point<Dim>&)>& distance_;
   std::map<Node, double> values_;
   std::map<std::pair<Node, Node>, std::size_t> cuts_;
@@ -121,7 +126,39 @@ std::vector<long long> gathered(MPI_Comm comm, const std::vector<long long>& min
   return all;
 }
 
-// The cells of the box in which a surface may lie, x fastest, by their numbers; on rank 0.
+// How many nodes a cell wants for none of what is thin to slip between them: so many that the way through the body from
+// the surface nearest to a place is longer than their spacing.
+template <int Dim>
+PetscInt nodes_wanted(const Point<Dim>& place, const Point<Dim>& spacing,
+                      const std::function<double(const Point<Dim>&)>& distance) {
+  const double step = 0.01 * spacing.minCoeff(), here = distance(place);
+  Point<Dim> normal;
+  for (int d = 0; d < Dim; ++d)
+    normal[d] = distance(place + step * Point<Dim>::Unit(d)) - distance(place - step * Point<Dim>::Unit(d));
+  if (normal.isZero(0)) return fewest_nodes;
+  normal.normalize();
+  const double cell = 1 / normal.cwiseQuotient(spacing).norm();  // along the normal [m]
+  if (std::abs(here) > 0.5 * cell) return fewest_nodes;
+  PetscInt nodes = fewest_nodes;
+  while (nodes < most_nodes && distance(place - (here + cell / static_cast<double>(nodes)) * normal) >= 0) nodes *= 2;
+  return nodes;
+}
+
+// As its parts want it.
+template <int Dim>
+PetscInt nodes_in(const Grid<Dim>& grid, const Index<Dim>& cell,
+                  const std::function<double(const Point<Dim>&)>& distance) {
+  PetscInt nodes = fewest_nodes;
+  for (unsigned part = 0; part < 1U << Dim; ++part) {
+    Point<Dim> place = grid.cell_center(cell);
+    for (int d = 0; d < Dim; ++d) place[d] += ((part >> d & 1U) != 0 ? 0.26 : -0.24) * grid.spacing()[d];
+    nodes = std::max(nodes, nodes_wanted<Dim>(place, grid.spacing(), distance));
+  }
+  return nodes;
+}
+
+// The cells of the box in which a surface may lie, x fastest, by their numbers, and how many nodes each wants: the
+// number times more than the most of them, and this. On rank 0.
 template <int Dim>
 std::vector<long long> cells_of_surface(const Grid<Dim>& grid,
                                         const std::function<double(const Point<Dim>&)>& distance) {
@@ -131,7 +168,7 @@ std::vector<long long> cells_of_surface(const Grid<Dim>& grid,
     if (std::abs(distance(grid.cell_center(cell))) > reach) return;
     long long number = 0;
     for (int d = Dim; d-- > 0;) number = number * grid.cells()[d] + cell[d];
-    numbers.push_back(number);
+    numbers.push_back(number * (most_nodes + 1) + nodes_in<Dim>(grid, cell, distance));
   });
   return gathered(grid.comm(), numbers);
 }
@@ -142,12 +179,14 @@ template <int Dim>
 SimplexMesh<Dim> zero_surface(const Grid<Dim>& grid, const std::function<double(const Point<Dim>&)>& distance) {
   Marcher<Dim> marcher(grid, distance);
   for (long long number : cells_of_surface(grid, distance)) {
+    const PetscInt nodes = static_cast<PetscInt>(number % (most_nodes + 1));
+    number /= most_nodes + 1;
     Index<Dim> cell;
     for (int d = 0; d < Dim; ++d) {
       cell[d] = static_cast<PetscInt>(number % grid.cells()[d]);
       number /= grid.cells()[d];
     }
-    marcher.march(cell);
+    marcher.march(cell, nodes);
   }
   return std::move(marcher.mesh);
 }
