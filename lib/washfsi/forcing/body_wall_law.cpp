@@ -109,7 +109,7 @@ Points<Dim> BodyWallLaw<Dim>::speeds_along(Vec local_velocity, double distance, 
   Points<Dim> velocities = transfer.sample(local_velocity, offsets);
   for (std::size_t p = 0; p < points_.size(); ++p) {
     const Point<Dim> place = places_[p] + (distance - acting_place) * points_[p].along * normals_[p];
-    velocities[p] -= bodies_[points_[p].body].motion.velocity(place, time_);
+    velocities[p] -= motions_[points_[p].body].velocity_at(place);
     velocities[p] -= velocities[p].dot(normals_[p]) * normals_[p];
   }
   return turned(std::move(velocities), false);
@@ -126,6 +126,7 @@ template <int Dim>
 void BodyWallLaw<Dim>::observe(const StepFlow& flow, const PureLiquid& liquid) {
   const petsc::LogPart part("viscosity");
   time_ = flow.time;
+  motions_ = motions_at(bodies_, time_);
   place();
   fluid_share_ = flow.fluid_share;
   const GhostedVelocity<Dim> local(boundary_, grid_.wide_face_dm(), flow.velocity, flow.time);
@@ -232,7 +233,7 @@ Loads<Dim> BodyWallLaw<Dim>::loads_here() const {
   if (!observes_) return loads;
   for (std::size_t p = 0; p < points_.size(); ++p) {
     const std::size_t b = points_[p].body;
-    loads[b].add(places_[p] - bodies_[b].motion.center_at(time_), -forces_[p]);
+    loads[b].add(places_[p] - motions_[b].center, -forces_[p]);
   }
   return loads;
 }
@@ -246,11 +247,10 @@ double BodyWallLaw<Dim>::dissipation(Vec velocity_before, Vec velocity, double t
   WASH_PETSC(VecZeroEntries(sides));
   boundary_.fill(sides, middle);
   const Points<Dim> of_sides = transfer_.interpolate_from_sides(sides);
+  const auto motions = motions_at(bodies_, middle);
   double lost = 0;
-  for (std::size_t p = 0; p < points_.size(); ++p) {
-    const RigidMotion<Dim>& motion = bodies_[points_[p].body].motion;
-    lost += forces_[p].dot(motion.velocity(places_[p], middle) - of_sides[p]);
-  }
+  for (std::size_t p = 0; p < points_.size(); ++p)
+    lost += forces_[p].dot(motions[points_[p].body].velocity_at(places_[p]) - of_sides[p]);
   const ConstFaceView<Dim> f(grid_.face_dm(), friction_), before(grid_.face_dm(), velocity_before),
       now(grid_.face_dm(), velocity);
   double given = 0;

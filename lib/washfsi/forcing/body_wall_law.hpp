@@ -99,9 +99,10 @@ class BodyWallLaw : public WallViscosity {
   double turbulent_ = 0;            ///< part of the points at which the law holds
   double inner_viscosity_ = 0;      ///< [Pa s]
   double time_ = 0;                 ///< of `observe` [s]
-  Vec fluid_share_ = nullptr;       ///< of the flow seen last
-  bool begun_ = false;              ///< what is kept holds an earlier flow
-  bool observes_ = false;           ///< this run has seen one
+  std::vector<typename RigidMotion<Dim>::State> motions_;  ///< of the bodies then
+  Vec fluid_share_ = nullptr;                              ///< of the flow seen last
+  bool begun_ = false;                                     ///< what is kept holds an earlier flow
+  bool observes_ = false;                                  ///< this run has seen one
 };
 
 extern template class BodyWallLaw<2>;
