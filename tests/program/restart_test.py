@@ -131,6 +131,22 @@ class RestartOfSheets(ProgramTest):
         history = self.assert_restart_agrees("-wall_model", "equilibrium", "-fluid_viscosity", 5e-3, *body)
         self.assertGreater(history["ball_y_plus_max"][-1], 3)
 
+    def test_models_and_bodies_may_come_and_go_at_a_restart(self):
+        case = ["-options_file", SHEET, *TIGHT, "-fluid_viscosity", 5e-3]
+        ball = ["-bodies", "ball", "-ball_shape", "sphere", "-ball_radius", 0.03, "-ball_center", "0.1,0,0.1",
+                "-ball_angular_speed", 10, "-body_method", "direct_forcing"]
+        models = ["-turbulence", "vreman", "-wall_model", "equilibrium"]
+        before, columns = None, {}
+        for name, end, options in (("laminar", 0.05, []), ("turbulent", 0.1, models), ("with_ball", 0.15, [*models, *ball]),
+                                   ("again", 0.2, [])):
+            restart = ["-restart", f"{before}/checkpoint.h5"] if before else []
+            self.run_well(2, *case, *options, "-time_end", end, "-output_dir", name, *restart)
+            columns[name] = read_columns(self.folder / name / "history.csv")
+            before = name
+        self.assertGreater(columns["turbulent"]["eddy_viscosity_max"][-1], 0)
+        self.assertGreater(columns["with_ball"]["ball_y_plus_max"][-1], 0)
+        self.assertNotIn("eddy_viscosity_max", columns["again"])
+
     def test_restart_agrees_where_steps_have_a_longest_length_too(self):
         longest, courant = 0.008, 0.145
         history = self.assert_restart_agrees("-time_step", longest, "-time_cfl", courant)

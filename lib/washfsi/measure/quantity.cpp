@@ -9,7 +9,7 @@ void QuantityList::add(Quantity quantity, std::vector<CycleFigure> of_cycle) {
   taken_.push_back(0.0);
   double& largest = largest_.emplace_back(0.0);
   if (quantity.accumulation != Accumulation::none)
-    keep("largest_" + (quantity.name.empty() ? quantity.summary : quantity.name), {&largest, 1});
+    keep("largest_" + (quantity.name.empty() ? quantity.summary : quantity.name), {&largest, 1}, IfOthers::begin_anew);
   quantities_.push_back(std::move(quantity));
   of_cycle_.push_back(std::move(of_cycle));
 }
