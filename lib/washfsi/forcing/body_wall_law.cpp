@@ -43,7 +43,6 @@ BodyWallLaw<Dim>::BodyWallLaw(const Grid<Dim>& grid, const Boundary<Dim>& bounda
       boundary_(boundary),
       bodies_(bodies),
       transfer_(grid, boundary, delta),
-      probes_(grid, boundary, delta),
       inner_(grid, boundary, delta),
       friction_(grid.face_vector()) {
   const auto all = wall_points<Dim>(bodies, markers, grid.spacing(), matching_place);
@@ -81,35 +80,32 @@ void BodyWallLaw<Dim>::place() {
   normals_.clear();
   acts_.clear();
   covers_.clear();
-  Points<Dim> inner, probes;
+  Points<Dim> inner;
   for (const WallPoint<Dim>& point : points_) {
     const Point<Dim> foot = posed.in_space(point.body, point.foot);
     normals_.push_back(posed.in_space(point.body, point.foot + point.normal) - foot);
     const Point<Dim> step = point.along * normals_.back(), acting = foot + acting_place * step;
     acts_.push_back(grid_.contains(acting) && is_free(posed, point, foot + matching_place * step));
     places_.push_back(acts_.back() ? acting : anywhere);
-    probes.push_back(acts_.back() ? Point<Dim>(foot + matching_place * step) : anywhere);
     inner.push_back(foot + inner_place * step);
     covers_.push_back(point.is_thick && grid_.contains(inner.back()) ? point.area * point.along : 0);
     if (covers_.back() == 0) inner.back() = anywhere;
   }
   transfer_.locate(places_);
-  probes_.locate(probes);
   inner_.locate(inner);
 }
 
-// Relative to the bodies, along the walls and in the bodies' frames; so many cells before them, of which `found` are
-// the places where the transfer has been located.
+// Relative to the bodies, along the walls and in the bodies' frames; so many cells before them.
 template <int Dim>
-Points<Dim> BodyWallLaw<Dim>::speeds_along(Vec local_velocity, double distance, const Transfer<Dim>& transfer,
-                                           double found) const {
+Points<Dim> BodyWallLaw<Dim>::speeds_along(Vec local_velocity, double distance) const {
+  static_assert(acting_place <= Transfer<Dim>::sample_reach &&
+                matching_place - acting_place <= Transfer<Dim>::sample_reach);
   Points<Dim> offsets;
   for (std::size_t p = 0; p < points_.size(); ++p)
-    offsets.push_back((distance - found) * points_[p].along * normals_[p]);
-  Points<Dim> velocities = transfer.sample(local_velocity, offsets);
+    offsets.push_back((distance - acting_place) * points_[p].along * normals_[p]);
+  Points<Dim> velocities = transfer_.sample(local_velocity, offsets);
   for (std::size_t p = 0; p < points_.size(); ++p) {
-    const Point<Dim> place = places_[p] + (distance - acting_place) * points_[p].along * normals_[p];
-    velocities[p] -= motions_[points_[p].body].velocity_at(place);
+    velocities[p] -= motions_[points_[p].body].velocity_at(places_[p] + offsets[p]);
     velocities[p] -= velocities[p].dot(normals_[p]) * normals_[p];
   }
   return turned(std::move(velocities), false);
@@ -130,8 +126,7 @@ void BodyWallLaw<Dim>::observe(const StepFlow& flow, const PureLiquid& liquid) {
   place();
   fluid_share_ = flow.fluid_share;
   const GhostedVelocity<Dim> local(boundary_, grid_.wide_face_dm(), flow.velocity, flow.time);
-  const Points<Dim> at_near = speeds_along(local, 0, transfer_, acting_place),
-                    at_far = speeds_along(local, matching_place, probes_, matching_place);
+  const Points<Dim> at_near = speeds_along(local, 0), at_far = speeds_along(local, matching_place);
   const double nu = liquid.viscosity / liquid.density;
   for (std::size_t p = 0; p < points_.size(); ++p) {
     y_plus_[p] = 0;

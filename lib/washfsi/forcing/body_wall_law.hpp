@@ -74,7 +74,7 @@ class BodyWallLaw : public WallViscosity {
  private:
   void place();
   bool is_free(const PosedBodies<Dim>& posed, const WallPoint<Dim>& point, const Point<Dim>& place) const;
-  Points<Dim> speeds_along(Vec local_velocity, double distance, const Transfer<Dim>& transfer, double found) const;
+  Points<Dim> speeds_along(Vec local_velocity, double distance) const;
   Points<Dim> turned(Points<Dim> values, bool into_space) const;
   void filter(std::size_t point, const Point<Dim>& near, const Point<Dim>& far, double dt);
   void rub(std::size_t point, const PureLiquid& liquid);
@@ -86,14 +86,14 @@ class BodyWallLaw : public WallViscosity {
   std::vector<WallPoint<Dim>> points_;  ///< of this rank
   std::size_t count_, begin_;
   Points<Dim> patch_normals_;
-  Transfer<Dim> transfer_, probes_, inner_;  ///< round y = 3/2; at y = 3; behind the walls
-  Points<Dim> places_, normals_;             ///< of the points now: y = 3/2; out of the surface
-  std::vector<char> acts_;                   ///< false where something is too near
-  Points<Dim> forces_, slips_;               ///< F [N], and what the inner water slides by
-  petsc::Vector friction_;                   ///< the density of F on faces [N/m3]
-  std::vector<double> covers_;               ///< what each point covers of the inner water; 0 beyond the box
-  std::vector<double> y_plus_;               ///< of the matching place
-  Points<Dim> kept_;                         ///< of each point: u(3), u(0)
+  Transfer<Dim> transfer_, inner_;  ///< round y = 3/2; behind the walls
+  Points<Dim> places_, normals_;    ///< of the points now: y = 3/2; out of the surface
+  std::vector<char> acts_;          ///< false where something is too near
+  Points<Dim> forces_, slips_;      ///< F [N], and what the inner water slides by
+  petsc::Vector friction_;          ///< the density of F on faces [N/m3]
+  std::vector<double> covers_;      ///< what each point covers of the inner water; 0 beyond the box
+  std::vector<double> y_plus_;      ///< of the matching place
+  Points<Dim> kept_;                ///< of each point: u(3), u(0)
   std::vector<PatchSlide> patch_slides_;
   std::vector<std::size_t> faces_;  ///< of this rank's points: twice the patch, and 1 more on a sheet's other face
   double turbulent_ = 0;            ///< part of the points at which the law holds
