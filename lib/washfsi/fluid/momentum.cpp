@@ -77,10 +77,12 @@ void MomentumSolver<Dim>::find_diagonal() {
   WASH_PETSC(VecSet(diagonal_, 1.0));  // boundary faces: identity rows
   const FaceView<Dim> diagonal(grid_.face_dm(), diagonal_);
   const ConstFaceView<Dim> rho(grid_.face_dm(), liquid_.density);
+  const Spacing<Dim> h(grid_.spacing());
   with_viscosity<Dim>(grid_, liquid_.viscosity, [&](const auto& viscosity) {
     const double half_impulse = 0.5 * viscosity.scale * dt_;
     grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
-      diagonal(face, c) = 1 + half_impulse / rho(face, c) * viscous_diagonal<Dim>(grid_, boundary_, viscosity, face, c);
+      const double part = viscous_diagonal<Dim>(grid_, boundary_, viscosity, h, face, c);
+      diagonal(face, c) = 1 + half_impulse / rho(face, c) * part;
     });
     visit_cuts(viscosity, [&](const CutFace<Dim>& cut, double weight) {
       diagonal(cut.face, cut.component) += weight * (2 / (cut.lower.length * cut.upper.length) - 2);

@@ -101,16 +101,15 @@ void with_viscosity(const Grid<Dim>& grid, const Viscosity& viscosity, Use&& use
 /// Minus the diagonal of the force on a c-face over `scale`, with the reflections at walls and slip sides folded in.
 template <int Dim, class Form>
 [[gnu::always_inline]] inline double viscous_diagonal(const Grid<Dim>& grid, const Boundary<Dim>& boundary,
-                                                      const Form& viscosity, const Index<Dim>& face, int c) {
+                                                      const Form& viscosity, const Spacing<Dim>& h,
+                                                      const Index<Dim>& face, int c) {
   double sum = 0;
 #pragma GCC unroll 3
   for (int d = 0; d < Dim; ++d) {
     double below = 1, above = 1;  // beyond a wall 2, beyond a slip side 0
-    if (d != c && !grid.periodic(d)) {
-      if (face[d] == 0) below -= boundary.mirror_sign(d, End::lower, c);
-      if (face[d] == grid.cells()[d] - 1) above -= boundary.mirror_sign(d, End::upper, c);
-    }
-    sum += viscosity.diagonal_part(face, c, d, below, above) / (grid.spacing()[d] * grid.spacing()[d]);
+    if (d != c && face[d] == 0 && !grid.periodic(d)) below -= boundary.mirror_sign(d, End::lower, c);
+    if (d != c && face[d] == grid.cells()[d] - 1 && !grid.periodic(d)) above -= boundary.mirror_sign(d, End::upper, c);
+    sum += viscosity.diagonal_part(face, c, d, below, above) * h.inverse_square[d];
   }
   return sum;
 }
