@@ -27,7 +27,7 @@ typename SideCover<Dim>::Cover cover_at(double time) {
     return {own, place[0] > 0.8 ? 1.0 : 0.0};
   };
   const auto by_all = [=](const Point<Dim>& place, const Point<Dim>& own) -> Covered<Dim> {
-    const Covered<Dim> resting = by_resting(place, own);
+    Covered<Dim> resting = by_resting(place, own);
     const double share = share_of_ball<Dim>(to_ball(place));
     if (share <= resting.share) return resting;
     return {(1 - share) * own + share * speed, share};
