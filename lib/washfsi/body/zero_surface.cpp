@@ -132,6 +132,7 @@ template <int Dim>
 PetscInt nodes_wanted(const Point<Dim>& place, const Point<Dim>& spacing,
                       const std::function<double(const Point<Dim>&)>& distance) {
   const double step = 0.01 * spacing.minCoeff(), here = distance(place);
+  if (std::abs(here) > 0.5 * spacing.maxCoeff()) return fewest_nodes;
   Point<Dim> normal;
   for (int d = 0; d < Dim; ++d)
     normal[d] = distance(place + step * Point<Dim>::Unit(d)) - distance(place - step * Point<Dim>::Unit(d));

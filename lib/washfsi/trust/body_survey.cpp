@@ -31,10 +31,9 @@ class Surface {
         widths_(thicknesses_) {}
 
   void look(const Point<Dim>& place) {
-    if (normal_at(place).squaredNorm() > 0)
-      look_from(place);
-    else
-      look_from(place + 0.1 * spacing_);  // the middle of a thin part
+    if (const Point<Dim> normal = normal_at(place); normal.squaredNorm() > 0) return look_from(place, normal);
+    const Point<Dim> aside = place + 0.1 * spacing_;  // from the middle of a thin part
+    if (const Point<Dim> normal = normal_at(aside); normal.squaredNorm() > 0) look_from(aside, normal);
   }
 
   // Of this rank's cells, from the vertical through the centre [m].
@@ -45,10 +44,8 @@ class Surface {
   double narrowest(MPI_Comm comm) const { return least_tenth(comm, widths_, BodySurvey<Dim>::most_cells); }
 
  private:
-  void look_from(const Point<Dim>& place) {
+  void look_from(const Point<Dim>& place, const Point<Dim>& normal) {
     const double distance = posed_.distance(body_, place);
-    const Point<Dim> normal = normal_at(place);
-    if (!(normal.squaredNorm() > 0)) return;
     const double per_length = normal.cwiseQuotient(spacing_).norm();  // cells along the normal
     if (std::abs(distance) * per_length > 0.5) return;
     const Point<Dim> foot = place - distance * normal;

@@ -22,11 +22,11 @@ def faces_away(vertices, facets):
     return normals @ ANYWHERE < 0
 
 
-def coarse(vertices, facets, size):
-    """Returns a surface whose vertices within each box of a size are one, in their middle, if they face the same way: the two
-    faces of what is thin stay apart. Facets that have shrunk are left out."""
+def coarse(vertices, facets, away, size):
+    """Returns a surface whose vertices within each box of a size are one, in their middle, if they face the same way (`away`): the
+    two faces of what is thin stay apart. Facets that have shrunk are left out."""
     boxes = np.floor((vertices - vertices.min(axis=0)) / size).astype(np.int64)
-    _, which = np.unique(np.column_stack([boxes, faces_away(vertices, facets)]), axis=0, return_inverse=True)
+    _, which = np.unique(np.column_stack([boxes, away]), axis=0, return_inverse=True)
     which = which.ravel()
     counts = np.bincount(which)
     merged = np.column_stack([np.bincount(which, column) / counts for column in vertices.T])
@@ -37,11 +37,14 @@ def coarse(vertices, facets, size):
 
 def light_surface(vertices, facets, most=MOST_FACETS):
     """Returns a surface of at most so many facets."""
-    light, size = (vertices, facets), 0.0
+    if len(facets) <= most:
+        return vertices, facets
+    away = faces_away(vertices, facets)
+    size = float(np.median(np.linalg.norm(vertices[facets[:, 0]] - vertices[facets[:, 1]], axis=1)))
+    light = coarse(vertices, facets, away, size)
     while len(light[1]) > most:
-        edges = vertices[facets[:, 0]] - vertices[facets[:, 1]]
-        size = COARSER * size or float(np.median(np.linalg.norm(edges, axis=1)))
-        light = coarse(vertices, facets, size)
+        size *= COARSER
+        light = coarse(vertices, facets, away, size)
     return light
 
 
