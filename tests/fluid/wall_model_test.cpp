@@ -72,7 +72,7 @@ struct ChannelWater {
   void visit_friction(Visit&& visit) {
     const GhostedVelocity<Dim> local = water.ghosted(grid.face_dm());
     const ConstFaceView<Dim> u(grid.face_dm(), local);
-    const CellViscosity<Dim> mu(grid, water.liquid.viscosity().in_cells);
+    const CellViscosity<Dim> mu(grid, water.liquid.viscosity());
     const int axis = channel.axis;
     for (const int out : {-1, 1})
       for_each<Dim>(grid.cells_beside(axis, out > 0 ? End::upper : End::lower), [&](const Index<Dim>& cell) {

@@ -51,18 +51,22 @@ class ViscousStress {
     return velocity;
   }
 
-  Viscosity viscosity(const petsc::LocalVector& cells) const {
-    boundary.fill_cells(cells);
-    return {0, cells};
+  ViscosityField<Dim> viscosity() const {
+    ViscosityField<Dim> field(grid);
+    WASH_PETSC(DMGlobalToLocal(grid.cell_dm(), mu, INSERT_VALUES, field.in_cells()));
+    boundary.fill_cells(field.in_cells());
+    field.find_edges();
+    return field;
   }
 
   // v . div tau(u)
   double work(Vec u_global, Vec v_global) const {
-    const petsc::LocalVector local(grid.face_dm(), u_global), cells(grid.cell_dm(), mu);
+    const petsc::LocalVector local(grid.face_dm(), u_global);
     boundary.fill_homogeneous(local);
     const ConstFaceView<Dim> u(grid.face_dm(), local), v(grid.face_dm(), v_global);
+    const ViscosityField<Dim> field = viscosity();
     double sum = 0;
-    with_viscosity<Dim>(grid, viscosity(cells), [&](const auto& form) {
+    with_viscosity<Dim>(grid, field.viscosity(), [&](const auto& form) {
       grid.for_each_inner_face(
           [&](const Index<Dim>& face, auto c) { sum += form.scale * v(face, c) * form.force(u, face, c); });
     });
@@ -130,8 +134,7 @@ TEST(ViscousStress, OfAnEvenViscosityIsTheLaplacianOfADivergenceFreeFlow) {
     for (auto& side : axis) side.kind = BoundaryKind::periodic;
   const Grid<2> grid(PETSC_COMM_WORLD, shape);
   const Boundary<2> boundary(grid, sides);
-  const petsc::Vector velocity = grid.face_vector(), cells = grid.cell_vector();
-  WASH_PETSC(VecSet(cells, 0.3));
+  const petsc::Vector velocity = grid.face_vector();
   {
     const FaceView<2> u(grid.face_dm(), velocity);
     const auto stream = [](PetscInt i, PetscInt j) { return noise<2>({(i + 12) % 12, (j + 16) % 16}, 0, 5); };
@@ -140,9 +143,12 @@ TEST(ViscousStress, OfAnEvenViscosityIsTheLaplacianOfADivergenceFreeFlow) {
       u(cell, 1) = -(stream(cell[0] + 1, cell[1]) - stream(cell[0], cell[1])) / grid.spacing()[0];
     });
   }
-  const petsc::LocalVector local(grid.face_dm(), velocity), mu(grid.cell_dm(), cells);
+  const petsc::LocalVector local(grid.face_dm(), velocity);
+  ViscosityField<2> mu(grid);
+  WASH_PETSC(VecSet(mu.in_cells(), 0.3));
+  mu.find_edges();
   const ConstFaceView<2> u(grid.face_dm(), local);
-  const CellViscosity<2> uneven(grid, mu);
+  const CellViscosity<2> uneven(grid, mu.viscosity());
   const UniformViscosity<2> even(grid, 0.3);
   grid.for_each_inner_face([&](const Index<2>& face, auto c) {
     EXPECT_NEAR(uneven.force(u, face, c), even.scale * even.force(u, face, c), 1e-11 * 16 * 16 * 16);

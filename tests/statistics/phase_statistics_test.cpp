@@ -175,10 +175,11 @@ TEST(PhaseStatistics, ShearAndStretchingDissipate) {
 TEST(PhaseStatistics, ModelsDissipateByTheirPart) {
   constexpr double shear = 2, added = 0.4;
   Machine machine;
-  petsc::LocalVector viscosity(machine.grid().cell_dm());
-  WASH_PETSC(VecSet(viscosity, Machine::viscosity + added));
+  ViscosityField<3> viscosity(machine.grid());
+  WASH_PETSC(VecSet(viscosity.in_cells(), Machine::viscosity + added));
+  viscosity.find_edges();
   LiquidMoment flow = machine.set([](const Point<3>& x) { return Point<3>(shear * x[1], 0, 0); });
-  flow.viscosity.in_cells = viscosity;
+  flow.viscosity = viscosity.viscosity();
   PhaseStatistics phases(machine.grid(), machine.options());
   after_one_sample(phases, flow);
   for_each_ring(phases, 0, [&](const RingMeans& ring, double) {

@@ -18,9 +18,10 @@ Liquid<Dim>::Liquid(const Grid<Dim>& grid, const Boundary<Dim>& boundary, double
   if (models_.empty() && !walls_) return;
   global_viscosity_ = grid.cell_vector();
   WASH_PETSC(VecSet(global_viscosity_, viscosity));
-  WASH_PETSC(DMCreateLocalVector(grid.cell_dm(), local_viscosity_.put()));
-  WASH_PETSC(VecSet(local_viscosity_, viscosity));
-  viscosity_.in_cells = local_viscosity_;
+  varying_.emplace(grid);
+  WASH_PETSC(VecSet(varying_->in_cells(), viscosity));
+  varying_->find_edges();
+  viscosity_ = varying_->viscosity();
 }
 
 template <int Dim>
@@ -30,7 +31,7 @@ void Liquid<Dim>::reset_density() {
 
 template <int Dim>
 void Liquid<Dim>::update_viscosity(const StepFlow& flow, WallViscosity* bodies) {
-  if (!viscosity_.in_cells) return;
+  if (!varying_) return;
   const petsc::LogPart part("viscosity");
   const bool is_new = walls_time_ != flow.time;
   walls_time_ = flow.time;
@@ -42,11 +43,13 @@ void Liquid<Dim>::update_viscosity(const StepFlow& flow, WallViscosity* bodies) 
     if (is_new) bodies->observe(flow, pure());
     bodies->replace(all);
   }
-  WASH_PETSC(DMGlobalToLocal(grid_.cell_dm(), all, INSERT_VALUES, local_viscosity_));
-  boundary_.fill_cells(local_viscosity_);
-  if (!walls_) return;
-  if (is_new) let_walls_follow(flow, share);
-  walls_->set_ghosts(local_viscosity_);
+  WASH_PETSC(DMGlobalToLocal(grid_.cell_dm(), all, INSERT_VALUES, varying_->in_cells()));
+  boundary_.fill_cells(varying_->in_cells());
+  if (walls_) {
+    if (is_new) let_walls_follow(flow, share);
+    walls_->set_ghosts(varying_->in_cells());
+  }
+  varying_->find_edges();
 }
 
 template <int Dim>

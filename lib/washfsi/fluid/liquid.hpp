@@ -84,7 +84,8 @@ class Liquid {
   ViscosityModels<Dim> models_;
   std::unique_ptr<WallModel<Dim>> walls_;
   std::optional<double> walls_time_;  ///< of the flow that walls observed last [s]
-  petsc::Vector density_, global_viscosity_, local_viscosity_;
+  petsc::Vector density_, global_viscosity_;
+  std::optional<ViscosityField<Dim>> varying_;
   Viscosity viscosity_;
 };
 

@@ -11,11 +11,37 @@
 
 namespace washfsi {
 
-/// Dynamic viscosity [Pa s]: one number, or a number for each cell.
+/// Dynamic viscosity [Pa s]: one number, or what a `ViscosityField` has, which takes its place.
 struct Viscosity {
   double everywhere = 0;
-  Vec in_cells = nullptr;  ///< local, of cell_dm, its ghosts filled; takes the place of the number
+  Vec in_cells = nullptr;  ///< local, of cell_dm, its ghosts filled
+  Vec on_edges = nullptr;  ///< local, of face_dm: component `edge_axis(c, d)` has that of edge (index, c, d)
 };
+
+/// The component that has edge (index, c, d): in space the axis along which it lies, in the plane the first.
+template <int Dim>
+constexpr int edge_axis(int c, int d) noexcept {
+  return Dim == 2 ? 0 : 3 - c - d;
+}
+
+/// A viscosity that varies: given in cells, and on edges the mean of the four cells round them.
+template <int Dim>
+class ViscosityField {
+ public:
+  explicit ViscosityField(const Grid<Dim>& grid);
+
+  Vec in_cells() const { return cells_; }  ///< local, of cell_dm; to be filled with its ghosts [Pa s]
+  /// Lets the edges follow the cells: those round this rank's cells.
+  void find_edges();
+  Viscosity viscosity() const { return {0, cells_, edges_}; }
+
+ private:
+  const Grid<Dim>& grid_;
+  petsc::Vector cells_, edges_;
+};
+
+extern template class ViscosityField<2>;
+extern template class ViscosityField<3>;
 
 /// A viscosity that is the same everywhere. What its members return is to be multiplied with `scale`.
 template <int Dim>
@@ -42,18 +68,18 @@ class UniformViscosity {
   Spacing<Dim> h_;
 };
 
-/// A viscosity given in cells [Pa s]; on edges it is the mean of the four cells round them.
+/// A viscosity given in cells and on edges [Pa s].
 template <int Dim>
 class CellViscosity {
  public:
-  CellViscosity(const Grid<Dim>& grid, Vec local_cells) : mu_(grid.cell_dm(), local_cells), h_(grid.spacing()) {}
+  CellViscosity(const Grid<Dim>& grid, const Viscosity& viscosity)
+      : mu_(grid.cell_dm(), viscosity.in_cells), edges_(grid.face_dm(), viscosity.on_edges), h_(grid.spacing()) {}
 
   static constexpr double scale = 1;
   [[gnu::always_inline]] inline double in_cell(const Index<Dim>& cell) const { return mu_(cell); }
   /// Edge (index, c, d): where the lower c-face and the lower d-face of a cell meet.
   [[gnu::always_inline]] inline double on_edge(const Index<Dim>& edge, int c, int d) const {
-    const Index<Dim> below = shifted<Dim>(edge, d, -1);
-    return 0.25 * (mu_(edge) + mu_(shifted<Dim>(edge, c, -1)) + mu_(below) + mu_(shifted<Dim>(below, c, -1)));
+    return edges_(edge, edge_axis<Dim>(c, d));
   }
   double on_face(const Index<Dim>& face, int c) const { return 0.5 * (mu_(face) + mu_(shifted<Dim>(face, c, -1))); }
   /// Half a cell from a c-face along an axis, upwards or downwards: on a side of the box beside it.
@@ -86,6 +112,7 @@ class CellViscosity {
   }
 
   ConstCellView<Dim> mu_;
+  ConstFaceView<Dim> edges_;
   Spacing<Dim> h_;
 };
 
@@ -93,7 +120,7 @@ class CellViscosity {
 template <int Dim, class Use>
 void with_viscosity(const Grid<Dim>& grid, const Viscosity& viscosity, Use&& use) {
   if (viscosity.in_cells)
-    use(CellViscosity<Dim>(grid, viscosity.in_cells));
+    use(CellViscosity<Dim>(grid, viscosity));
   else
     use(UniformViscosity<Dim>(grid, viscosity.everywhere));
 }

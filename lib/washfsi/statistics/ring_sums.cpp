@@ -47,7 +47,7 @@ void with_dissipation(const Grid<3>& grid, const ConstFaceView<3>& u, const Liqu
   const double kinematic = flow.pure_viscosity / flow.density;
   if (!flow.viscosity.in_cells)
     return use([&](const Index<3>& cell) { return Dissipation{kinematic * squared_strain(u, one, cell, h), 0}; });
-  const CellViscosity<3> with_models(grid, flow.viscosity.in_cells);
+  const CellViscosity<3> with_models(grid, flow.viscosity);
   use([&](const Index<3>& cell) {
     const double pure = kinematic * squared_strain(u, one, cell, h);
     return Dissipation{pure, squared_strain(u, with_models, cell, h) / flow.density - pure};
