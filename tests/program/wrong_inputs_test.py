@@ -251,6 +251,12 @@ class WrongInputs(ProgramTest):
             with self.subTest(option):
                 self.assert_refused(WRONG_INPUT, [f"{option} {value}: "], *CASE, "-output_dir", "out", option, value)
 
+    def test_accuracy_that_nothing_can_follow(self):
+        self.assert_refused(WRONG_INPUT, ["-time_tolerance 0.001", "-time_cfl"], "-options_file", SHEET, "-time_cfl", 0,
+                            "-time_step", 0.01, "-time_tolerance", 1e-3)
+        self.assert_refused(WRONG_INPUT, ["-time_tolerance 0.001", "implicit"], "-options_file", SHEET,
+                            "-coupling_scheme", "implicit", "-time_tolerance", 1e-3)
+
     def test_version(self):
         outcome = run(1, "--version", folder=self.folder)
         self.assertRegex(outcome.stdout, r"^washfsi \d+\.\d+\.\d+")

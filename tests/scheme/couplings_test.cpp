@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "support/fibre_in_water.hpp"
+#include "washfsi/scheme/step_error.hpp"
 
 namespace washfsi::test {
 namespace {
@@ -72,6 +73,25 @@ TEST_P(EveryCoupling, ConvergesWithTheStepToTheSameMotion) {
   const bool second = name == "midpoint" || name == "semi_implicit_second_order";
   EXPECT_GT(order, second ? 1.8 : 0.8);
   EXPECT_LT(difference(fine, other), second ? 1e-6 : 1e-4);
+}
+
+double error_after(const std::string& name, double time, int steps) {
+  const auto system = start_system<2>(PETSC_COMM_WORLD, fibre_in_water(0.093, 0), {});
+  disturb(*system, 1e-3);
+  const auto scheme = make_coupling_scheme<2>(coupling(name), *system);
+  EXPECT_EQ(step_error(*system), 0);
+  for (int n = 0; n < steps; ++n) scheme->advance(*system, time / steps);
+  return step_error(*system);
+}
+
+// The embedded error falls with the step as the scheme's own does.
+TEST_P(EveryCoupling, ErrsInAStepByItsOrder) {
+  const std::string name = GetParam();
+  if (name == "implicit") return;  // by the trapezoidal rule, to which it is compared
+  const double order = std::log2(error_after(name, 0.016, 80) / error_after(name, 0.016, 160));
+  RecordProperty("order", std::to_string(order));
+  const bool second = name == "midpoint" || name == "semi_implicit_second_order";
+  EXPECT_GT(order, second ? 1.8 : 0.8);
 }
 
 TEST(ExplicitCoupling, IsStableAtTheBoundAndNotFarBeyond) {

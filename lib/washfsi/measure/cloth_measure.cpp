@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "washfsi/scheme/step_error.hpp"
 #include "washfsi/support/collective.hpp"
 
 namespace washfsi {
@@ -40,6 +41,10 @@ void ClothMeasure<Dim>::declare_all(QuantityList& quantities) {
       {"cloth_slip", "-", "rms difference of the velocities of cloth and water over the rms speed of the cloth",
        [this] { return system_.step.cloth_slip; }},
       {{"cloth_slip", "-", OverCycle::mean, "mean slip of the cloth in the water"}});
+  quantities.add(
+      {"step_error", "m/s",
+       "what the velocities of the cloths err by in a step, rms: their motion less that by the trapezoidal rule",
+       [this] { return step_error_; }});
   quantities.keep("averaged_time", {&averaged_time_, 1});
   quantities.keep("paths", paths_.totals());
   quantities.keep("path_ends", paths_.ends());
@@ -142,6 +147,7 @@ std::vector<std::vector<double>> ClothMeasure<Dim>::means_of(const std::vector<d
 template <int Dim>
 void ClothMeasure<Dim>::observe(const Observation<Dim>& seen) {
   if (groups_.empty()) return;
+  step_error_ = step_error(system_);
   measure_markers(seen.interval);
   const Points<Dim>& positions = system_.state.positions;
   const std::vector<double> energies = system_.model.forces.elastic_energies(positions);

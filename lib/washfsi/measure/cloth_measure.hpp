@@ -73,6 +73,7 @@ class ClothMeasure : public Measure<Dim> {
   Paths<Dim> paths_;                    ///< of the centres
   std::vector<double> time_integrals_;  ///< of the quantities of each marker
   double averaged_time_ = 0;            ///< [s]
+  double step_error_ = 0;               ///< [m/s]
   std::optional<TumbleCounter> tumbles_;
   std::optional<ClothCrossings> crossings_;
 };

@@ -15,6 +15,10 @@ RunOptions RunOptions::from_options(Options& options, const std::string& case_na
                "has one, or a CFL number of 0.3, the shorter");
     block.real("time_cfl", run.time_cfl, "-", non_negative,
                "choose each step for this CFL number; 0: steps of equal length");
+    block.real(
+        "time_tolerance", run.time_tolerance, "-", non_negative,
+        "with -time_cfl, choose each step so that the cloths' velocities err by this part of the largest speed at "
+        "most; 0: do not look");
     block.real("time_end", run.time_end, "s", positive, "time at which the run ends");
     block.integer("max_steps", run.max_steps, non_negative_integer, "stop after so many steps; 0: no limit");
     block.real("rest_speed", run.rest_speed, "m/s", non_negative,
@@ -35,6 +39,8 @@ RunOptions RunOptions::from_options(Options& options, const std::string& case_na
   if (run.time_cfl >= run.max_courant)
     throw InputError("-time_cfl " + to_text(run.time_cfl) + ": must be below -time_max_cfl " +
                      to_text(run.max_courant));
+  if (run.time_tolerance > 0 && run.time_cfl == 0)
+    throw InputError("-time_tolerance " + to_text(run.time_tolerance) + ": needs -time_cfl, which lets steps vary");
   if (run.output_interval == 0) run.output_interval = run.time_end / 20;
   if (run.checkpoint_interval == 0) run.checkpoint_interval = run.time_end / 10;
   return run;

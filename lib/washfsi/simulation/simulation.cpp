@@ -35,7 +35,7 @@ Simulation<Dim>::Simulation(Options& options, const std::string& case_name) : pr
   task.emplace(options.comm(), "preparing the coupling, the measures and the start");
   coupling_ = system_->model.has_fluid ? chosen.coupling.scheme : "to nothing";
   scheme_ = make_coupling_scheme<Dim>(chosen.coupling, *system_);
-  body_speeds_ = std::make_unique<BodySpeeds<Dim>>(system_->model);
+  steps_ = std::make_unique<StepChoice<Dim>>(run_, chosen.coupling, *system_, *scheme_);
   measures_ = std::make_unique<Measures<Dim>>(*system_, chosen.measure);
   judge_start();
   if (!run_.restart.empty()) {
@@ -48,7 +48,7 @@ Simulation<Dim>::Simulation(Options& options, const std::string& case_name) : pr
                        ": must be later than the checkpoint of -restart, which is at " + to_text(clock().time) + " s");
   }
   measures_->verify_start();
-  choose_time_step();
+  steps_->begin(state_);
   if (run_.time_cfl == 0) options.record("time_step", state_.dt);
   options.reject_unread();
   notes_ = options.notes();
@@ -76,55 +76,6 @@ void Simulation<Dim>::refuse_doubts() const {
   if (!run_.strict || doubts.empty()) return;
   throw InputError("-strict: " + std::to_string(doubts.size()) + (doubts.size() == 1 ? " warning" : " warnings") +
                    ", the first of " + doubts.front().name + ", " + doubts.front().text);
-}
-
-// Whether walls of markers begin to hold water that moves already, or move off at once in water at rest.
-template <int Dim>
-bool Simulation<Dim>::starts_at_once() const {
-  double speed = 0;
-  WASH_PETSC(VecNorm(system_->model.fluid.velocity(), NORM_INFINITY, &speed));
-  const bool moves_off = std::ranges::any_of(system_->model.bodies, [&](const auto& body) {
-    const auto motion = body.motion.state(clock().time);
-    return motion.angular_velocity != 0 || !motion.velocity.isZero(0);
-  });
-  return system_->model.walls && (speed > 0 || moves_off);
-}
-
-template <int Dim>
-void Simulation<Dim>::choose_time_step() {
-  if (run_.time_step > 0 && run_.time_cfl == 0) state_.dt = run_.time_step;
-  refuse_unseen_motion<Dim>(system_->model.bodies, run_.time_step);
-  if (state_.cloth_bound == 0) find_cloth_bound();
-  if (state_.dt > 0) return;  // the user's, or that of the checkpoint
-  // walls that meet water at once make it twice as fast beside them, and at edges the faster the finer the grid
-  const double courant = (run_.time_cfl > 0 ? run_.time_cfl : 0.3) * (starts_at_once() ? 0.125 : 1);
-  state_.dt = std::min(longest_step(), courant * flow_time<Dim>(system_->model, *body_speeds_));
-  if (!std::isfinite(state_.dt))
-    throw InputError("-time_step is missing: nothing moves at the start from which it could be chosen");
-}
-
-// The bound of the coupling where the cloth was located last, so that a restarted run, which locates it anew, has the
-// same steps.
-template <int Dim>
-void Simulation<Dim>::find_cloth_bound() {
-  if (run_.time_step == 0) state_.cloth_bound = scheme_->step_bound(*system_);
-}
-
-// The user's, or what the cloth allows; and no body starts, stops or turns back unseen.
-template <int Dim>
-double Simulation<Dim>::longest_step() const {
-  return std::min(run_.time_step > 0 ? run_.time_step : 0.5 * state_.cloth_bound,
-                  longest_step_of_motion<Dim>(system_->model.bodies));
-}
-
-// -time_cfl: the step for the present flow, growing slowly, and for bodies that are about to start off.
-template <int Dim>
-void Simulation<Dim>::adapt_time_step() {
-  if (run_.time_cfl == 0) return;
-  constexpr double most_growth = 1.05;
-  const double for_flow = state_.dt * run_.time_cfl / measures_->flow().courant.value;  // infinite at rest
-  state_.dt = std::min({most_growth * state_.dt, longest_step(), for_flow});
-  state_.dt = body_speeds_->longest_step(clock().time, state_.dt, run_.time_cfl);
 }
 
 template <int Dim>
@@ -173,7 +124,7 @@ void Simulation<Dim>::run() {
 
 template <int Dim>
 void Simulation<Dim>::step() {
-  if (clock().step > 0) adapt_time_step();
+  if (clock().step > 0) steps_->adapt(state_, measures_->flow().courant.value);
   attempted_step_ = clock().step + 1;
   attempt_start_ = clock().time;
   const bool all = measures_all(attempt_start_ + state_.dt);
@@ -184,7 +135,7 @@ void Simulation<Dim>::step() {
   measures_->observe(state_.dt, all);
   check_velocity();
   watch_rest();
-  if (run_.time_cfl > 0) find_cloth_bound();
+  if (run_.time_cfl > 0) steps_->find_cloth_bound(state_);
   const double time = clock().time;
   if (all) results_->write_row(clock().step);
   if (due(run_.output_interval, time)) results_->write_frame(clock().step);

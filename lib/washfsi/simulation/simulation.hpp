@@ -8,6 +8,7 @@
 #include "washfsi/simulation/checkpoint.hpp"
 #include "washfsi/simulation/options.hpp"
 #include "washfsi/simulation/results.hpp"
+#include "washfsi/simulation/step_choice.hpp"
 #include "washfsi/simulation/stop_signals.hpp"
 #include "washfsi/support/folder_lock.hpp"
 
@@ -24,11 +25,6 @@ class Simulation {
   void run();
 
  private:
-  bool starts_at_once() const;
-  void choose_time_step();
-  void find_cloth_bound();
-  double longest_step() const;
-  void adapt_time_step();
   void start_results(Options& options);
   void judge_start();
   void refuse_doubts() const;
@@ -56,7 +52,7 @@ class Simulation {
   std::unique_ptr<FolderLock> lock_;
   std::unique_ptr<System<Dim>> system_;
   std::unique_ptr<CouplingScheme<Dim>> scheme_;
-  std::unique_ptr<BodySpeeds<Dim>> body_speeds_;
+  std::unique_ptr<StepChoice<Dim>> steps_;
   std::unique_ptr<Measures<Dim>> measures_;
   std::unique_ptr<Results<Dim>> results_;
   Progress progress_;

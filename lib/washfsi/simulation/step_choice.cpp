@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/simulation/step_choice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "washfsi/scheme/step_error.hpp"
+#include "washfsi/support/errors.hpp"
+
+namespace washfsi {
+
+template <int Dim>
+StepChoice<Dim>::StepChoice(const RunOptions& run, const CouplingOptions& coupling, const System<Dim>& system,
+                            const CouplingScheme<Dim>& scheme)
+    : run_(run), system_(system), scheme_(scheme), body_speeds_(system.model) {
+  if (run.time_tolerance == 0) return;
+  if (coupling.scheme == "implicit" && coupling.time_scheme == TimeScheme::trapezoidal)
+    throw InputError("-time_tolerance " + to_text(run.time_tolerance) + ": not with -" + coupling.scheme_option +
+                     " implicit, whose steps are those that it compares with; use semi_implicit");
+}
+
+// Whether walls of markers begin to hold water that moves already, or move off at once in water at rest.
+template <int Dim>
+bool StepChoice<Dim>::starts_at_once() const {
+  double speed = 0;
+  WASH_PETSC(VecNorm(system_.model.fluid.velocity(), NORM_INFINITY, &speed));
+  const bool moves_off = std::ranges::any_of(system_.model.bodies, [&](const auto& body) {
+    const auto motion = body.motion.state(system_.state.clock.time);
+    return motion.angular_velocity != 0 || !motion.velocity.isZero(0);
+  });
+  return system_.model.walls && (speed > 0 || moves_off);
+}
+
+template <int Dim>
+void StepChoice<Dim>::begin(RunState& state) const {
+  if (run_.time_step > 0 && run_.time_cfl == 0) state.dt = run_.time_step;
+  refuse_unseen_motion<Dim>(system_.model.bodies, run_.time_step);
+  if (state.cloth_bound == 0) find_cloth_bound(state);
+  if (state.dt > 0) return;  // the user's, or that of the checkpoint
+  // walls that meet water at once make it twice as fast beside them, and at edges the faster the finer the grid
+  const double courant = (run_.time_cfl > 0 ? run_.time_cfl : 0.3) * (starts_at_once() ? 0.125 : 1);
+  state.dt = std::min(longest_step(state), courant * flow_time<Dim>(system_.model, body_speeds_));
+  if (!std::isfinite(state.dt))
+    throw InputError("-time_step is missing: nothing moves at the start from which it could be chosen");
+}
+
+template <int Dim>
+void StepChoice<Dim>::find_cloth_bound(RunState& state) const {
+  if (run_.time_step == 0) state.cloth_bound = scheme_.step_bound(system_);
+}
+
+// The user's, or what the cloth allows; and no body starts, stops or turns back unseen.
+template <int Dim>
+double StepChoice<Dim>::longest_step(const RunState& state) const {
+  return std::min(run_.time_step > 0 ? run_.time_step : 0.5 * state.cloth_bound,
+                  longest_step_of_motion<Dim>(system_.model.bodies));
+}
+
+// -time_tolerance: the step after which the cloths' velocities err by that part of the largest speed that is prescribed
+// or there.
+template <int Dim>
+double StepChoice<Dim>::accurate_step(const RunState& state) const {
+  const double error = run_.time_tolerance > 0 ? step_error(system_) : 0;
+  if (error == 0) return std::numeric_limits<double>::infinity();
+  const double speed = system_.model.grid.spacing().minCoeff() / flow_time(system_.model, body_speeds_);
+  return state.dt * run_.time_tolerance * speed / error;
+}
+
+// -time_cfl: the step for the present flow, growing slowly, and for bodies that are about to start off. Accuracy takes
+// no less than a part of it, since the errors of jumps do not fall with the step.
+template <int Dim>
+void StepChoice<Dim>::adapt(RunState& state, double courant) const {
+  if (run_.time_cfl == 0) return;
+  constexpr double most_growth = 1.05, least_part = 1.0 / 16;
+  const double for_flow = std::min(longest_step(state), state.dt * run_.time_cfl / courant);  // infinite at rest
+  state.dt = std::min(most_growth * state.dt, std::clamp(accurate_step(state), least_part * for_flow, for_flow));
+  state.dt = body_speeds_.longest_step(system_.state.clock.time, state.dt, run_.time_cfl);
+}
+
+template class StepChoice<2>;
+template class StepChoice<3>;
+
+}  // namespace washfsi
