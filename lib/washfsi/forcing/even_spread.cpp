@@ -27,16 +27,14 @@ template <int Dim>
 class Elimination {
  public:
   Elimination(const std::vector<Candidate<Dim>>& candidates, const Point<Dim>& spacing)
-      : candidates_(candidates), scale_(spacing.cwiseInverse()) {
+      : candidates_(candidates), scale_(spacing.cwiseInverse()), pairs_(candidates.size()) {
     const NearSearch<Dim> search = search_among(candidates, spacing);
-    for (std::size_t m = 0; m < candidates_.size(); ++m) {
-      auto& pairs = pairs_.emplace_back();
+    // each tells the others of itself, so that their sums are in its order and not in that of the bins
+    for (std::size_t m = 0; m < candidates_.size(); ++m)
       search.visit_near(Bounds<Dim>::round(candidates_[m].place, influence * spacing), [&](std::size_t other) {
         if (const double distance = apart(m, other); other != m && distance < influence)
-          pairs.push_back({other, distance});
+          pairs_[other].push_back({m, distance});
       });
-      std::ranges::sort(pairs, {}, &Pair::other);  // so that sums do not depend on the bins
-    }
   }
 
   // Until all are a spacing from each other; takes back what has room again.
@@ -65,7 +63,7 @@ class Elimination {
     crowding_.assign(candidates_.size(), 0.0);
     too_near_.assign(candidates_.size(), 0);
     gone_.assign(candidates_.size(), 0);
-    std::priority_queue<std::pair<double, std::size_t>> queue;  // with entries that are out of date
+    std::priority_queue<std::pair<double, std::size_t>> queue;  // by how crowded each was once: never less than now
     for (std::size_t m = 0; m < candidates_.size(); ++m) {
       for (const Pair& pair : pairs_[m]) add(m, pair, 1);
       queue.emplace(crowding_[m], m);
@@ -74,14 +72,15 @@ class Elimination {
     while (!queue.empty()) {
       const auto [crowding, worst] = queue.top();
       queue.pop();
-      if (gone_[worst] || crowding != crowding_[worst] || !goes(worst)) continue;
+      if (crowding != crowding_[worst]) {
+        queue.emplace(crowding_[worst], worst);
+        continue;
+      }
+      if (!goes(worst)) continue;
       gone_[worst] = 1;
       order.push_back(worst);
-      for (const Pair& pair : pairs_[worst]) {
-        if (gone_[pair.other]) continue;
-        add(pair.other, {worst, pair.distance}, -1);
-        queue.emplace(crowding_[pair.other], pair.other);
-      }
+      for (const Pair& pair : pairs_[worst])
+        if (!gone_[pair.other]) add(pair.other, {worst, pair.distance}, -1);
     }
     return order;
   }
