@@ -55,6 +55,14 @@ class Ranks(ProgramTest):
             for name in ("towel_relative_speed_mean", "towel_water_shear_mean"):
                 self.assertLess(relative_difference(tables[ranks][name], tables[1][name]), 1e-6, (ranks, name))
 
+    def test_steps_as_accuracy_wants_them_are_the_same_on_one_and_three_ranks(self):
+        options = ("-coupling_scheme", "semi_implicit", "-time_step", 5e-3, "-time_cfl", 0.5, "-time_tolerance", 2e-3,
+                   "-coupling_tolerance", 1e-10)
+        tables = {ranks: self.history(ranks, *options) for ranks in (1, 3)}
+        self.assertLess(tables[1]["cfl"].max(), 0.45)  # shorter than the flow's
+        self.assertLess(relative_difference(tables[3]["dt"], tables[1]["dt"]), 1e-6)
+        self.assert_same(tables[3], tables[1])
+
     def test_history_of_couplings_that_solve_agrees_on_one_and_three_ranks(self):
         for coupling in ("semi_implicit", "implicit"):
             options = ("-coupling_scheme", coupling, "-time_step", 1e-3, "-coupling_tolerance", 1e-10)

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "washfsi/scheme/step_error.hpp"
+#include "washfsi/support/collective.hpp"
 #include "washfsi/support/errors.hpp"
 
 namespace washfsi {
@@ -15,7 +16,7 @@ StepChoice<Dim>::StepChoice(const RunOptions& run, const CouplingOptions& coupli
                             const CouplingScheme<Dim>& scheme)
     : run_(run), system_(system), scheme_(scheme), body_speeds_(system.model) {
   if (run.time_tolerance == 0) return;
-  if (coupling.scheme == "implicit" && coupling.time_scheme == TimeScheme::trapezoidal)
+  if (system.model.has_fluid && coupling.scheme == "implicit" && coupling.time_scheme == TimeScheme::trapezoidal)
     throw InputError("-time_tolerance " + to_text(run.time_tolerance) + ": not with -" + coupling.scheme_option +
                      " implicit, whose steps are those that it compares with; use semi_implicit");
 }
@@ -58,13 +59,14 @@ double StepChoice<Dim>::longest_step(const RunState& state) const {
 }
 
 // -time_tolerance: the step after which the cloths' velocities err by that part of the largest speed that is prescribed
-// or there.
+// or there; without water that of the cloths.
 template <int Dim>
 double StepChoice<Dim>::accurate_step(const RunState& state) const {
   const double error = run_.time_tolerance > 0 ? step_error(system_) : 0;
   if (error == 0) return std::numeric_limits<double>::infinity();
-  const double speed = system_.model.grid.spacing().minCoeff() / flow_time(system_.model, body_speeds_);
-  return state.dt * run_.time_tolerance * speed / error;
+  double speed = system_.model.grid.spacing().minCoeff() / flow_time(system_.model, body_speeds_);
+  for (const Point<Dim>& velocity : system_.state.velocities) speed = std::max(speed, velocity.cwiseAbs().maxCoeff());
+  return state.dt * run_.time_tolerance * largest(system_.model.grid.comm(), speed) / error;
 }
 
 // -time_cfl: the step for the present flow, growing slowly, and for bodies that are about to start off. Accuracy takes
