@@ -11,8 +11,7 @@ Liquid<Dim>::Liquid(const Grid<Dim>& grid, const Boundary<Dim>& boundary, double
       pure_density_(density),
       pure_viscosity_(viscosity),
       models_(std::move(models)),
-      density_(grid.face_vector()),
-      viscosity_{viscosity} {
+      density_(grid.face_vector()) {
   reset_density();
   if (walls != WallTreatment::none) walls_ = std::make_unique<WallModel<Dim>>(grid, boundary);
   if (models_.empty() && !walls_) return;
@@ -21,7 +20,6 @@ Liquid<Dim>::Liquid(const Grid<Dim>& grid, const Boundary<Dim>& boundary, double
   varying_.emplace(grid);
   WASH_PETSC(VecSet(varying_->in_cells(), viscosity));
   varying_->find_edges();
-  viscosity_ = varying_->viscosity();
 }
 
 template <int Dim>

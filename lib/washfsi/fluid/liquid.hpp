@@ -52,7 +52,7 @@ class Liquid {
   /// Everywhere that of the pure liquid; what is in it is to be added anew.
   void reset_density();
 
-  const Viscosity& viscosity() const { return viscosity_; }
+  Viscosity viscosity() const { return varying_ ? varying_->viscosity() : Viscosity{pure_viscosity_}; }
   /// Lets the models work on the flow, and the walls' friction follow it. What they add counts by the share of fluid
   /// round a cell: water in a body moves rigidly, and has no eddies. `bodies`, null without, then have their friction.
   /// May be repeated for the same time. Collective.
@@ -72,7 +72,7 @@ class Liquid {
     for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) { visit(mu(cell) - pure_viscosity_); });
   }
 
-  LiquidFields fields() const { return {density_, viscosity_}; }
+  LiquidFields fields() const { return {density_, viscosity()}; }
 
  private:
   void let_models_add(const StepFlow& flow, const CellShare<Dim>& share);
@@ -86,7 +86,6 @@ class Liquid {
   std::optional<double> walls_time_;  ///< of the flow that walls observed last [s]
   petsc::Vector density_, global_viscosity_;
   std::optional<ViscosityField<Dim>> varying_;
-  Viscosity viscosity_;
 };
 
 extern template class Liquid<2>;
