@@ -112,6 +112,17 @@ class DirectForcing(ProgramTest):
         with_velocity, with_acceleration = np.linalg.lstsq(basis, torque, rcond=None)[0][:2] / TURNING_SPEED
         self.assertLess(abs(complex(with_velocity, with_acceleration) / STOKES - 1), 0.13)
 
+    def test_walls_hold_the_water_after_the_step(self):
+        """And the slip that is reported is the water's: what the solver leaves more of, it shows."""
+        slips = {}
+        for tolerance in (5e-3, 0.1):
+            history = self.history(f"tolerance_{tolerance}", *FLOW, "-ball_shape", "sphere", "-ball_radius", 0.25, "-ball_center", "1,1",
+                                   "-time_end", 1, "-body_slip_tolerance", tolerance)
+            slips[tolerance] = history["ball_slip"]
+        self.assertLess(slips[5e-3][-20:].mean(), 0.02)  # of the stream, whose speed is 1
+        self.assertGreater(slips[0.1][:20].mean(), 2 * slips[5e-3][:20].mean())
+        self.assertLess(self.history("stirred", *STIRRED)["vane_slip"].max(), 0.02 * 0.3 * 4)  # of the tip's largest speed
+
     def check_energy(self, history, limit):
         dt = history["dt"]
         work = (history["vane_power"] * dt).sum()

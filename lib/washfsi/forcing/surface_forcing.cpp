@@ -203,8 +203,7 @@ void SurfaceForcing<Dim>::accelerate(const Points<Dim>& forces, Vec velocity) co
 // U - J u
 template <int Dim>
 Points<Dim> SurfaceForcing<Dim>::slips(Vec velocity) const {
-  const GhostedVelocity<Dim> local(boundary_, grid_.wide_face_dm(), velocity, time_);
-  Points<Dim> result = transfer_.interpolate(local);
+  Points<Dim> result = water_at_markers(velocity, time_);
   for (std::size_t m = 0; m < result.size(); ++m) result[m] = states_[m].velocity - result[m];
   return felt_means(result);
 }

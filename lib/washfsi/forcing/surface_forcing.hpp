@@ -53,9 +53,15 @@ class SurfaceForcing : public WallForces {
   /// What these sides of the box took of the markers' forces where no body stands on them; torques about the middle of
   /// the box. Collective.
   Loads<Dim> loads_on_sides(const std::vector<SideName>& sides) const;
+  /// J u at this rank's markers, wherever the bodies were then; `time` is that of the velocity. Collective.
+  Points<Dim> water_at_markers(Vec velocity, double time) const;
   /// Power that the bodies gave over the last step of dt and the water did not get, because it had other velocities at
-  /// the markers than they: F (U(t + dt/2) - J (u^n + u^(n+1))/2) [W; W/m in the plane]. Collective.
-  double lost_power(Vec velocity_before, Vec velocity, double dt) const;
+  /// the markers, `before` and `after` it, than they: F (U(t + dt/2) - J (u^n + u^(n+1))/2) [W; W/m in the plane].
+  /// Collective.
+  double lost_power(const Points<Dim>& before, const Points<Dim>& after, double dt) const;
+  /// The slip of the water at each body's markers, root mean square [m/s]; without that with which a law lets it slide.
+  /// The solver holds the mean over the markers of a patch, which is less. Collective.
+  std::vector<double> slip_of_bodies(const Points<Dim>& water) const;
 
   /// What a restart needs: the forces of this rank's patches, in the bodies' frames, and which patches these are.
   Points<Dim>& kept() { return kept_; }

@@ -49,18 +49,35 @@ Loads<Dim> SurfaceForcing<Dim>::loads_on_sides(const std::vector<SideName>& side
 }
 
 template <int Dim>
-double SurfaceForcing<Dim>::lost_power(Vec velocity_before, Vec velocity, double dt) const {
-  const GhostedVelocity<Dim> mean(boundary_, grid_.wide_face_dm(), velocity_before, time_ - dt),
-      now(boundary_, grid_.wide_face_dm(), velocity, time_);
-  WASH_PETSC(VecAXPBY(mean, 0.5, 0.5, now));
-  const Points<Dim> given = shared_out(forces_), of_water = transfer_.interpolate(mean);
+Points<Dim> SurfaceForcing<Dim>::water_at_markers(Vec velocity, double time) const {
+  return transfer_.interpolate(GhostedVelocity<Dim>(boundary_, grid_.wide_face_dm(), velocity, time));
+}
+
+template <int Dim>
+double SurfaceForcing<Dim>::lost_power(const Points<Dim>& before, const Points<Dim>& after, double dt) const {
+  const Points<Dim> given = shared_out(forces_);
   const auto motions = motions_at(bodies_, time_ - 0.5 * dt);
   double lost = 0;
   for_each_acting([&](std::size_t p, std::size_t m) {
     const Point<Dim> own = motions[markers_.body_of(begin_ + p)].velocity_at(states_[m].place);
-    lost += given[m].dot(own - of_water[m]);
+    lost += given[m].dot(own - 0.5 * (before[m] + after[m]));
   });
   return ordered_sum(grid_.comm(), lost);
+}
+
+template <int Dim>
+std::vector<double> SurfaceForcing<Dim>::slip_of_bodies(const Points<Dim>& water) const {
+  std::vector<double> sums(2 * bodies_.size(), 0.0);
+  for_each_acting([&](std::size_t p, std::size_t m) {
+    const std::size_t b = markers_.body_of(begin_ + p);
+    sums[2 * b] += held(states_[m].velocity - water[m], p).squaredNorm();
+    ++sums[2 * b + 1];
+  });
+  sums = ordered_sum(grid_.comm(), sums);
+  std::vector<double> slips;
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    slips.push_back(std::sqrt(sums[2 * b] / std::max(sums[2 * b + 1], 1.0)));
+  return slips;
 }
 
 template Points<2> SurfaceForcing<2>::kept_by_sides(const std::optional<SideName>&) const;
@@ -69,7 +86,11 @@ template Loads<2> SurfaceForcing<2>::loads() const;
 template Loads<3> SurfaceForcing<3>::loads() const;
 template Loads<2> SurfaceForcing<2>::loads_on_sides(const std::vector<SideName>&) const;
 template Loads<3> SurfaceForcing<3>::loads_on_sides(const std::vector<SideName>&) const;
-template double SurfaceForcing<2>::lost_power(Vec, Vec, double) const;
-template double SurfaceForcing<3>::lost_power(Vec, Vec, double) const;
+template Points<2> SurfaceForcing<2>::water_at_markers(Vec, double) const;
+template Points<3> SurfaceForcing<3>::water_at_markers(Vec, double) const;
+template double SurfaceForcing<2>::lost_power(const Points<2>&, const Points<2>&, double) const;
+template double SurfaceForcing<3>::lost_power(const Points<3>&, const Points<3>&, double) const;
+template std::vector<double> SurfaceForcing<2>::slip_of_bodies(const Points<2>&) const;
+template std::vector<double> SurfaceForcing<3>::slip_of_bodies(const Points<3>&) const;
 
 }  // namespace washfsi

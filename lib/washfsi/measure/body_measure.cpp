@@ -24,7 +24,8 @@ BodyMeasure<Dim>::BodyMeasure(const System<Dim>& system, bool balance)
     : system_(system),
       loads_(system.model.bodies.size()),
       balance_loads_(system.model.bodies.size()),
-      powers_(system.model.bodies.size(), 0.0) {
+      powers_(system.model.bodies.size(), 0.0),
+      slips_(system.model.bodies.size(), 0.0) {
   const Model<Dim>& model = system.model;
   if (balance && !loads_.empty()) control_volumes_.emplace(model.grid, model.boundary, model.bodies);
 }
@@ -46,6 +47,12 @@ void BodyMeasure<Dim>::declare(QuantityList& quantities) {
     quantities.add({"", Units<Dim>::torque, "torque about the axis in which it turns",
                     [this, b] { return loads_[b].torque[rotation_components<Dim> - 1]; }},
                    mean_peak_rms(name + "_torque", Units<Dim>::torque, "torque of water and cloth on the body", true));
+    if (system_.model.walls)
+      quantities.add(
+          {name + "_slip", "m/s",
+           "what the water's velocity at the body's markers differs by from theirs after the step, root mean "
+           "square; not what `-wall_model` lets slide",
+           [this, b] { return slips_[b]; }, Accumulation::largest, pointer + "/max_slip"});
     if (control_volumes_)
       declare_load<Dim>(quantities, name + "_balance", pointer + "/balance",
                         "the same by the balance of momentum round the body", balance_loads_, b);
@@ -75,6 +82,16 @@ Loads<Dim> BodyMeasure<Dim>::inner_inertia(double dt) {
 }
 
 template <int Dim>
+void BodyMeasure<Dim>::observe_markers(const SurfaceForcing<Dim>& walls, double dt) {
+  const FractionalStep<Dim>& fluid = system_.model.fluid;
+  const double time = system_.state.clock.time;
+  const Points<Dim> before = walls.water_at_markers(fluid.velocity_before(), time - dt);
+  const Points<Dim> after = walls.water_at_markers(fluid.velocity(), time);
+  mask_dissipation_ = walls.lost_power(before, after, dt);
+  slips_ = walls.slip_of_bodies(after);
+}
+
+template <int Dim>
 void BodyMeasure<Dim>::observe(const Observation<Dim>& seen) {
   if (loads_.empty()) return;
   const Model<Dim>& model = system_.model;
@@ -94,8 +111,10 @@ void BodyMeasure<Dim>::observe(const Observation<Dim>& seen) {
                                               time, seen.dt, fluid.driving().gradient()});
   for (std::size_t b = 0; b < loads_.size(); ++b)
     for (Load<Dim>* load : {&loads_[b], &balance_loads_[b]}) (*load += of_inner[b]) += seen.contact.bodies[b];
-  mask_dissipation_ = model.walls ? model.walls->lost_power(fluid.velocity_before(), fluid.velocity(), seen.dt)
-                                  : model.mask.dissipation(fluid.velocity_before(), density, seen.dt);
+  if (!model.walls)
+    mask_dissipation_ = model.mask.dissipation(fluid.velocity_before(), density, seen.dt);
+  else
+    observe_markers(*model.walls, seen.dt);
   for (std::size_t b = 0; b < loads_.size(); ++b) powers_[b] = power(model.bodies[b].motion, loads_[b], middle);
 }
 

@@ -30,12 +30,14 @@ class BodyMeasure : public Measure<Dim> {
  private:
   Loads<Dim> inner_momenta() const;
   Loads<Dim> inner_inertia(double dt);
+  void observe_markers(const SurfaceForcing<Dim>& walls, double dt);
 
   const System<Dim>& system_;
   std::optional<ControlVolumes<Dim>> control_volumes_;
   Loads<Dim> loads_, balance_loads_;
   Loads<Dim> inner_momenta_;     ///< of the water inside bodies that markers hold, after the step before
   std::vector<double> powers_;   ///< that each body puts into the water [W; W/m in the plane]
+  std::vector<double> slips_;    ///< of the water at markers [m/s]
   double mask_dissipation_ = 0;  ///< [W; W/m in the plane]
 };
 
