@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "support/water.hpp"
+#include "washfsi/fluid/transform_preconditioner.hpp"
 #include "washfsi/support/errors.hpp"
 
 namespace washfsi::test {
@@ -90,8 +91,7 @@ TEST(Projection, WorksWithAlgebraicMultigridOfPetsc) {
 
 // The fast transforms must invert the uniform operator: one application solves a rough right side, on any mix of sides.
 template <int Dim>
-void expect_exact_inverse(bool periodic_in_x) {
-  GridShape<Dim> shape = odd_shape<Dim>();
+void expect_exact_inverse(bool periodic_in_x, GridShape<Dim> shape = odd_shape<Dim>()) {
   shape.periodic[0] = periodic_in_x;
   const Grid<Dim> grid(PETSC_COMM_WORLD, shape);
   PressureSolver<Dim> poisson(grid, 1000);
@@ -113,6 +113,28 @@ TEST(Transform, InvertsTheUniformOperatorInThePlane) {
 TEST(Transform, InvertsTheUniformOperatorInSpace) {
   expect_exact_inverse<3>(false);
   expect_exact_inverse<3>(true);
+}
+
+// Slabs and pencils do the same sums.
+TEST(Transform, SolvesTheSameOnPencils) {
+  for (const bool periodic : {false, true}) {
+    GridShape<3> shape = odd_shape<3>();
+    shape.periodic[1] = periodic;
+    const Grid<3> grid(PETSC_COMM_WORLD, shape);
+    const petsc::Vector rhs = grid.cell_vector(), by_slabs = grid.cell_vector(), by_pencils = grid.cell_vector();
+    {
+      const CellView<3> r(grid.cell_dm(), rhs);
+      for_each<3>(grid.owned(), [&](const Index<3>& cell) { r(cell) = wave(7 * grid.cell_center(cell).sum()); });
+    }
+    TransformSolver<3>(grid).solve(rhs, by_slabs);
+    TransformSolver<3>(grid, pencil_layouts(grid.cells(), ranks_of(grid.comm()))).solve(rhs, by_pencils);
+    double largest = 0, apart = 0;
+    WASH_PETSC(VecNorm(by_slabs, NORM_INFINITY, &largest));
+    WASH_PETSC(VecAXPY(by_pencils, -1, by_slabs));
+    WASH_PETSC(VecNorm(by_pencils, NORM_INFINITY, &apart));
+    EXPECT_GT(largest, 0);
+    EXPECT_LT(apart, 1e-13 * largest);
+  }
 }
 
 // A relative tolerance with a warm start freezes a slow approach to the steady state.

@@ -4,136 +4,80 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "washfsi/support/collective.hpp"
 
 namespace washfsi {
 
-namespace {
-
-// n layers over the ranks, as even as can be.
-std::vector<PetscInt> even_starts(PetscInt n, int ranks) {
-  std::vector<PetscInt> starts;
-  for (int rank = 0; rank <= ranks; ++rank) starts.push_back(n * rank / ranks);
-  return starts;
-}
-
-int owner_of(const std::vector<PetscInt>& starts, PetscInt layer) {
-  return static_cast<int>(std::upper_bound(starts.begin(), starts.end(), layer) - starts.begin()) - 1;
+template <int Dim>
+TransformSolver<Dim>::TransformSolver(const Grid<Dim>& grid, const TransformLayouts<Dim>& layouts) : grid_(grid) {
+  for (const auto& layout : layouts) passes_.push_back(pass(layout));
+  find_inverse_eigenvalues();
 }
 
 template <int Dim>
-std::size_t volume(const Box<Dim>& box) {
-  std::size_t count = 1;
-  for (int d = 0; d < Dim; ++d) count *= static_cast<std::size_t>(box.upper[d] - box.lower[d]);
-  return count;
+typename TransformSolver<Dim>::Pass TransformSolver<Dim>::pass(const TransformLayout<Dim>& layout) const {
+  Pass pass{layout, layout.owned_by(rank_of(grid_.comm())), 1, {}, {}, {}, {}};
+  for (int d = 0; d < Dim; ++d) pass.size *= static_cast<std::size_t>(pass.owned.upper[d] - pass.owned.lower[d]);
+  pass.data.reset(fftw_alloc_real(std::max<std::size_t>(pass.size, 1)));
+  pass.from_before = exchange(pass);
+  pass.forward = plan(pass, true);
+  pass.backward = plan(pass, false);
+  return pass;
 }
 
-// Place of an index in an array over a box, x fastest.
+// Where a cell of the next layout lies in the last one, or in the grid.
 template <int Dim>
-PetscInt offset_in(const Box<Dim>& box, const Index<Dim>& index) {
-  PetscInt offset = 0;
-  for (int d = Dim; d-- > 0;) offset = offset * (box.upper[d] - box.lower[d]) + index[d] - box.lower[d];
-  return offset;
-}
-
-}  // namespace
-
-template <int Dim>
-TransformSolver<Dim>::TransformSolver(const Grid<Dim>& grid) : grid_(grid) {
-  const int ranks = ranks_of(grid.comm()), rank = rank_of(grid.comm());
-  slab_starts_ = even_starts(grid.cells()[Dim - 1], ranks);
-  column_starts_ = even_starts(grid.cells()[Dim - 2], ranks);
-  const auto own = static_cast<std::size_t>(rank);
-  slab_layers_ = slab_starts_[own + 1] - slab_starts_[own];
-  column_layers_ = column_starts_[own + 1] - column_starts_[own];
-  const auto all = static_cast<std::size_t>(grid.cell_count());
-  slab_size_ = all / static_cast<std::size_t>(grid.cells()[Dim - 1]) * static_cast<std::size_t>(slab_layers_);
-  column_size_ = all / static_cast<std::size_t>(grid.cells()[Dim - 2]) * static_cast<std::size_t>(column_layers_);
-  slab_.reset(fftw_alloc_real(std::max<std::size_t>(slab_size_, 1)));
-  columns_.reset(fftw_alloc_real(std::max<std::size_t>(column_size_, 1)));
-  build_exchanges();
-  build_plans();
-  build_inverse_eigenvalues();
-}
-
-// The cell of an entry of the columns array: last axis fastest, then the others but the cut one, which is slowest.
-template <int Dim>
-Index<Dim> TransformSolver<Dim>::column_index(std::size_t entry) const {
-  Index<Dim> index{};
-  auto rest = static_cast<PetscInt>(entry);
-  const auto take = [&](std::size_t axis) {
-    index[axis] = rest % grid_.cells()[axis];
-    rest /= grid_.cells()[axis];
-  };
-  take(Dim - 1);
-  if constexpr (Dim == 3) take(0);
-  index[Dim - 2] = rest + column_starts_[static_cast<std::size_t>(rank_of(grid_.comm()))];
-  return index;
-}
-
-template <int Dim>
-void TransformSolver<Dim>::build_exchanges() {
-  Box<Dim> whole{};
-  for (int d = 0; d < Dim; ++d) whole.upper[d] = grid_.cells()[d];
-  const auto slab_of = [&](int rank) {
-    Box<Dim> box = whole;
-    box.lower[Dim - 1] = slab_starts_[rank];
-    box.upper[Dim - 1] = slab_starts_[static_cast<std::size_t>(rank) + 1];
-    return box;
-  };
-  std::vector<PetscSFNode> sources;
-  for_each<Dim>(slab_of(rank_of(grid_.comm())), [&](const Index<Dim>& cell) {
-    const int rank = grid_.owner(cell);
-    sources.push_back({rank, offset_in<Dim>(grid_.owned_by(rank), cell)});
-  });
-  grid_to_slab_ = petsc::star_forest(grid_.comm(), volume<Dim>(grid_.owned()), sources);
-
-  sources.clear();
-  for (std::size_t entry = 0; entry < column_size_; ++entry) {
-    const Index<Dim> cell = column_index(entry);
-    const int rank = owner_of(slab_starts_, cell[Dim - 1]);
-    sources.push_back({rank, offset_in<Dim>(slab_of(rank), cell)});
+PetscSFNode TransformSolver<Dim>::before(const Index<Dim>& cell) const {
+  if (!passes_.empty()) {
+    const TransformLayout<Dim>& layout = passes_.back().layout;
+    const int rank = layout.owner(cell);
+    return {rank, layout.offset(layout.owned_by(rank), cell)};
   }
-  slab_to_columns_ = petsc::star_forest(grid_.comm(), slab_size_, sources);
-}
-
-// FFTW's kinds for the axes last_axis..first_axis (slowest first).
-template <int Dim>
-std::vector<fftw_r2r_kind> TransformSolver<Dim>::kinds(int first_axis, int last_axis, bool forward) const {
-  std::vector<fftw_r2r_kind> result;
-  for (int d = last_axis; d >= first_axis; --d)
-    result.push_back(grid_.periodic(d) ? (forward ? FFTW_R2HC : FFTW_HC2R) : (forward ? FFTW_REDFT10 : FFTW_REDFT01));
-  return result;
+  TransformLayout<Dim> of_vectors{};
+  std::iota(of_vectors.order.begin(), of_vectors.order.end(), 0);
+  const int rank = grid_.owner(cell);
+  return {rank, of_vectors.offset(grid_.owned_by(rank), cell)};
 }
 
 template <int Dim>
-void TransformSolver<Dim>::build_plans() {
-  std::vector<int> slab_shape;
-  for (std::size_t d = Dim - 1; d-- > 0;) slab_shape.push_back(static_cast<int>(grid_.cells()[d]));
-  const int layer = static_cast<int>(grid_.cell_count()) / static_cast<int>(grid_.cells()[Dim - 1]);
-  const int length = static_cast<int>(grid_.cells()[Dim - 1]);
-  const int columns = static_cast<int>(column_size_) / length;
-  const auto batch = [](double* data, const std::vector<int>& shape, int count, int stride,
-                        const std::vector<fftw_r2r_kind>& kind) {
-    // estimated plans are the same in every run, measured ones are not: results must repeat to the bit
-    return Plan(fftw_plan_many_r2r(static_cast<int>(shape.size()), shape.data(), count, data, nullptr, 1, stride, data,
-                                   nullptr, 1, stride, kind.data(), FFTW_ESTIMATE));
-  };
-  const int slabs = static_cast<int>(slab_layers_);
-  slab_forward_ = batch(slab_.get(), slab_shape, slabs, layer, kinds(0, Dim - 2, true));
-  slab_backward_ = batch(slab_.get(), slab_shape, slabs, layer, kinds(0, Dim - 2, false));
-  columns_forward_ = batch(columns_.get(), {length}, columns, length, kinds(Dim - 1, Dim - 1, true));
-  columns_backward_ = batch(columns_.get(), {length}, columns, length, kinds(Dim - 1, Dim - 1, false));
+petsc::StarForest TransformSolver<Dim>::exchange(const Pass& to) const {
+  std::vector<PetscSFNode> sources;
+  sources.reserve(to.size);
+  for (std::size_t entry = 0; entry < to.size; ++entry)
+    sources.push_back(before(to.layout.cell(to.owned, static_cast<PetscInt>(entry))));
+  PetscInt in_grid = 1;
+  for (int d = 0; d < Dim; ++d) in_grid *= grid_.owned().upper[d] - grid_.owned().lower[d];
+  return petsc::star_forest(grid_.comm(), passes_.empty() ? static_cast<std::size_t>(in_grid) : passes_.back().size,
+                            sources);
+}
+
+// Estimated plans are the same in every run, measured ones are not: results must repeat to the bit.
+template <int Dim>
+typename TransformSolver<Dim>::Plan TransformSolver<Dim>::plan(const Pass& pass, bool forward) const {
+  std::vector<int> lengths;  // FFTW wants the slowest first
+  std::vector<fftw_r2r_kind> kinds;
+  int distance = 1;
+  for (int i = pass.layout.transformed; i-- > 0;) {
+    const int axis = pass.layout.order[i];
+    lengths.push_back(static_cast<int>(grid_.cells()[axis]));
+    kinds.push_back(grid_.periodic(axis) ? (forward ? FFTW_R2HC : FFTW_HC2R) : (forward ? FFTW_REDFT10 : FFTW_REDFT01));
+    distance *= lengths.back();
+  }
+  const int count = static_cast<int>(pass.size) / distance;
+  return Plan(fftw_plan_many_r2r(pass.layout.transformed, lengths.data(), count, pass.data.get(), nullptr, 1, distance,
+                                 pass.data.get(), nullptr, 1, distance, kinds.data(), FFTW_ESTIMATE));
 }
 
 template <int Dim>
-void TransformSolver<Dim>::build_inverse_eigenvalues() {
+void TransformSolver<Dim>::find_inverse_eigenvalues() {
+  const Pass& last = passes_.back();
   double scale = grid_.cell_volume();  // FFTW's transforms there and back multiply by 2 n (cosine) or n (Fourier)
   for (int d = 0; d < Dim; ++d) scale *= static_cast<double>(grid_.cells()[d]) * (grid_.periodic(d) ? 1 : 2);
-  inverse_eigenvalues_.resize(column_size_);
-  for (std::size_t entry = 0; entry < column_size_; ++entry) {
-    const Index<Dim> mode = column_index(entry);
+  inverse_eigenvalues_.resize(last.size);
+  for (std::size_t entry = 0; entry < last.size; ++entry) {
+    const Index<Dim> mode = last.layout.cell(last.owned, static_cast<PetscInt>(entry));
     double eigenvalue = 0;
     for (int d = 0; d < Dim; ++d) {
       const double turns = (grid_.periodic(d) ? 2.0 : 1.0) * static_cast<double>(mode[d]);
@@ -149,24 +93,25 @@ template <int Dim>
 void TransformSolver<Dim>::solve(Vec r, Vec phi) {
   const double* input = nullptr;
   WASH_PETSC(VecGetArrayRead(r, &input));
-  WASH_PETSC(PetscSFBcastBegin(grid_to_slab_, MPI_DOUBLE, input, slab_.get(), MPI_REPLACE));
-  WASH_PETSC(PetscSFBcastEnd(grid_to_slab_, MPI_DOUBLE, input, slab_.get(), MPI_REPLACE));
+  const double* before = input;
+  for (const Pass& pass : passes_) {
+    WASH_PETSC(PetscSFBcastBegin(pass.from_before, MPI_DOUBLE, before, pass.data.get(), MPI_REPLACE));
+    WASH_PETSC(PetscSFBcastEnd(pass.from_before, MPI_DOUBLE, before, pass.data.get(), MPI_REPLACE));
+    if (pass.forward) fftw_execute(pass.forward.get());
+    before = pass.data.get();
+  }
   WASH_PETSC(VecRestoreArrayRead(r, &input));
-  if (slab_forward_) fftw_execute(slab_forward_.get());
-
-  WASH_PETSC(PetscSFBcastBegin(slab_to_columns_, MPI_DOUBLE, slab_.get(), columns_.get(), MPI_REPLACE));
-  WASH_PETSC(PetscSFBcastEnd(slab_to_columns_, MPI_DOUBLE, slab_.get(), columns_.get(), MPI_REPLACE));
-  if (columns_forward_) fftw_execute(columns_forward_.get());
-  for (std::size_t entry = 0; entry < column_size_; ++entry) columns_[entry] *= inverse_eigenvalues_[entry];
-  if (columns_backward_) fftw_execute(columns_backward_.get());
-
-  WASH_PETSC(PetscSFReduceBegin(slab_to_columns_, MPI_DOUBLE, columns_.get(), slab_.get(), MPI_REPLACE));
-  WASH_PETSC(PetscSFReduceEnd(slab_to_columns_, MPI_DOUBLE, columns_.get(), slab_.get(), MPI_REPLACE));
-  if (slab_backward_) fftw_execute(slab_backward_.get());
+  double* last = passes_.back().data.get();
+  for (std::size_t entry = 0; entry < inverse_eigenvalues_.size(); ++entry) last[entry] *= inverse_eigenvalues_[entry];
   double* output = nullptr;
   WASH_PETSC(VecGetArray(phi, &output));
-  WASH_PETSC(PetscSFReduceBegin(grid_to_slab_, MPI_DOUBLE, slab_.get(), output, MPI_REPLACE));
-  WASH_PETSC(PetscSFReduceEnd(grid_to_slab_, MPI_DOUBLE, slab_.get(), output, MPI_REPLACE));
+  for (std::size_t n = passes_.size(); n-- > 0;) {
+    const Pass& pass = passes_[n];
+    double* target = n == 0 ? output : passes_[n - 1].data.get();
+    if (pass.backward) fftw_execute(pass.backward.get());
+    WASH_PETSC(PetscSFReduceBegin(pass.from_before, MPI_DOUBLE, pass.data.get(), target, MPI_REPLACE));
+    WASH_PETSC(PetscSFReduceEnd(pass.from_before, MPI_DOUBLE, pass.data.get(), target, MPI_REPLACE));
+  }
   WASH_PETSC(VecRestoreArray(phi, &output));
 }
 

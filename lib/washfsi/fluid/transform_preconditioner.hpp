@@ -4,10 +4,8 @@
 // transforms: cosine (DCT-II) along directions between boundaries, real Fourier along periodic ones. In their basis the
 // 3-, 5- or 7-point Laplacian is diagonal,  lambda = sum_d (2 - 2 cos(pi k_d / n_d)) / h_d^2  (2 pi k_d / n_d when
 // periodic), for any n_d.
-//   1. slabs:     cut along the last axis;       transform all other axes in one batch
-//   2. columns:   cut along the last but one;    transform the last axis, divide by lambda, transform back
-//   3. slabs:     transform the other axes back
-// The three layouts (grid, slabs, columns) exchange data by two PetscSF built once.
+// Layout after layout transforms its axes, the last divides by lambda, and back again (`transform_layout.hpp`). The
+// grid and the layouts exchange data by PetscSF built once.
 #pragma once
 
 #include <memory>
@@ -15,7 +13,9 @@
 
 #include <fftw3.h>
 
+#include "washfsi/fluid/transform_layout.hpp"
 #include "washfsi/grid/grid.hpp"
+#include "washfsi/support/collective.hpp"
 
 namespace washfsi {
 
@@ -23,7 +23,9 @@ template <int Dim>
 class TransformSolver {
  public:
   /// Collective.
-  explicit TransformSolver(const Grid<Dim>& grid);
+  explicit TransformSolver(const Grid<Dim>& grid)
+      : TransformSolver(grid, transform_layouts<Dim>(grid.cells(), ranks_of(grid.comm()))) {}
+  TransformSolver(const Grid<Dim>& grid, const TransformLayouts<Dim>& layouts);
 
   /// phi = the solution of zero mean of -lap phi = r (r without its mean). Collective.
   void solve(Vec r, Vec phi);
@@ -38,20 +40,25 @@ class TransformSolver {
   };
   using Buffer = std::unique_ptr<double[], Free>;
 
-  void build_exchanges();
-  void build_plans();
-  void build_inverse_eigenvalues();
-  std::vector<fftw_r2r_kind> kinds(int first_axis, int last_axis, bool forward) const;
-  Index<Dim> column_index(std::size_t entry) const;
+  /// A layout with this rank's cells.
+  struct Pass {
+    TransformLayout<Dim> layout;
+    Box<Dim> owned;
+    std::size_t size;
+    Buffer data;
+    petsc::StarForest from_before;  ///< from the layout before it, the first from the grid
+    Plan forward, backward;
+  };
+
+  Pass pass(const TransformLayout<Dim>& layout) const;
+  petsc::StarForest exchange(const Pass& to) const;
+  PetscSFNode before(const Index<Dim>& cell) const;
+  Plan plan(const Pass& pass, bool forward) const;
+  void find_inverse_eigenvalues();
 
   const Grid<Dim>& grid_;
-  std::vector<PetscInt> slab_starts_, column_starts_;  ///< first layer of each rank, and the end
-  std::size_t slab_size_ = 0, column_size_ = 0;
-  PetscInt slab_layers_ = 0, column_layers_ = 0;
-  Buffer slab_, columns_;
-  petsc::StarForest grid_to_slab_, slab_to_columns_;
-  Plan slab_forward_, slab_backward_, columns_forward_, columns_backward_;
-  std::vector<double> inverse_eigenvalues_;  ///< of the columns' entries, with the transforms' scale; 0 for the mean
+  std::vector<Pass> passes_;
+  std::vector<double> inverse_eigenvalues_;  ///< of the last pass's cells, with the transforms' scale; 0 for the mean
 };
 
 /// Makes the solver known to PETSc as a preconditioner: -pressure_pc_type transform. Its DM must carry the Grid as
