@@ -37,14 +37,14 @@ std::vector<std::vector<typename MobilityMatrix<Dim>::Entry>> MobilityMatrix<Dim
   const bool symmetric = delta_.spread_width == delta_.interpolate_width;
   std::vector<std::vector<Entry>> rows(count);
   for (std::size_t marker = first; marker < first + count; ++marker)
-    for (const std::size_t other : search.near(reached[marker - first])) {
+    search.visit_near(reached[marker - first], [&](std::size_t other) {
       const bool mirrored = symmetric && other >= first && other < first + count && other != marker;
-      if (mirrored && other < marker) continue;
+      if (mirrored && other < marker) return;
       const Point<Dim> value = overlap(grid_, stencils[marker].interpolate, stencils[other].spread);
-      if (value == Point<Dim>::Zero()) continue;
+      if (value == Point<Dim>::Zero()) return;
       rows[marker - first].push_back({other, value});
       if (mirrored) rows[other - first].push_back({marker, value});
-    }
+    });
   for (auto& row : rows)
     std::sort(row.begin(), row.end(), [](const Entry& a, const Entry& b) { return a.other < b.other; });
   return rows;

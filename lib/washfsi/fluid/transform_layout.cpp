@@ -89,6 +89,7 @@ TransformLayouts<2> transform_layouts<2>(const Index<2>& cells, int ranks) {
 
 template <>
 TransformLayouts<3> transform_layouts<3>(const Index<3>& cells, int ranks) {
+  if (ranks == 1) return {{cells, {1, 1, 1}, {0, 1, 2}, 3}};
   if (ranks > std::min(cells[1], cells[2])) return pencil_layouts(cells, ranks);
   return {{cells, {1, 1, ranks}, {0, 1, 2}, 2}, {cells, {1, ranks, 1}, {2, 0, 1}, 1}};
 }
