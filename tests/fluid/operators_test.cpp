@@ -89,17 +89,22 @@ TEST(Projection, WorksWithAlgebraicMultigridOfPetsc) {
   expect_divergence_free<2>("gamg");
 }
 
+template <int Dim>
+petsc::Vector rough_right_side(const Grid<Dim>& grid) {
+  petsc::Vector rhs = grid.cell_vector();
+  const CellView<Dim> r(grid.cell_dm(), rhs);
+  for_each<Dim>(grid.owned(), [&](const Index<Dim>& cell) { r(cell) = wave(7 * grid.cell_center(cell).sum()); });
+  return rhs;
+}
+
 // The fast transforms must invert the uniform operator: one application solves a rough right side, on any mix of sides.
 template <int Dim>
-void expect_exact_inverse(bool periodic_in_x, GridShape<Dim> shape = odd_shape<Dim>()) {
+void expect_exact_inverse(bool periodic_in_x) {
+  GridShape<Dim> shape = odd_shape<Dim>();
   shape.periodic[0] = periodic_in_x;
   const Grid<Dim> grid(PETSC_COMM_WORLD, shape);
   PressureSolver<Dim> poisson(grid, 1000);
-  const petsc::Vector rhs = grid.cell_vector(), phi = grid.cell_vector();
-  {
-    const CellView<Dim> r(grid.cell_dm(), rhs);
-    for_each<Dim>(grid.owned(), [&](const Index<Dim>& cell) { r(cell) = wave(7 * grid.cell_center(cell).sum()); });
-  }
+  const petsc::Vector rhs = rough_right_side(grid), phi = grid.cell_vector();
   double sum = 0;
   WASH_PETSC(VecSum(rhs, &sum));
   WASH_PETSC(VecShift(rhs, -sum / grid.cell_count()));
@@ -121,11 +126,7 @@ TEST(Transform, SolvesTheSameOnPencils) {
     GridShape<3> shape = odd_shape<3>();
     shape.periodic[1] = periodic;
     const Grid<3> grid(PETSC_COMM_WORLD, shape);
-    const petsc::Vector rhs = grid.cell_vector(), by_slabs = grid.cell_vector(), by_pencils = grid.cell_vector();
-    {
-      const CellView<3> r(grid.cell_dm(), rhs);
-      for_each<3>(grid.owned(), [&](const Index<3>& cell) { r(cell) = wave(7 * grid.cell_center(cell).sum()); });
-    }
+    const petsc::Vector rhs = rough_right_side(grid), by_slabs = grid.cell_vector(), by_pencils = grid.cell_vector();
     TransformSolver<3>(grid).solve(rhs, by_slabs);
     TransformSolver<3>(grid, pencil_layouts(grid.cells(), ranks_of(grid.comm()))).solve(rhs, by_pencils);
     double largest = 0, apart = 0;

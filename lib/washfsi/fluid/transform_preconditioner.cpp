@@ -10,6 +10,17 @@
 
 namespace washfsi {
 
+namespace {
+
+template <int Dim>
+std::size_t cells_in(const Box<Dim>& box) {
+  std::size_t cells = 1;
+  for (int d = 0; d < Dim; ++d) cells *= static_cast<std::size_t>(box.upper[d] - box.lower[d]);
+  return cells;
+}
+
+}  // namespace
+
 template <int Dim>
 TransformSolver<Dim>::TransformSolver(const Grid<Dim>& grid, const TransformLayouts<Dim>& layouts) : grid_(grid) {
   for (const auto& layout : layouts) passes_.push_back(pass(layout));
@@ -18,8 +29,8 @@ TransformSolver<Dim>::TransformSolver(const Grid<Dim>& grid, const TransformLayo
 
 template <int Dim>
 typename TransformSolver<Dim>::Pass TransformSolver<Dim>::pass(const TransformLayout<Dim>& layout) const {
-  Pass pass{layout, layout.owned_by(rank_of(grid_.comm())), 1, {}, {}, {}, {}};
-  for (int d = 0; d < Dim; ++d) pass.size *= static_cast<std::size_t>(pass.owned.upper[d] - pass.owned.lower[d]);
+  const Box<Dim> owned = layout.owned_by(rank_of(grid_.comm()));
+  Pass pass{layout, owned, cells_in<Dim>(owned), {}, {}, {}, {}};
   pass.data.reset(fftw_alloc_real(std::max<std::size_t>(pass.size, 1)));
   pass.from_before = exchange(pass);
   pass.forward = plan(pass, true);
@@ -47,9 +58,7 @@ petsc::StarForest TransformSolver<Dim>::exchange(const Pass& to) const {
   sources.reserve(to.size);
   for (std::size_t entry = 0; entry < to.size; ++entry)
     sources.push_back(before(to.layout.cell(to.owned, static_cast<PetscInt>(entry))));
-  PetscInt in_grid = 1;
-  for (int d = 0; d < Dim; ++d) in_grid *= grid_.owned().upper[d] - grid_.owned().lower[d];
-  return petsc::star_forest(grid_.comm(), passes_.empty() ? static_cast<std::size_t>(in_grid) : passes_.back().size,
+  return petsc::star_forest(grid_.comm(), passes_.empty() ? cells_in<Dim>(grid_.owned()) : passes_.back().size,
                             sources);
 }
 

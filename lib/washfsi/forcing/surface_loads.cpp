@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What the markers' forces are to the bodies and to the sides of the box.
+#include <algorithm>
+#include <cmath>
+
 #include "washfsi/forcing/surface_forcing.hpp"
 #include "washfsi/support/collective.hpp"
 
