@@ -159,6 +159,14 @@ BLOCK = """
 -time_end 0.1
 -output_interval 1
 """.split()
+IN_AIR = """
+-fluid water
+-grid_cells 20,20,20
+-grid_lower -0.2,-0.2,-0.2
+-grid_upper 0.2,0.2,0.2
+-fluid_density 1
+-fluid_viscosity 1e-3
+""".split()
 # A sheet, too heavy to move, across a channel in the plane.
 CHANNEL = """
 -grid_cells 32,16
@@ -351,6 +359,24 @@ class Contact(ProgramTest):
         apart = carried["sled_center_x"] - carried["sled_center_x"][0] - way
         print(f"carried along but for {np.abs(apart).max():.3g} m of {way[-1]:.3g} m")
         self.assertLess(np.abs(apart).max(), 0.02 * way[-1])
+
+    def test_friction_of_second_order_is_whole(self):
+        """What slides has rubbed in a step, not at its start: friction must not be weighed as forces there and at the end are."""
+        late = slice(100, None)
+        accelerations = []
+        for order in (1, 2):
+            history = self.history(1, *BLOCK, *IN_AIR, "-contact_body_friction", 0.3, "-sled_load", f"{PULL},0,-{PRESS}",
+                                   "-coupling_order", order)
+            time, place = history["time"][late], history["sled_center_x"][late]
+            accelerations.append(2 * np.polyfit(time, place, 2)[0])
+            rubbed = 0.3 * history["sled_body_contact_force"][late]
+            power = history["sled_friction_power"][late] / (rubbed * np.gradient(place, time))
+            load = history["block_force_x"][late] / rubbed
+            print(f"order {order}: accelerates by {accelerations[-1]:.3f} m/s2, power {power.mean():.3f} and load {load.mean():.3f} "
+                  "of Coulomb's")
+            self.assertLess(abs(power.mean() - 1), 0.03)
+            self.assertLess(abs(load.mean() - 1), 0.1)  # the air drags too
+        self.assertLess(abs(accelerations[1] / accelerations[0] - 1), 0.03)
 
     def test_water_goes_through_a_permeable_sheet_by_darcys_law(self):
         lighter = ("-contact", "barrier", "-sheet_excess_mass", 1e4)

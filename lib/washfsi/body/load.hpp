@@ -35,6 +35,7 @@ struct Load {
     torque += other.torque;
     return *this;
   }
+  friend Load operator*(double factor, const Load& load) { return {factor * load.force, factor * load.torque}; }
 };
 
 template <int Dim>

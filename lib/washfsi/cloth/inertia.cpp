@@ -6,7 +6,7 @@ namespace washfsi {
 template <int Dim>
 void Inertia<Dim>::begin_step(const StepStart<Dim>& start) {
   const auto& [rate, known] = start.acceleration;
-  stiffness_per_mass_ = rate > 0 ? rate / start.dt : 0;
+  stiffness_per_mass_ = rate > 0 ? rate / (start.dt * start.share) : 0;
   unmoved_ = start.positions;
   if (rate > 0) unmoved_ += (start.dt / rate) * known;
 }

@@ -10,7 +10,8 @@ namespace washfsi {
 /// then is its own. With the mean velocity W = (X - X^n)/dt in a step, and an acceleration that the coupling scheme
 /// takes for rate W - known,
 ///   I = -m (rate W - known),     stiffness  m rate/dt,     energy  1/2 m rate/dt |X - X0|^2
-/// where X0 = X^n + dt known/rate is where the marker would feel none. There is none where markers do not move.
+/// where X0 = X^n + dt known/rate is where the marker would feel none. There is none where markers do not move. All is
+/// over the share of the step's mean force that forces at its end have, as inertia is that of the step as a whole.
 template <int Dim>
 class Inertia : public MarkerForce<Dim> {
  public:
@@ -30,7 +31,7 @@ class Inertia : public MarkerForce<Dim> {
  private:
   const Cloths<Dim>& cloths_;
   Points<Dim> unmoved_;            ///< X0 [m]
-  double stiffness_per_mass_ = 0;  ///< rate/dt [1/s2]
+  double stiffness_per_mass_ = 0;  ///< rate/(dt share) [1/s2]
 };
 
 extern template class Inertia<2>;

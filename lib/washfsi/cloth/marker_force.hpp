@@ -39,6 +39,7 @@ struct StepStart {
   double dt;                                 ///< for which the markers move until then [s]; 0: not at all
   Acceleration<Dim> acceleration = {};       ///< from the motion to the end; none where they do not move
   ExplicitStep held = {};                    ///< the step for which the forces at these places are held, if they are
+  double share = 1;                          ///< of the step's mean force that those at its end make up
 };
 
 /// What the longest explicit step needs of a marker.

@@ -55,7 +55,7 @@ void Barrier<Dim>::begin_step(const StepStart<Dim>& start) {
     reaches_.push_back(std::max(least_reach(), to_spare * start.dt * velocity.norm()));
   look_round(all);
   lay_out();
-  friction_.begin(rubbing_pairs(all), all, start.dt);
+  friction_.begin(rubbing_pairs(all), all, start.dt, start.share);
   seen_.clear();
 }
 

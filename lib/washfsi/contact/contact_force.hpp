@@ -33,6 +33,16 @@ struct ContactLoads {
   std::array<std::array<Load<Dim>, 2>, Dim> sides{};
 };
 
+/// A share of the first, and the rest of the second.
+template <int Dim>
+ContactLoads<Dim> weighed(double share, ContactLoads<Dim> first, const ContactLoads<Dim>& second) {
+  const auto weigh = [&](Load<Dim>& load, const Load<Dim>& other) { (load = share * load) += (1 - share) * other; };
+  for (std::size_t b = 0; b < first.bodies.size(); ++b) weigh(first.bodies[b], second.bodies[b]);
+  for (std::size_t axis = 0; axis < first.sides.size(); ++axis)
+    for (std::size_t end = 0; end < 2; ++end) weigh(first.sides[axis][end], second.sides[axis][end]);
+  return first;
+}
+
 /// What contact does to each of a rank's markers.
 struct MarkerContact {
   std::vector<double> normal_force;    ///< sum of the normal forces, each by the marker's share [N]

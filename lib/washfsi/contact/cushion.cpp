@@ -76,7 +76,7 @@ void Cushion<Dim>::begin_friction(const StepStart<Dim>& start) {
       rubs.push_back({plane.normal, limit, held ? 2 * dt * dt * limit * start.held.mobilities[plane.marker] : 0});
     }
   }
-  friction_.begin(std::move(rubs), dt);
+  friction_.begin(std::move(rubs), dt, start.share);
 }
 
 template <int Dim>

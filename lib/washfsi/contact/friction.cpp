@@ -27,8 +27,9 @@ Point<Dim> slide(const Rub<Dim>& rub, const Point<Dim>& way) {
 }  // namespace
 
 template <int Dim>
-void Friction<Dim>::begin(std::vector<Rub<Dim>> rubs, double dt) {
+void Friction<Dim>::begin(std::vector<Rub<Dim>> rubs, double dt, double share) {
   dt_ = dt;
+  share_ = share;
   rubs_ = dt > 0 ? std::move(rubs) : std::vector<Rub<Dim>>{};
   directions_.assign(rubs_.size(), Point<Dim>::Zero());
   slides_ = directions_;
@@ -64,8 +65,8 @@ RubForce<Dim> Friction<Dim>::force(const Rub<Dim>& rub, const Point<Dim>& direct
   const Creep law = creep(y, rub, dt_);
   StiffnessBlock<Dim> stiffness = StiffnessBlock<Dim>::Identity() - rub.normal * rub.normal.transpose();
   if (y > 0) stiffness -= 0.5 * law.rate / y * (direction * slide.transpose() + slide * direction.transpose());
-  const double strength = rub.limit / law.g;
-  return {rub.limit * law.energy, strength * y * y, strength * slide, strength * stiffness};
+  const double limit = rub.limit / share_, strength = limit / law.g;
+  return {limit * law.energy, share_ * strength * y * y, strength * slide, strength * stiffness};
 }
 
 template class Friction<2>;

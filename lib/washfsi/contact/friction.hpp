@@ -18,7 +18,8 @@ struct Rub {
 /// What a rub does when the first surface has slid over the second by some way.
 template <int Dim>
 struct RubForce {
-  double energy = 0, work = 0;    ///< of the potential, and that it takes out in the step [J]
+  double energy = 0;              ///< of the potential [J]
+  double work = 0;                ///< that friction takes out in the step, pull by its share times slide [J]
   Point<Dim> pull;                ///< on the second surface, and minus this on the first [N]
   StiffnessBlock<Dim> stiffness;  ///< of Newton's method [N/m]
 };
@@ -33,6 +34,8 @@ struct RubForce {
 /// g q = u, g = |u|/f(|u|)  (Chan, Golub and Mulet, SIAM J. Sci. Comput. 20 (1999) 1964): with u eliminated for it
 ///   limit/g (1 - n n^T - g'/2 (q u^T + u q^T)/|u|),      |q| <= 1
 /// is positive, pull over slide at first, when q = 0, and the Hessian in the end.
+/// Friction is that of the step as a whole: where forces at its end make up a share of the step's mean force, and those
+/// at its start, when nothing has slid yet, the rest, the pull is limit/share.
 /// In an explicit step of length dt the way is that of the velocities at its start, and e at least so long that the
 /// pull does not turn the slide round: 2 limit dt^2 mobility.
 template <int Dim>
@@ -41,8 +44,8 @@ class Friction {
   /// Of the slide at which friction is whole [m/s].
   static constexpr double creep_speed = 1e-3;
 
-  /// A step of length dt begins; dt = 0: nothing slides.
-  void begin(std::vector<Rub<Dim>> rubs, double dt);
+  /// A step of length dt begins; dt = 0: nothing slides. Pulls make up this share of the step's mean force.
+  void begin(std::vector<Rub<Dim>> rubs, double dt, double share = 1);
   /// Newton's method goes on from these ways of all rubs [m].
   void linearise(const Points<Dim>& ways);
   /// What each rub does after these ways of all.
@@ -54,7 +57,7 @@ class Friction {
 
   std::vector<Rub<Dim>> rubs_;
   Points<Dim> directions_, slides_;  ///< q and u of each, where it was linearised last
-  double dt_ = 0;
+  double dt_ = 0, share_ = 1;
 };
 
 extern template class Friction<2>;

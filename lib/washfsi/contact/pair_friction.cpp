@@ -6,12 +6,12 @@
 namespace washfsi {
 
 template <int Dim>
-void PairFriction<Dim>::begin(std::vector<Pair> pairs, Points<Dim> starts, double dt) {
+void PairFriction<Dim>::begin(std::vector<Pair> pairs, Points<Dim> starts, double dt, double share) {
   pairs_ = std::move(pairs);
   starts_ = std::move(starts);
   std::vector<Rub<Dim>> rubs;
   for (const Pair& pair : pairs_) rubs.push_back({pair.gap.normal, pair.limit, pair.stops});
-  friction_.begin(std::move(rubs), dt);
+  friction_.begin(std::move(rubs), dt, share);
   forces_.clear();
 }
 

@@ -17,8 +17,8 @@ class PairFriction {
     double stops = 0;  ///< as of a `Rub`
   };
 
-  /// A step of length dt from these places begins; dt = 0: nothing slides.
-  void begin(std::vector<Pair> pairs, Points<Dim> starts, double dt);
+  /// A step of length dt from these places begins; dt = 0: nothing slides. The share is that of `Friction::begin`.
+  void begin(std::vector<Pair> pairs, Points<Dim> starts, double dt, double share = 1);
   /// An explicit step, in which what is at these places slides as it does now; mobilities as in `ExplicitStep`.
   void begin_explicit(std::vector<Pair> pairs, const Points<Dim>& all, const Points<Dim>& velocities,
                       const std::vector<double>& mobilities, double dt);

@@ -108,6 +108,7 @@ template <int Dim>
 ContactLoads<Dim> Measures<Dim>::contact() const {
   const Model<Dim>& model = system_.model;
   ContactLoads<Dim> loads = contact_loads<Dim>(model.forces, system_.step.pushed_at, model.bodies.size());
+  if (system_.step.end_share < 1) loads = weighed(system_.step.end_share, loads, system_.step.contact_at_start);
   loads.bodies = ordered_sum<Dim>(model.grid.comm(), loads.bodies);
   Loads<Dim> sides;
   for (const auto& ends : loads.sides) sides.insert(sides.end(), ends.begin(), ends.end());

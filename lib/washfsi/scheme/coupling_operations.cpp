@@ -22,8 +22,8 @@ double norm(MPI_Comm comm, const Points<Dim>& values) {
 
 template <int Dim>
 void begin_step(System<Dim>& system, const Points<Dim>& positions, double time, double dt,
-                const Acceleration<Dim>& acceleration) {
-  system.model.forces.begin_step({positions, system.state.velocities, time, dt, acceleration});
+                const Acceleration<Dim>& acceleration, double share) {
+  system.model.forces.begin_step({positions, system.state.velocities, time, dt, acceleration, {}, share});
 }
 
 template <int Dim>
@@ -112,8 +112,8 @@ template double dot<2>(MPI_Comm, const Points<2>&, const Points<2>&);
 template double dot<3>(MPI_Comm, const Points<3>&, const Points<3>&);
 template double norm<2>(MPI_Comm, const Points<2>&);
 template double norm<3>(MPI_Comm, const Points<3>&);
-template void begin_step<2>(System<2>&, const Points<2>&, double, double, const Acceleration<2>&);
-template void begin_step<3>(System<3>&, const Points<3>&, double, double, const Acceleration<3>&);
+template void begin_step<2>(System<2>&, const Points<2>&, double, double, const Acceleration<2>&, double);
+template void begin_step<3>(System<3>&, const Points<3>&, double, double, const Acceleration<3>&, double);
 template void begin_explicit_step<2>(System<2>&, const Points<2>&, double, double);
 template void begin_explicit_step<3>(System<3>&, const Points<3>&, double, double);
 template Points<2> all_forces<2>(System<2>&, const Points<2>&);

@@ -8,10 +8,10 @@
 namespace washfsi {
 
 /// Lets the forces on the cloths look at what is near to these places; they are to act at `time`, until which the
-/// markers move for dt, with such an acceleration.
+/// markers move for dt, with such an acceleration, and then make up this share of the step's mean force.
 template <int Dim>
 void begin_step(System<Dim>& system, const Points<Dim>& positions, double time, double dt,
-                const Acceleration<Dim>& acceleration = {});
+                const Acceleration<Dim>& acceleration = {}, double share = 1);
 
 /// The same for forces at these places and this time, which are then held for dt. Locates the cloth.
 template <int Dim>

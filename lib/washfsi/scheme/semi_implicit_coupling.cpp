@@ -205,14 +205,11 @@ void SemiImplicitCoupling<Dim>::sweep(System<Dim>& system, double dt, Points<Dim
   }
 }
 
-// Forces at the step's end are weighed; inertia is to act as a whole.
+// Forces at the step's end are weighed; inertia and friction, of the step as a whole, are not to be.
 template <int Dim>
 void SemiImplicitCoupling<Dim>::begin_motion(System<Dim>& system, double dt) const {
-  Acceleration<Dim> acceleration =
-      options_.order == 1 ? backward_difference(system, dt) : centred_difference(system, dt);
-  acceleration.rate /= weights_.end;
-  acceleration.known = (1 / weights_.end) * acceleration.known;
-  begin_step(system, system.state.positions, system.state.clock.time + dt, dt, acceleration);
+  begin_step(system, system.state.positions, system.state.clock.time + dt, dt,
+             options_.order == 1 ? backward_difference(system, dt) : centred_difference(system, dt), weights_.end);
 }
 
 template <int Dim>
@@ -222,6 +219,8 @@ void SemiImplicitCoupling<Dim>::take(System<Dim>& system, double dt) {
   weigh(system, dt);
   begin_step(system, state.positions, start, 0);
   const Points<Dim> at_start = model.forces.of_places(state.positions);
+  step.end_share = weights_.end;
+  step.contact_at_start = contact_loads<Dim>(model.forces, state.positions, model.bodies.size());
   const Points<Dim> forces = at_start + (1 / weights_.end) * last_inertia(system);
   begin_motion(system, dt);
   const Points<Dim> places = state.positions + 0.5 * dt * state.velocities;

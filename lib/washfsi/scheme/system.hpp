@@ -22,6 +22,8 @@ template <int Dim>
 struct StepRecord {
   petsc::Vector force;                            ///< of cloth on water, on faces [N/m3]
   Points<Dim> pushed_at;                          ///< places at which the forces on the cloths were evaluated last [m]
+  double end_share = 1;                           ///< of the step's mean force that the forces at those places make up
+  ContactLoads<Dim> contact_at_start;             ///< of this rank's markers, which make up the rest
   Points<Dim> given;                              ///< force of each of this rank's markers on the water [N]
   Point<Dim> wall_reaction = Point<Dim>::Zero();  ///< part of the cloth's force that walls took [N]
   double seepage_power = 0;                       ///< lost to water that goes through cloth [W; W/m in the plane]
