@@ -32,7 +32,7 @@ class Plot(ProgramTest):
     @classmethod
     def setUpClass(cls):
         cls.root = cls.shared_folder()
-        for name, words in (("space", [*SPACE, "-time_end", 0.01, "-output_interval", 0.005]),
+        for name, words in (("space", [*SPACE, "-time_step", 1e-3, "-time_end", 0.01, "-output_interval", 0.005]),
                             ("plane", [*PLANE, "-time_end", 0.02, "-output_interval", 0.01]),
                             ("design", [*SPACE, "-check"])):
             outcome = run(1, *words, "-output_dir", name, folder=cls.root)

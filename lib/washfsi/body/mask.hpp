@@ -26,6 +26,7 @@ class Mask {
   /// Lets the water that the bodies hold slide: add(H, velocity) adds to the bodies' velocity on faces.
   template <class Add>
   void let_slide(const Add& add) {
+    if (!held_velocity_) held_velocity_ = grid_.face_vector();
     WASH_PETSC(VecCopy(solid_velocity_, held_velocity_));
     add(static_cast<Vec>(fraction_), static_cast<Vec>(held_velocity_));
     slides_ = true;
@@ -53,9 +54,9 @@ class Mask {
   /// velocity becomes H velocity + (1 - H) solid velocity: what moves the markers. Collective.
   void hold(Vec velocity) const;
 
-  /// Load on each body from the force density by which the bodies held the water over a step, less the inertia of the
-  /// water inside them, and what the walls of the box held for them: their pressure. `time` is the middle of
-  /// the step. Collective.
+  /// Load on each body from the force density by which the bodies held the water over a step, null if they did not,
+  /// less the inertia of the water inside them, and what the walls of the box held for them: their pressure. `time` is
+  /// the middle of the step. Collective.
   Loads<Dim> loads(Vec constraint_force, Vec density, Vec pressure, double time) const;
 
   /// The momentum of the water inside each body beyond that with which it would move with it, and its angular
@@ -93,11 +94,12 @@ class Mask {
   double smoothing_;                 ///< eps [m]; 0: sharp
   std::vector<double> held_depths_;  ///< behind each body's walls, if markers hold them; else 0 [m]
   std::vector<CutFace<Dim>> cuts_;
+  // all null without bodies
   petsc::Vector fraction_, solid_velocity_;
-  petsc::Vector share_, resting_share_;            ///< null unless markers hold the walls
-  petsc::Vector held_velocity_;                    ///< what faces are held at, if not at the bodies' velocity [m/s]
-  petsc::Vector body_;                             ///< number of the body that holds each face; -1 in fluid
-  petsc::Vector resting_fraction_, resting_body_;  ///< of the bodies at rest alone
+  petsc::Vector share_;          ///< null unless markers hold the walls
+  petsc::Vector held_velocity_;  ///< what faces are held at; null if at the bodies' velocity [m/s]
+  petsc::Vector body_;           ///< number of the body that holds each face; -1 in fluid
+  petsc::Vector resting_fraction_, resting_share_, resting_body_;  ///< of the bodies at rest alone; null if no other is
   bool any_moves_, slides_ = false;
 };
 

@@ -61,7 +61,7 @@ void Mask<Dim>::add_wall_pressure(Vec pressure, double time, Loads<Dim>& loads) 
 template <int Dim>
 Loads<Dim> Mask<Dim>::loads(Vec constraint_force, Vec density, Vec pressure, double time) const {
   Loads<Dim> loads(bodies_.size());
-  add_constraint_force(constraint_force, density, time, loads);
+  if (constraint_force) add_constraint_force(constraint_force, density, time, loads);
   add_wall_pressure(pressure, time, loads);
   return ordered_sum<Dim>(grid_.comm(), loads);
 }

@@ -104,9 +104,7 @@ void FaceMobility<Dim>::enclose() {
     box_.lower[d] = std::min<PetscInt>(box_.lower[d], 0);
     box_.upper[d] = std::max(box_.upper[d], grid_.cells()[d]);
   }
-  PetscInt count = Dim;
-  for (int d = 0; d < Dim; ++d) count *= box_.upper[d] - box_.lower[d];
-  faces_.resize(static_cast<std::size_t>(count));
+  faces_.resize(Dim * box_.count());
 }
 
 // Faces beyond a periodic side and their images within get the sum of both.

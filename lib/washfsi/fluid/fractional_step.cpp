@@ -37,7 +37,6 @@ FractionalStep<Dim>::FractionalStep(const Grid<Dim>& grid, Boundary<Dim>& bounda
       advection_before_(grid.face_vector()),
       advection_earlier_(grid.face_vector()),
       rhs_(grid.face_vector()),
-      constraint_force_(grid.face_vector()),
       pressure_(grid.cell_vector()),
       phi_(grid.cell_vector()),
       minus_divergence_(grid.cell_vector()) {
@@ -102,6 +101,7 @@ void FractionalStep<Dim>::add_held_forces() {
 template <int Dim>
 void FractionalStep<Dim>::find_constraint_force() {
   if (!fields_.constraint.fluid_fraction) return;
+  if (!constraint_force_) constraint_force_ = grid_.face_vector();
   momentum_.constraint_force(rhs_, step_.end(), intermediate_, constraint_force_);
   if (fields_.driven_share) driving_.hold_back(fields_.driven_share, constraint_force_);
 }
@@ -278,7 +278,8 @@ void FractionalStep<Dim>::add_force(Vec force) {
   const petsc::LogPart part("pressure");
   {
     const Vec fluid_fraction = fields_.constraint.fluid_fraction;
-    const FaceView<Dim> u(grid_.face_dm(), intermediate_), held(grid_.face_dm(), constraint_force_);
+    const FaceView<Dim> u(grid_.face_dm(), intermediate_),
+        held(grid_.face_dm(), fluid_fraction ? constraint_force_ : intermediate_);
     const ConstFaceView<Dim> f(grid_.face_dm(), force), rho(grid_.face_dm(), fields_.liquid.density),
         fraction(grid_.face_dm(), fluid_fraction ? fluid_fraction : force);
     grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {

@@ -144,9 +144,9 @@ class FractionalStep {
   petsc::Vector advection_earlier_;             ///< (u.grad u)^(n-2)
   petsc::Vector rhs_;                           ///< b of the last `predict`
   petsc::Vector force_;                         ///< all of the step under way, with that of walls
-  petsc::Vector constraint_force_;
-  petsc::Vector pressure_;  ///< p^(n-1/2)
-  petsc::Vector phi_;       ///< dt q / rho_f of the last projection: the next one's guess
+  petsc::Vector constraint_force_;              ///< null before bodies have held anything
+  petsc::Vector pressure_;                      ///< p^(n-1/2)
+  petsc::Vector phi_;                           ///< dt q / rho_f of the last projection: the next one's guess
   petsc::Vector minus_divergence_;
   petsc::Vector phi_of_force_, kept_pressure_;  ///< for forces on top and `keep_pressure`; made when first used
   TimeStep step_;                               ///< under way

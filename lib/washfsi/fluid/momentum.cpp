@@ -27,6 +27,8 @@ MomentumSolver<Dim>::MomentumSolver(const Grid<Dim>& grid, const Boundary<Dim>& 
   WASH_PETSC(KSPSetOptionsPrefix(solver_, "momentum_"));
   WASH_PETSC(KSPSetOperators(solver_, matrix_, matrix_));
   WASH_PETSC(KSPSetType(solver_, KSPGMRES));
+  constexpr PetscInt restart = 5;  // mostly 2 iterations; each direction is one more vector
+  WASH_PETSC(KSPGMRESSetRestart(solver_, restart));
   PC pc = nullptr;
   WASH_PETSC(KSPGetPC(solver_, &pc));
   WASH_PETSC(PCSetType(pc, PCJACOBI));

@@ -16,6 +16,8 @@ namespace washfsi {
 
 namespace {
 
+constexpr const char* transform = "transform";  // the preconditioner that is the default
+
 /// Assembles -div( ratio grad ) times the cell volume on a DM, the form whose coarse versions fit multigrid's sums over
 /// cells; ratio(cell, d) is that of the cell's lower d-face, 0 in the boundary.
 template <int Dim, class Ratio>
@@ -64,20 +66,9 @@ template <int Dim>
 PressureSolver<Dim>::PressureSolver(const Grid<Dim>& grid, double reference_density)
     : grid_(grid), reference_density_(reference_density) {
   WASH_PETSC(DMCreateLocalVector(grid.face_dm(), ratio_.put()));
-  specific_volume_ = grid.face_vector();
   WASH_PETSC(DMCreateLocalVector(grid.stencil_dm(), local_phi_.put()));
   WASH_PETSC(VecZeroEntries(local_phi_));
-
-  const petsc::Vector cells = grid.cell_vector();
-  PetscInt size = 0;
-  WASH_PETSC(VecGetLocalSize(cells, &size));
-  WASH_PETSC(MatCreateShell(grid.comm(), size, size, PETSC_DETERMINE, PETSC_DETERMINE, this, matrix_.put()));
-  WASH_PETSC(MatShellSetOperation(matrix_, MATOP_MULT, reinterpret_cast<void (*)()>(&PressureSolver::multiply)));
-  WASH_PETSC(DMCreateMatrix(grid.stencil_dm(), assembled_.put()));
-  WASH_PETSC(MatNullSpaceCreate(grid.comm(), PETSC_TRUE, 0, nullptr, constants_.put()));
-  WASH_PETSC(MatSetNullSpace(matrix_, constants_));
-  WASH_PETSC(MatSetNullSpace(assembled_, constants_));
-  WASH_PETSC(MatSetOption(assembled_, MAT_SPD, PETSC_TRUE));
+  create_matrices();
 
   WASH_PETSC(KSPCreate(grid.comm(), solver_.put()));
   WASH_PETSC(KSPSetOptionsPrefix(solver_, "pressure_"));
@@ -86,16 +77,31 @@ PressureSolver<Dim>::PressureSolver(const Grid<Dim>& grid, double reference_dens
   WASH_PETSC(KSPSetInitialGuessNonzero(solver_, PETSC_TRUE));
   // no divergence test against the right side: with a good guess it may be far smaller than the first residual
   WASH_PETSC(KSPSetTolerances(solver_, 1e-50, PETSC_DEFAULT, 1e50, 1000));
+  WASH_PETSC(KSPSetOperators(solver_, matrix_, assembled_ ? assembled_ : matrix_));
   PC pc = nullptr;
   WASH_PETSC(KSPGetPC(solver_, &pc));
   WASH_PETSC(PCSetDM(pc, grid.stencil_dm()));
   register_transform_preconditioner();
-  WASH_PETSC(PCSetType(pc, "transform"));
+  WASH_PETSC(PCSetType(pc, transform));
   const petsc::Vector uniform = grid.face_vector();
   WASH_PETSC(VecSet(uniform, reference_density_));
   set_density(uniform);
   set_preconditioner_defaults();
   user_sets_atol_ = set_up_from_options(solver_);
+}
+
+// The transform wants none that is assembled.
+template <int Dim>
+void PressureSolver<Dim>::create_matrices() {
+  WASH_PETSC(MatNullSpaceCreate(grid_.comm(), PETSC_TRUE, 0, nullptr, constants_.put()));
+  const auto size = static_cast<PetscInt>(grid_.owned().count());
+  WASH_PETSC(MatCreateShell(grid_.comm(), size, size, PETSC_DETERMINE, PETSC_DETERMINE, this, matrix_.put()));
+  WASH_PETSC(MatShellSetOperation(matrix_, MATOP_MULT, reinterpret_cast<void (*)()>(&PressureSolver::multiply)));
+  WASH_PETSC(MatSetNullSpace(matrix_, constants_));
+  if (petsc::option_value("pressure_", "-pc_type", transform) == transform) return;
+  WASH_PETSC(DMCreateMatrix(grid_.stencil_dm(), assembled_.put()));
+  WASH_PETSC(MatSetNullSpace(assembled_, constants_));
+  WASH_PETSC(MatSetOption(assembled_, MAT_SPD, PETSC_TRUE));
 }
 
 // What hypre and PCMG take from the options database only.
@@ -158,8 +164,9 @@ void PressureSolver<Dim>::set_density(Vec density, Vec fluid_fraction) {
   const std::array versions{petsc::Version(density), petsc::Version(fluid_fraction)};
   if (versions == versions_) return;
   versions_ = versions;
+  const petsc::GlobalVector specific_volume(grid_.face_dm());
   {
-    const FaceView<Dim> ratio(grid_.face_dm(), specific_volume_);
+    const FaceView<Dim> ratio(grid_.face_dm(), specific_volume);
     const ConstFaceView<Dim> rho(grid_.face_dm(), density),
         fraction(grid_.face_dm(), fluid_fraction ? fluid_fraction : density);
     const bool variable = fluid_fraction != nullptr;
@@ -169,27 +176,18 @@ void PressureSolver<Dim>::set_density(Vec density, Vec fluid_fraction) {
             (variable ? std::max(fraction(face, d), least_fraction) : 1) * reference_density_ / rho(face, d);
     });
   }
-  double least = 0, most = 0;
-  WASH_PETSC(VecMin(specific_volume_, nullptr, &least));
-  WASH_PETSC(VecMax(specific_volume_, nullptr, &most));
-  WASH_PETSC(DMGlobalToLocal(grid_.face_dm(), specific_volume_, INSERT_VALUES, ratio_));
+  WASH_PETSC(DMGlobalToLocal(grid_.face_dm(), specific_volume, INSERT_VALUES, ratio_));
   close_boundary_faces();
+  if (!assembled_) return;
+  double least = 0, most = 0;
+  WASH_PETSC(VecMin(specific_volume, nullptr, &least));
+  WASH_PETSC(VecMax(specific_volume, nullptr, &most));
   // Where the density varies little, the preconditioner of the uniform one serves; otherwise it follows each step.
   // A function of this step's density alone, so that a restarted run has the same preconditioner.
-  const bool nearly_uniform = (least > 1 / 1.5 && most < 1.5) || uses_transform();
+  const bool nearly_uniform = least > 1 / 1.5 && most < 1.5;
   if (nearly_uniform && assembled_is_uniform_) return;
   assembled_is_uniform_ = nearly_uniform;
   assemble();
-}
-
-// The transform never looks at the assembled matrix.
-template <int Dim>
-bool PressureSolver<Dim>::uses_transform() const {
-  PC pc = nullptr;
-  WASH_PETSC(KSPGetPC(solver_, &pc));
-  PetscBool same = PETSC_FALSE;
-  WASH_PETSC(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(static_cast<PC>(pc)), "transform", &same));
-  return same == PETSC_TRUE;
 }
 
 // No flux through the sides of the box.

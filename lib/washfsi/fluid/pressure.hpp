@@ -34,7 +34,7 @@ class PressureSolver {
   static PetscErrorCode multiply(Mat matrix, Vec x, Vec y);
   static PetscErrorCode assemble_coarse(KSP solver, Mat matrix, Mat preconditioner, void* context);
   void apply(Vec x, Vec y);
-  bool uses_transform() const;
+  void create_matrices();
   void close_boundary_faces();
   void assemble();
   void set_preconditioner_defaults();
@@ -42,10 +42,10 @@ class PressureSolver {
 
   const Grid<Dim>& grid_;
   double reference_density_;
-  petsc::Vector specific_volume_;  ///< rho_f/rho, or H rho_f/rho, on faces
-  petsc::Vector ratio_;            ///< the same, local, 0 on boundary faces
-  petsc::Vector local_phi_;        ///< ghosted; ghosts beyond the boundary stay 0
-  petsc::Matrix matrix_, assembled_;
+  petsc::Vector ratio_;      ///< rho_f/rho, or H rho_f/rho, on faces, local, 0 on boundary faces
+  petsc::Vector local_phi_;  ///< ghosted; ghosts beyond the boundary stay 0
+  petsc::Matrix matrix_;
+  petsc::Matrix assembled_;  ///< null where the preconditioner wants none
   petsc::NullSpace constants_;
   petsc::Solver solver_;
   bool user_sets_atol_ = false;

@@ -10,16 +10,7 @@
 
 namespace washfsi {
 
-namespace {
-
-template <int Dim>
-std::size_t cells_in(const Box<Dim>& box) {
-  std::size_t cells = 1;
-  for (int d = 0; d < Dim; ++d) cells *= static_cast<std::size_t>(box.upper[d] - box.lower[d]);
-  return cells;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 template <int Dim>
 TransformSolver<Dim>::TransformSolver(const Grid<Dim>& grid, const TransformLayouts<Dim>& layouts) : grid_(grid) {
@@ -30,7 +21,7 @@ TransformSolver<Dim>::TransformSolver(const Grid<Dim>& grid, const TransformLayo
 template <int Dim>
 typename TransformSolver<Dim>::Pass TransformSolver<Dim>::pass(const TransformLayout<Dim>& layout) const {
   const Box<Dim> owned = layout.owned_by(rank_of(grid_.comm()));
-  Pass pass{layout, owned, cells_in<Dim>(owned), {}, {}, {}, {}};
+  Pass pass{layout, owned, owned.count(), {}, {}, {}, {}};
   pass.data.reset(fftw_alloc_real(std::max<std::size_t>(pass.size, 1)));
   pass.from_before = exchange(pass);
   pass.forward = plan(pass, true);
@@ -58,8 +49,7 @@ petsc::StarForest TransformSolver<Dim>::exchange(const Pass& to) const {
   sources.reserve(to.size);
   for (std::size_t entry = 0; entry < to.size; ++entry)
     sources.push_back(before(to.layout.cell(to.owned, static_cast<PetscInt>(entry))));
-  return petsc::star_forest(grid_.comm(), passes_.empty() ? cells_in<Dim>(grid_.owned()) : passes_.back().size,
-                            sources);
+  return petsc::star_forest(grid_.comm(), passes_.empty() ? grid_.owned().count() : passes_.back().size, sources);
 }
 
 // Estimated plans are the same in every run, measured ones are not: results must repeat to the bit.

@@ -3,6 +3,8 @@
 
 #include <limits>
 
+#include <mpi.h>
+
 #include "washfsi/body/inner_water.hpp"
 #include "washfsi/forcing/kernel_moments.hpp"
 #include "washfsi/support/point.hpp"
@@ -21,6 +23,7 @@ struct MarkerLayout {
   KernelMoments moments;            ///< of the delta by which they act
   bool inner_water_slides = false;  ///< that within bodies, and all at thin parts, along the walls
   InnerWater inside = {false, std::numeric_limits<double>::infinity()};  ///< of the body
+  MPI_Comm comm = MPI_COMM_SELF;  ///< of the ranks that share the work, and all get all markers
 };
 
 }  // namespace washfsi

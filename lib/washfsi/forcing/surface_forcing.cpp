@@ -23,8 +23,11 @@ constexpr double forgets = 4;  // [1/cell]
 
 template <int Dim>
 MarkerLayout<Dim> layout_for(const Grid<Dim>& grid, const BodyTreatment& treatment) {
-  return {grid.spacing(), treatment.marker_spacing, KernelMoments(delta.kernel, delta.spread_width),
-          treatment.inner_water_slides};
+  return {.cell = grid.spacing(),
+          .spacing = treatment.marker_spacing,
+          .moments = KernelMoments(delta.kernel, delta.spread_width),
+          .inner_water_slides = treatment.inner_water_slides,
+          .comm = grid.comm()};
 }
 
 }  // namespace
@@ -114,6 +117,7 @@ void SurfaceForcing<Dim>::update(double time) {
     if (acts) shares_[p - begin_] = 1.0 / static_cast<double>(markers_.start(p + 1) - markers_.start(p));
   }
   transfer_.locate(places);
+  seen_.reset();
   closed_->update(states_, time);
   if (!nearness_) return;
   std::vector<bool> at_edges(states_.size(), false);
@@ -244,6 +248,7 @@ Points<Dim> SurfaceForcing<Dim>::approximate_forces(const Points<Dim>& velocitie
   Points<Dim> all(markers_.patches());
   MPI_Allgatherv(velocities.data(), static_cast<int>(Dim * velocities.size()), MPI_DOUBLE, all.data(), counts_.data(),
                  starts_.data(), MPI_DOUBLE, grid_.comm());
+  const petsc::LogPart part("wall_forces");
   const double scale = density_ * grid_.cell_volume() / step_.dt;
   Points<Dim> forces;
   std::size_t first = 0;

@@ -118,6 +118,13 @@ class SurfaceForcing : public WallForces {
   TimeStep step_;                     ///< under way
   Vec fluid_density_ = nullptr;       ///< of it
   const Project* project_ = nullptr;  ///< while the solver runs
+  /// J u of what was asked for last, where the markers are.
+  struct Seen {
+    petsc::Version velocity;
+    double time;
+    Points<Dim> water;
+  };
+  mutable std::optional<Seen> seen_;
 };
 
 template <int Dim>

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <numeric>
 
 #include "washfsi/forcing/sinker.hpp"
 #include "washfsi/grid/subdivide.hpp"
+#include "washfsi/support/collective.hpp"
 
 namespace washfsi {
 
@@ -53,18 +55,45 @@ class SeedCells {
   Box<Dim> box_{};
 };
 
-// In an order that does not depend on the region, for what is equally crowded.
+// Those of all ranks, in rank order.
+template <int Dim>
+std::vector<Candidate<Dim>> of_all_ranks(MPI_Comm comm, const std::vector<Candidate<Dim>>& mine) {
+  constexpr std::size_t width = 2 * Dim + 1;
+  std::vector<double> values;
+  for (const auto& [place, foot, sharpness] : mine) {
+    values.insert(values.end(), place.begin(), place.end());
+    values.insert(values.end(), foot.begin(), foot.end());
+    values.push_back(sharpness);
+  }
+  const auto ranks = static_cast<std::size_t>(ranks_of(comm));
+  std::vector<int> counts(ranks), starts(ranks, 0);
+  const int count = static_cast<int>(values.size());
+  MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, comm);
+  std::partial_sum(counts.begin(), counts.end() - 1, starts.begin() + 1);
+  std::vector<double> all(static_cast<std::size_t>(starts.back() + counts.back()));
+  MPI_Allgatherv(values.data(), count, MPI_DOUBLE, all.data(), counts.data(), starts.data(), MPI_DOUBLE, comm);
+  std::vector<Candidate<Dim>> candidates;
+  for (auto value = all.data(); value != all.data() + all.size(); value += width)
+    candidates.push_back({Point<Dim>(value), Point<Dim>(value + Dim), static_cast<int>(value[2 * Dim])});
+  return candidates;
+}
+
+// In an order that does not depend on the region, for what is equally crowded. Ranks share the seeds.
 template <int Dim>
 std::vector<Candidate<Dim>> candidates_of(const Shape<Dim>& shape, const MarkerLayout<Dim>& layout,
                                           const SeedCells<Dim>& seeds) {
-  const Sinker<Dim> sinker(shape, layout);
-  std::vector<Candidate<Dim>> candidates;
+  std::vector<Index<Dim>> near;
   subdivide<Dim>(
       seeds, seeds.box(), Sinker<Dim>::reach * layout.cell.maxCoeff(),
       [&](const Point<Dim>& place) { return shape.distance(place); }, [](const Box<Dim>&, int) {},
-      [&](const Index<Dim>& cell) {
-        if (const auto candidate = sinker.sink(seeds.center(cell))) candidates.push_back(*candidate);
-      });
+      [&](const Index<Dim>& cell) { near.push_back(cell); });
+  const Sinker<Dim> sinker(shape, layout);
+  const auto rank = static_cast<std::size_t>(rank_of(layout.comm)),
+             ranks = static_cast<std::size_t>(ranks_of(layout.comm));
+  std::vector<Candidate<Dim>> mine;
+  for (std::size_t n = near.size() * rank / ranks; n < near.size() * (rank + 1) / ranks; ++n)
+    if (const auto candidate = sinker.sink(seeds.center(near[n]))) mine.push_back(*candidate);
+  std::vector<Candidate<Dim>> candidates = of_all_ranks<Dim>(layout.comm, mine);
   std::sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
     return std::lexicographical_compare(a.place.begin(), a.place.end(), b.place.begin(), b.place.end());
   });
@@ -224,7 +253,8 @@ MarkerPatches<Dim> surface_markers(const Shape<Dim>& shape, const Bounds<Dim>& r
     if (!is_new) place->second.include(seen);
   }
   std::map<const Shape<Dim>*, MarkerPatches<Dim>> laid;
-  for (const auto& [part, seen] : regions) laid.emplace(part, markers_of_part(*part, seen, layout));
+  for (const auto& [part, pose] : parts)  // in the same order on all ranks
+    if (!laid.contains(part)) laid.emplace(part, markers_of_part(*part, regions.at(part), layout));
   Assembly<Dim> assembly(parts, layout);
   for (std::size_t n = 0; n < parts.size(); ++n) assembly.add(n, laid.at(parts[n].shape));
   return assembly.patches();

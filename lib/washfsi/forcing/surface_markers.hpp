@@ -13,6 +13,7 @@ namespace washfsi {
 /// their markers leave no gaps. They lie behind the surface by as much as their delta acts before them: by
 /// `KernelMoments::retraction`, and by 1/2 sum_d sigma^2 h_d^2 d2Phi/dx_d2 more, since the delta of a marker on a
 /// convex surface lies outside for the most part. A part that is thinner than its markers act gets one sheet of them.
+/// The same on any number of ranks. Collective.
 template <int Dim>
 MarkerPatches<Dim> surface_markers(const Shape<Dim>& shape, const Bounds<Dim>& region, const MarkerLayout<Dim>& layout);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <type_traits>
 #include <utility>
@@ -22,6 +23,12 @@ struct Box {
     for (int d = 0; d < Dim; ++d)
       if (index[d] < lower[d] || index[d] >= upper[d]) return false;
     return true;
+  }
+  /// The number of indices.
+  std::size_t count() const {
+    std::size_t count = 1;
+    for (int d = 0; d < Dim; ++d) count *= static_cast<std::size_t>(std::max<PetscInt>(upper[d] - lower[d], 0));
+    return count;
   }
 };
 

@@ -15,14 +15,6 @@ bool empty(const Box<Dim>& box) {
   return false;
 }
 
-template <int Dim>
-std::size_t count(const Box<Dim>& box) {
-  if (empty(box)) return 0;
-  std::size_t cells = 1;
-  for (int d = 0; d < Dim; ++d) cells *= static_cast<std::size_t>(box.upper[d] - box.lower[d]);
-  return cells;
-}
-
 }  // namespace
 
 template <int Dim>
@@ -36,7 +28,7 @@ OutflowLayer<Dim>::OutflowLayer(const Grid<Dim>& grid, int axis, End end)
     kept_.upper[d] = wraps ? grid.local().upper[d] : std::min(kept_.upper[d], grid.local().upper[d]);
   }
   if (empty(owned_)) owned_ = kept_ = {all_cells().lower, all_cells().lower};  // its ghosts at most reach the side
-  now_.resize(Dim * count(kept_));
+  now_.resize(Dim * kept_.count());
   next_ = now_;
 }
 

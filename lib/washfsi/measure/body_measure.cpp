@@ -85,8 +85,8 @@ template <int Dim>
 void BodyMeasure<Dim>::observe_markers(const SurfaceForcing<Dim>& walls, double dt) {
   const FractionalStep<Dim>& fluid = system_.model.fluid;
   const double time = system_.state.clock.time;
+  const Points<Dim> after = walls.water_at_markers(fluid.velocity(), time);  // as the walls were held: they know it
   const Points<Dim> before = walls.water_at_markers(fluid.velocity_before(), time - dt);
-  const Points<Dim> after = walls.water_at_markers(fluid.velocity(), time);
   mask_dissipation_ = walls.lost_power(before, after, dt);
   slips_ = walls.slip_of_bodies(after);
 }

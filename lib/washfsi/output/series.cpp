@@ -75,18 +75,21 @@ std::vector<CellField> fields_of(const Grid<Dim>& grid, const Boundary<Dim>& bou
   const auto slope = [&](const Index<Dim>& cell, int c, int d) {
     return (centred(shifted<Dim>(cell, d, 1), c) - centred(shifted<Dim>(cell, d, -1), c)) / (2 * grid.spacing()[d]);
   };
-  CellField velocity{"velocity", "m/s", 3, {}}, pressures{"pressure", "Pa", 1, {}};
-  CellField vorticity{"vorticity", "1/s", Dim == 2 ? 1 : 3, {}};
+  std::vector<CellField> fields{
+      {"velocity", "m/s", 3, {}}, {"pressure", "Pa", 1, {}}, {"vorticity", "1/s", Dim == 2 ? 1 : 3, {}}};
+  const auto cells = static_cast<std::size_t>(grid.owned().count());
+  for (CellField& field : fields) field.values.reserve(cells * static_cast<std::size_t>(field.components));
+  std::vector<double>&velocities = fields[0].values, &pressures = fields[1].values, &curls = fields[2].values;
   for_each<Dim>(grid.owned(), [&](const Index<Dim>& cell) {
-    for (int c = 0; c < 3; ++c) velocity.values.push_back(c < Dim ? centred(cell, c) : 0.0);
-    pressures.values.push_back(p(cell));
+    for (int c = 0; c < 3; ++c) velocities.push_back(c < Dim ? centred(cell, c) : 0.0);
+    pressures.push_back(p(cell));
     if constexpr (Dim == 3) {
-      vorticity.values.push_back(slope(cell, 2, 1) - slope(cell, 1, 2));
-      vorticity.values.push_back(slope(cell, 0, 2) - slope(cell, 2, 0));
+      curls.push_back(slope(cell, 2, 1) - slope(cell, 1, 2));
+      curls.push_back(slope(cell, 0, 2) - slope(cell, 2, 0));
     }
-    vorticity.values.push_back(slope(cell, 1, 0) - slope(cell, 0, 1));
+    curls.push_back(slope(cell, 1, 0) - slope(cell, 0, 1));
   });
-  return {velocity, pressures, vorticity};
+  return fields;
 }
 
 }  // namespace

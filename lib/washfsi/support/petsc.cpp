@@ -20,6 +20,13 @@ Vector zeros_like(Vec vector) {
   return result;
 }
 
+Vector copy_of(Vec vector) {
+  Vector result;
+  WASH_PETSC(VecDuplicate(vector, result.put()));
+  WASH_PETSC(VecCopy(vector, result));
+  return result;
+}
+
 StarForest star_forest(MPI_Comm comm, std::size_t roots, const std::vector<PetscSFNode>& sources) {
   StarForest forest;
   std::vector<PetscSFNode> copy = sources;  // PETSc asks for writable memory

@@ -92,6 +92,8 @@ using Layout = Handle<PetscLayout, PetscLayoutDestroy>;
 
 /// A new vector of the same layout, set to zero.
 Vector zeros_like(Vec vector);
+/// A vector of its own with the same values.
+Vector copy_of(Vec vector);
 
 /// A star forest whose leaf i has the root `sources[i]` (rank and place there), among `roots` roots on this rank.
 /// Collective.

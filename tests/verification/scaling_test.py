@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a step of the wash costs on some ranks, and by a model on many more: the tables of docs/performance.md.
+
+Steps of inputs/wash.opts of equal length, all the same on each number of ranks, and of a cavity on the same cells. Whatever
+number of steps is measured, set-up is not: each figure is the difference of two runs. Fails where results differ between ranks.
+Arguments: the numbers of ranks, 1 2 if none are given; more than there are cores tell of messages and results alone.
+
+The model. What a rank does is taken to be shared evenly, but for what all ranks do: the forces of each body's markers by the
+inverse of their overlap, the search for contact, and gathering the places of all markers of cloths. Cells have the work of
+momentum, pressure, masks and measures; markers of walls grow as the square of the cells a side, and those of cloths too.
+Messages have a latency each and a bandwidth, sums and gathers of all ranks a latency times log2 of them.
+"""
+
+import math
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from tables import ARGUMENTS, SOURCE, print_head, print_origin, print_row, read_columns
+import support
+
+CELLS = 33
+STEPS = 40, 100
+WASH = ["-options_file", SOURCE / "inputs" / "wash.opts", "-time_cfl", 0, "-time_tolerance", 0, "-time_step", 1e-3]
+CAVITY = ["-grid_cells", "33,33,33", "-bc_y_upper_velocity", "1,0,0", "-fluid_density", 1, "-fluid_viscosity", 1e-3,
+          "-time_step", 5e-3, "-time_end", 10]
+# What stages do, as they grow: with the cells; with the markers, of walls for the most part; with those of cloths; and what is not
+# shared among ranks.
+CELL_STAGES = "Main Stage", "bodies", "momentum", "pressure", "measures", "output"
+MARKER_STAGES = "spread", "interpolate"
+CLOTH_STAGES = "mobility", "cloth_solve", "cloth_force"
+SERIAL_STAGES = {"wall_forces": "walls", "contact_search": "cloths"}
+LATENCY, BANDWIDTH = 1.5e-6, 10e9  # of a cluster's network [s], [bytes/s a rank]: taken, not measured
+MONITORING = {"pml_monitoring_enable": 2, "pml_monitoring_enable_output": 3}  # of Open MPI: counts sums and gathers
+SAME = 1e-6
+
+
+class Counted:
+    """One run: seconds of each stage on the slowest rank, messages, bytes and collective calls of a rank, its history."""
+
+    def __init__(self, ranks, steps, case, folder):
+        log, calls, out = folder / "log.py", folder / "calls", folder / "out"
+        line = support.command(ranks, *case, "-max_steps", steps, "-output_dir", out, "-log_view", f":{log}:ascii_info_detail")
+        if ranks > 1:
+            for name, value in {**MONITORING, "pml_monitoring_filename": calls}.items():
+                line[1:1] = ["--mca", name, str(value)]
+        subprocess.run(line, check=True, capture_output=True, cwd=folder)
+        logged = {}
+        exec(log.read_text(), logged)  # PETSc writes its log as assignments
+        self.seconds, self.messages, self.bytes = {}, 0, 0
+        for name, events in logged["Stages"].items():
+            of_ranks = events["summary"].values()
+            self.seconds[name] = max(of_rank["time"] for of_rank in of_ranks)
+            self.messages += sum(of_rank["numMessages"] for of_rank in of_ranks) / ranks
+            self.bytes += sum(of_rank["messageLength"] for of_rank in of_ranks) / ranks
+        self.collectives = self._collectives(Path(f"{calls}.0.prof")) if ranks > 1 else 0
+        self.history = read_columns(out / "history.csv")
+
+    @staticmethod
+    def _collectives(path):
+        """Those in which all ranks take part."""
+        count, counts = 0, False
+        for line in path.read_text().splitlines():
+            if line.startswith("D"):
+                counts = "," in line.split("procs:")[1]
+            elif counts:
+                count += int(re.search(r"(\d+) msgs", line)[1])
+        return count
+
+
+class Step:
+    """What a step takes on some ranks, set-up apart."""
+
+    def __init__(self, ranks, case):
+        with tempfile.TemporaryDirectory(prefix="washfsi_") as folder:
+            few, many = (Counted(ranks, steps, case, Path(folder)) for steps in STEPS)
+        steps = STEPS[1] - STEPS[0]
+        self.stages = {name: (many.seconds[name] - few.seconds.get(name, 0)) / steps for name in many.seconds}
+        self.seconds = sum(self.stages.values())
+        self.messages, self.bytes, self.collectives = ((getattr(many, name) - getattr(few, name)) / steps
+                                                       for name in ("messages", "bytes", "collectives"))
+        self.history = many.history
+
+    def of(self, stages):
+        """Seconds of these stages together."""
+        return sum(self.stages.get(name, 0) for name in stages)
+
+
+def model(one, counted, cells, ranks, latency=LATENCY, bandwidth=BANDWIDTH):
+    """Seconds of each part of a step on a grid of so many cells a side: `one` tells of work, `counted` of messages, both on CELLS."""
+    larger = cells / CELLS
+    share = larger**3 / ranks
+    surface = (larger**3 / ranks)**(2 / 3) * 2**(2 / 3)  # of a rank's part, over that of half the box
+    markers = larger**2
+    return {
+        "cells": one.of(CELL_STAGES) * share,
+        "markers": one.of(MARKER_STAGES) * markers / ranks,
+        "cloths' equations": one.of(CLOTH_STAGES) * markers / ranks,
+        "all walls' forces, on each rank": one.of(["wall_forces"]) * markers,
+        "all contact's search, on each rank": one.of(["contact_search"]) * markers,
+        "messages": 0 if ranks == 1 else counted.messages * latency + counted.bytes * surface / bandwidth,
+        "sums and gathers": counted.collectives * latency * math.log2(ranks),
+    }
+
+
+def print_measured(steps):
+    """The table of what was run; tells whether all ranks had the same."""
+    print_head("ranks", "ms a step", "of the cavity on as many cells", "messages of a rank", "kB", "sums and gathers",
+               "largest difference of a column of the history from one rank's")
+    same = True
+    for ranks, (wash, cavity) in steps.items():
+        columns = wash.history.keys() - {"step", "dt", "max_divergence"}
+        worst = max(support.relative_difference(wash.history[name], steps[min(steps)][0].history[name]) for name in columns)
+        same &= worst < SAME
+        print_row(ranks, f"{1e3 * wash.seconds:.1f}", f"{1e3 * cavity.seconds:.1f}", f"{wash.messages:.0f}",
+                  f"{1e-3 * wash.bytes:.0f}", f"{wash.collectives:.0f}", f"{worst:.1e}")
+    return same
+
+
+def print_stages(steps):
+    """Milliseconds of each stage, slowest first."""
+    first = steps[min(steps)][0]
+    names = sorted(first.stages, key=first.stages.get, reverse=True)
+    print()
+    print_head("ms a step on ranks", *steps)
+    for name in names:
+        print_row("what is in no stage" if name == "Main Stage" else name.replace("_", " "),
+                  *(f"{1e3 * wash.stages.get(name, 0):.2f}" for wash, _ in steps.values()))
+
+
+def print_model(one, counted):
+    """Milliseconds of each part: on two ranks of one machine, and of a cluster's."""
+    cases = [(CELLS, 2), (65, 8), (129, 16), (257, 128), (1025, 4096)]
+    parts = [model(one, counted, *case) for case in cases]
+    print()
+    print_head("ms a step by the model", *(f"{cells}³ cells, {ranks} ranks" for cells, ranks in cases))
+    for name in parts[0]:
+        print_row(name, *(f"{1e3 * part[name]:.1f}" for part in parts))
+    print_row("all", *(f"{1e3 * sum(part.values()):.1f}" for part in parts))
+
+
+def main():
+    """Runs all, prints the tables, returns the exit status."""
+    ranks = [int(word) for word in ARGUMENTS] or [1, 2]
+    print_origin()
+    steps = {number: (Step(number, WASH), Step(number, CAVITY)) for number in ranks}
+    same = print_measured(steps)
+    print_stages(steps)
+    if 1 in steps and 2 in steps:
+        print_model(steps[1][0], steps[2][0])
+    return 0 if same else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
