@@ -3,12 +3,13 @@
 
 Steps of inputs/wash.opts of equal length, all the same on each number of ranks, and of a cavity on the same cells. Whatever
 number of steps is measured, set-up is not: each figure is the difference of two runs. Fails where results differ between ranks.
-Arguments: the numbers of ranks, 1 2 if none are given; more than there are cores tell of messages and results alone.
+Arguments: the numbers of ranks, 1 2 if none are given; more than there are cores tell of messages and results alone. The model wants 1 and 2.
 
 The model. What a rank does is taken to be shared evenly, but for what all ranks do: the forces of each body's markers by the
 inverse of their overlap, the search for contact, and gathering the places of all markers of cloths. Cells have the work of
 momentum, pressure, masks and measures; markers of walls grow as the square of the cells a side, and those of cloths too.
-Messages have a latency each and a bandwidth, sums and gathers of all ranks a latency times log2 of them.
+Messages have a latency each and a bandwidth, sums and gathers of all ranks a latency times log2 of them. On more than two ranks a box has
+six neighbours, not one, and a transform exchanges with as many ranks as a row of pencils has.
 """
 
 import math
@@ -22,23 +23,24 @@ from tables import ARGUMENTS, SOURCE, print_head, print_origin, print_row, read_
 import support
 
 CELLS = 33
-STEPS = 40, 100
+STEPS = 50, 300
 WASH = ["-options_file", SOURCE / "inputs" / "wash.opts", "-time_cfl", 0, "-time_tolerance", 0, "-time_step", 1e-3]
+FINE_CELLS, FINE = 65, ["-grid_cells", "65,65,65", "-towel_markers", 12, "-contact_distance", 0]
 CAVITY = ["-grid_cells", "33,33,33", "-bc_y_upper_velocity", "1,0,0", "-fluid_density", 1, "-fluid_viscosity", 1e-3,
           "-time_step", 5e-3, "-time_end", 10]
-# What stages do, as they grow: with the cells; with the markers, of walls for the most part; with those of cloths; and what is not
-# shared among ranks.
+# As they grow: with the cells, with the markers, of walls for the most part, and with those of cloths.
 CELL_STAGES = "Main Stage", "bodies", "momentum", "pressure", "measures", "output"
 MARKER_STAGES = "spread", "interpolate"
 CLOTH_STAGES = "mobility", "cloth_solve", "cloth_force"
-SERIAL_STAGES = {"wall_forces": "walls", "contact_search": "cloths"}
+UNUSED = "PCMPI"  # of PETSc's own
 LATENCY, BANDWIDTH = 1.5e-6, 10e9  # of a cluster's network [s], [bytes/s a rank]: taken, not measured
+TRANSPOSES = 12  # a step: three solves of two transforms each, there and back
 MONITORING = {"pml_monitoring_enable": 2, "pml_monitoring_enable_output": 3}  # of Open MPI: counts sums and gathers
 SAME = 1e-6
 
 
 class Counted:
-    """One run: seconds of each stage on the slowest rank, messages, bytes and collective calls of a rank, its history."""
+    """One run: seconds, those of each stage on its slowest rank; messages, bytes and collective calls of a rank; history."""
 
     def __init__(self, ranks, steps, case, folder):
         log, calls, out = folder / "log.py", folder / "calls", folder / "out"
@@ -49,12 +51,10 @@ class Counted:
         subprocess.run(line, check=True, capture_output=True, cwd=folder)
         logged = {}
         exec(log.read_text(), logged)  # PETSc writes its log as assignments
-        self.seconds, self.messages, self.bytes = {}, 0, 0
-        for name, events in logged["Stages"].items():
-            of_ranks = events["summary"].values()
-            self.seconds[name] = max(of_rank["time"] for of_rank in of_ranks)
-            self.messages += sum(of_rank["numMessages"] for of_rank in of_ranks) / ranks
-            self.bytes += sum(of_rank["messageLength"] for of_rank in of_ranks) / ranks
+        stages = {name: list(events["summary"].values()) for name, events in logged["Stages"].items()}
+        self.slowest = {name: max(of_rank["time"] for of_rank in of_ranks) for name, of_ranks in stages.items()}
+        self.seconds, self.messages, self.bytes = (sum(of_rank[what] for of_ranks in stages.values() for of_rank in of_ranks) / ranks
+                                                   for what in ("time", "numMessages", "messageLength"))
         self.collectives = self._collectives(Path(f"{calls}.0.prof")) if ranks > 1 else 0
         self.history = read_columns(out / "history.csv")
 
@@ -77,10 +77,9 @@ class Step:
         with tempfile.TemporaryDirectory(prefix="washfsi_") as folder:
             few, many = (Counted(ranks, steps, case, Path(folder)) for steps in STEPS)
         steps = STEPS[1] - STEPS[0]
-        self.stages = {name: (many.seconds[name] - few.seconds.get(name, 0)) / steps for name in many.seconds}
-        self.seconds = sum(self.stages.values())
-        self.messages, self.bytes, self.collectives = ((getattr(many, name) - getattr(few, name)) / steps
-                                                       for name in ("messages", "bytes", "collectives"))
+        self.stages = {name: (many.slowest[name] - few.slowest.get(name, 0)) / steps for name in many.slowest}
+        self.seconds, self.messages, self.bytes, self.collectives = (
+            (getattr(many, name) - getattr(few, name)) / steps for name in ("seconds", "messages", "bytes", "collectives"))
         self.history = many.history
 
     def of(self, stages):
@@ -94,13 +93,14 @@ def model(one, counted, cells, ranks, latency=LATENCY, bandwidth=BANDWIDTH):
     share = larger**3 / ranks
     surface = (larger**3 / ranks)**(2 / 3) * 2**(2 / 3)  # of a rank's part, over that of half the box
     markers = larger**2
+    messages = counted.messages if ranks <= 2 else 6 * counted.messages + TRANSPOSES * math.sqrt(ranks)
     return {
         "cells": one.of(CELL_STAGES) * share,
         "markers": one.of(MARKER_STAGES) * markers / ranks,
         "cloths' equations": one.of(CLOTH_STAGES) * markers / ranks,
         "all walls' forces, on each rank": one.of(["wall_forces"]) * markers,
         "all contact's search, on each rank": one.of(["contact_search"]) * markers,
-        "messages": 0 if ranks == 1 else counted.messages * latency + counted.bytes * surface / bandwidth,
+        "messages": 0 if ranks == 1 else messages * latency + counted.bytes * surface / bandwidth,
         "sums and gathers": counted.collectives * latency * math.log2(ranks),
     }
 
@@ -122,7 +122,7 @@ def print_measured(steps):
 def print_stages(steps):
     """Milliseconds of each stage, slowest first."""
     first = steps[min(steps)][0]
-    names = sorted(first.stages, key=first.stages.get, reverse=True)
+    names = sorted((name for name in first.stages if name != UNUSED), key=first.stages.get, reverse=True)
     print()
     print_head("ms a step on ranks", *steps)
     for name in names:
@@ -131,14 +131,16 @@ def print_stages(steps):
 
 
 def print_model(one, counted):
-    """Milliseconds of each part: on two ranks of one machine, and of a cluster's."""
-    cases = [(CELLS, 2), (65, 8), (129, 16), (257, 128), (1025, 4096)]
+    """Milliseconds of each part, where it can be measured too, and on a cluster."""
+    measured = {(CELLS, 2): counted, (FINE_CELLS, 1): Step(1, [*WASH, *FINE])}
+    cases = [*measured, (129, 16), (257, 128), (1025, 4096)]
     parts = [model(one, counted, *case) for case in cases]
     print()
-    print_head("ms a step by the model", *(f"{cells}³ cells, {ranks} ranks" for cells, ranks in cases))
+    print_head("ms a step by the model", *(f"{cells}³ cells, {ranks} rank{'s' * (ranks > 1)}" for cells, ranks in cases))
     for name in parts[0]:
         print_row(name, *(f"{1e3 * part[name]:.1f}" for part in parts))
     print_row("all", *(f"{1e3 * sum(part.values()):.1f}" for part in parts))
+    print_row("measured", *(f"{1e3 * measured[case].seconds:.1f}" if case in measured else "" for case in cases))
 
 
 def main():

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+
 #include "washfsi/contact/facets.hpp"
 #include "washfsi/contact/gap.hpp"
 #include "washfsi/geometry/near_search.hpp"
@@ -47,6 +49,12 @@ class PairSearch {
 
  private:
   struct Query;
+  template <class Markers>
+  bool is_own(const Markers& markers) const {
+    return std::any_of(markers.begin(), markers.end(), [this](std::size_t m) { return m >= begin_ && m < end_; });
+  }
+  template <class Facet>
+  std::vector<std::size_t> own(const std::vector<Facet>& facets) const;
   void find_points_and_faces(const Query& query, std::vector<FacetPair<Dim>>& found) const;
   void find_edges(const Query& query, std::vector<FacetPair<Dim>>& found) const;
   void keep_if_near(const Query& query, FacetPair<Dim> pair, std::vector<FacetPair<Dim>>& found) const;
