@@ -6,7 +6,7 @@ number of steps is measured, set-up is not: each figure is the difference of two
 Arguments: the numbers of ranks, 1 2 if none are given; more than there are cores tell of messages and results alone. The model wants 1 and 2.
 
 The model. What a rank does is taken to be shared evenly, but for what all ranks do: the forces of each body's markers by the
-inverse of their overlap, the search for contact, and gathering the places of all markers of cloths. Cells have the work of
+inverse of their overlap, and of the search for contact what a second rank does not halve. Cells have the work of
 momentum, pressure, masks and measures; markers of walls grow as the square of the cells a side, and those of cloths too.
 Messages have a latency each and a bandwidth, sums and gathers of all ranks a latency times log2 of them. On more than two ranks a box has
 six neighbours, not one, and a transform exchanges with as many ranks as a row of pencils has.
@@ -88,18 +88,20 @@ class Step:
 
 
 def model(one, counted, cells, ranks, latency=LATENCY, bandwidth=BANDWIDTH):
-    """Seconds of each part of a step on a grid of so many cells a side: `one` tells of work, `counted` of messages, both on CELLS."""
+    """Seconds of each part of a step on a grid of so many cells a side: `one` rank tells of work, two, `counted`, of messages, on CELLS."""
     larger = cells / CELLS
     share = larger**3 / ranks
     surface = (larger**3 / ranks)**(2 / 3) * 2**(2 / 3)  # of a rank's part, over that of half the box
     markers = larger**2
+    searched = one.of(["contact_search"])
+    searched_by_each = max(0, 2 * counted.of(["contact_search"]) - searched)  # of two ranks each has the rest halved
     messages = counted.messages if ranks <= 2 else 6 * counted.messages + TRANSPOSES * math.sqrt(ranks)
     return {
         "cells": one.of(CELL_STAGES) * share,
         "markers": one.of(MARKER_STAGES) * markers / ranks,
         "cloths' equations": one.of(CLOTH_STAGES) * markers / ranks,
         "all walls' forces, on each rank": one.of(["wall_forces"]) * markers,
-        "all contact's search, on each rank": one.of(["contact_search"]) * markers,
+        "contact's search": (searched - searched_by_each) * markers / ranks + searched_by_each * markers,
         "messages": 0 if ranks == 1 else messages * latency + counted.bytes * surface / bandwidth,
         "sums and gathers": counted.collectives * latency * math.log2(ranks),
     }
@@ -115,7 +117,7 @@ def print_measured(steps):
         worst = max(support.relative_difference(wash.history[name], steps[min(steps)][0].history[name]) for name in columns)
         same &= worst < SAME
         print_row(ranks, f"{1e3 * wash.seconds:.1f}", f"{1e3 * cavity.seconds:.1f}", f"{wash.messages:.0f}",
-                  f"{1e-3 * wash.bytes:.0f}", f"{wash.collectives:.0f}", f"{worst:.1e}")
+                  f"{1e-3 * max(0, wash.bytes):.0f}", f"{wash.collectives:.0f}", f"{worst:.1e}")
     return same
 
 
