@@ -26,7 +26,7 @@ CELLS = 33
 STEPS = 50, 300
 WASH = ["-options_file", SOURCE / "inputs" / "wash.opts", "-time_cfl", 0, "-time_tolerance", 0, "-time_step", 1e-3]
 FINE_CELLS, FINE = 65, ["-grid_cells", "65,65,65", "-towel_markers", 12, "-contact_distance", 0]
-CAVITY = ["-grid_cells", "33,33,33", "-bc_y_upper_velocity", "1,0,0", "-fluid_density", 1, "-fluid_viscosity", 1e-3,
+CAVITY = ["-grid_cells", f"{CELLS},{CELLS},{CELLS}", "-bc_y_upper_velocity", "1,0,0", "-fluid_density", 1, "-fluid_viscosity", 1e-3,
           "-time_step", 5e-3, "-time_end", 10]
 # As they grow: with the cells, with the markers, of walls for the most part, and with those of cloths.
 CELL_STAGES = "Main Stage", "bodies", "momentum", "pressure", "measures", "output"
@@ -87,7 +87,7 @@ class Step:
         return sum(self.stages.get(name, 0) for name in stages)
 
 
-def model(one, counted, cells, ranks, latency=LATENCY, bandwidth=BANDWIDTH):
+def model(one, counted, cells, ranks):
     """Seconds of each part of a step on a grid of so many cells a side: `one` rank tells of work, two, `counted`, of messages, on CELLS."""
     larger = cells / CELLS
     share = larger**3 / ranks
@@ -102,8 +102,8 @@ def model(one, counted, cells, ranks, latency=LATENCY, bandwidth=BANDWIDTH):
         "cloths' equations": one.of(CLOTH_STAGES) * markers / ranks,
         "all walls' forces, on each rank": one.of(["wall_forces"]) * markers,
         "contact's search": (searched - searched_by_each) * markers / ranks + searched_by_each * markers,
-        "messages": 0 if ranks == 1 else messages * latency + counted.bytes * surface / bandwidth,
-        "sums and gathers": counted.collectives * latency * math.log2(ranks),
+        "messages": 0 if ranks == 1 else messages * LATENCY + counted.bytes * surface / BANDWIDTH,
+        "sums and gathers": counted.collectives * LATENCY * math.log2(ranks),
     }
 
 

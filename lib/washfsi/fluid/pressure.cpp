@@ -90,7 +90,7 @@ PressureSolver<Dim>::PressureSolver(const Grid<Dim>& grid, double reference_dens
   user_sets_atol_ = set_up_from_options(solver_);
 }
 
-// The transform wants none that is assembled.
+// The transform wants none that is assembled; a kind of matrix that there is not is refused all the same.
 template <int Dim>
 void PressureSolver<Dim>::create_matrices() {
   WASH_PETSC(MatNullSpaceCreate(grid_.comm(), PETSC_TRUE, 0, nullptr, constants_.put()));
@@ -98,7 +98,12 @@ void PressureSolver<Dim>::create_matrices() {
   WASH_PETSC(MatCreateShell(grid_.comm(), size, size, PETSC_DETERMINE, PETSC_DETERMINE, this, matrix_.put()));
   WASH_PETSC(MatShellSetOperation(matrix_, MATOP_MULT, reinterpret_cast<void (*)()>(&PressureSolver::multiply)));
   WASH_PETSC(MatSetNullSpace(matrix_, constants_));
-  if (petsc::option_value("pressure_", "-pc_type", transform) == transform) return;
+  if (petsc::option_value("pressure_", "-pc_type", transform) == transform) {
+    petsc::Matrix without_entries;
+    WASH_PETSC(MatCreate(grid_.comm(), without_entries.put()));
+    WASH_PETSC(MatSetFromOptions(without_entries));
+    return;
+  }
   WASH_PETSC(DMCreateMatrix(grid_.stencil_dm(), assembled_.put()));
   WASH_PETSC(MatSetNullSpace(assembled_, constants_));
   WASH_PETSC(MatSetOption(assembled_, MAT_SPD, PETSC_TRUE));

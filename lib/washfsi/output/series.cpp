@@ -77,8 +77,8 @@ std::vector<CellField> fields_of(const Grid<Dim>& grid, const Boundary<Dim>& bou
   };
   std::vector<CellField> fields{
       {"velocity", "m/s", 3, {}}, {"pressure", "Pa", 1, {}}, {"vorticity", "1/s", Dim == 2 ? 1 : 3, {}}};
-  const auto cells = static_cast<std::size_t>(grid.owned().count());
-  for (CellField& field : fields) field.values.reserve(cells * static_cast<std::size_t>(field.components));
+  for (CellField& field : fields)
+    field.values.reserve(grid.owned().count() * static_cast<std::size_t>(field.components));
   std::vector<double>&velocities = fields[0].values, &pressures = fields[1].values, &curls = fields[2].values;
   for_each<Dim>(grid.owned(), [&](const Index<Dim>& cell) {
     for (int c = 0; c < 3; ++c) velocities.push_back(c < Dim ? centred(cell, c) : 0.0);

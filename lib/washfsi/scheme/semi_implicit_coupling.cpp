@@ -220,7 +220,8 @@ void SemiImplicitCoupling<Dim>::take(System<Dim>& system, double dt) {
   begin_step(system, state.positions, start, 0);
   const Points<Dim> at_start = model.forces.of_places(state.positions);
   step.end_share = weights_.end;
-  step.contact_at_start = contact_loads<Dim>(model.forces, state.positions, model.bodies.size());
+  if (step.end_share < 1)
+    step.contact_at_start = contact_loads<Dim>(model.forces, state.positions, model.bodies.size());
   const Points<Dim> forces = at_start + (1 / weights_.end) * last_inertia(system);
   begin_motion(system, dt);
   const Points<Dim> places = state.positions + 0.5 * dt * state.velocities;
