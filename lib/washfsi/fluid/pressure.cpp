@@ -88,6 +88,7 @@ PressureSolver<Dim>::PressureSolver(const Grid<Dim>& grid, double reference_dens
   set_density(uniform);
   set_preconditioner_defaults();
   user_sets_atol_ = set_up_from_options(solver_);
+  solves_directly_ = !assembled_ && options_with_prefix("pressure_ksp_").empty();
 }
 
 // The transform wants none that is assembled; a kind of matrix that there is not is refused all the same.
@@ -183,10 +184,11 @@ void PressureSolver<Dim>::set_density(Vec density, Vec fluid_fraction) {
   }
   WASH_PETSC(DMGlobalToLocal(grid_.face_dm(), specific_volume, INSERT_VALUES, ratio_));
   close_boundary_faces();
-  if (!assembled_) return;
   double least = 0, most = 0;
   WASH_PETSC(VecMin(specific_volume, nullptr, &least));
   WASH_PETSC(VecMax(specific_volume, nullptr, &most));
+  is_uniform_ = least == 1 && most == 1;
+  if (!assembled_) return;
   // Where the density varies little, the preconditioner of the uniform one serves; otherwise it follows each step.
   // A function of this step's density alone, so that a restarted run has the same preconditioner.
   const bool nearly_uniform = least > 1 / 1.5 && most < 1.5;
@@ -248,10 +250,25 @@ void PressureSolver<Dim>::apply(Vec x, Vec y) {
   });
 }
 
+// Of uniform density the transform is exact: nothing is left for CG.
+template <int Dim>
+void PressureSolver<Dim>::solve_directly(Vec minus_divergence, Vec phi) const {
+  PC pc = nullptr;
+  WASH_PETSC(KSPGetPC(solver_, &pc));
+  WASH_PETSC(PCApply(pc, minus_divergence, phi));
+  double size = 0;
+  WASH_PETSC(VecNorm(phi, NORM_2, &size));
+  if (!std::isfinite(size)) throw DivergedError("pressure: the right side is not finite");
+}
+
 template <int Dim>
 PetscInt PressureSolver<Dim>::solve(Vec minus_divergence, double tolerance, Vec phi) {
   const double volume = grid_.cell_volume();
   WASH_PETSC(VecScale(minus_divergence, volume));
+  if (solves_directly_ && is_uniform_) {
+    solve_directly(minus_divergence, phi);
+    return 1;
+  }
   return solve_to(solver_, user_sets_atol_ ? 0 : std::max(volume * tolerance, 1e-300), minus_divergence, phi,
                   "pressure");
 }

@@ -11,7 +11,8 @@ namespace washfsi {
 /// The projection's Poisson equation (2.2-11, 2.2-28) for phi = dt q / rho_f:
 ///   -div( (rho_f/rho) grad phi ) = -div u*,   n . grad phi = 0 on the boundary,    each times the cell volume,
 /// so that u* - (rho_f/rho) grad phi has the solver's residual per volume as its divergence. Matrix-free CG, PETSc
-/// prefix pressure_; an assembled matrix serves preconditioners that want entries (hypre, mg, gamg).
+/// prefix pressure_; an assembled matrix serves preconditioners that want entries (hypre, mg, gamg). Where the density
+/// is uniform the default preconditioner, the transform, solves it alone, unless -pressure_ksp_ options want CG.
 template <int Dim>
 class PressureSolver {
  public:
@@ -34,6 +35,7 @@ class PressureSolver {
   static PetscErrorCode multiply(Mat matrix, Vec x, Vec y);
   static PetscErrorCode assemble_coarse(KSP solver, Mat matrix, Mat preconditioner, void* context);
   void apply(Vec x, Vec y);
+  void solve_directly(Vec minus_divergence, Vec phi) const;
   void create_matrices();
   void close_boundary_faces();
   void assemble();
@@ -48,7 +50,8 @@ class PressureSolver {
   petsc::Matrix assembled_;  ///< null where the preconditioner wants none
   petsc::NullSpace constants_;
   petsc::Solver solver_;
-  bool user_sets_atol_ = false;
+  bool user_sets_atol_ = false, solves_directly_ = false;
+  bool is_uniform_ = false;                 ///< the density last taken
   std::array<petsc::Version, 2> versions_;  ///< of density and H last taken
   bool assembled_is_uniform_ = false;
 };

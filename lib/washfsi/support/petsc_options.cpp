@@ -28,7 +28,7 @@ bool belongs_to_petsc(const std::string& name) {
 }
 
 bool is_read_after_solving(const std::string& name) {
-  static constexpr std::array<std::string_view, 3> prefixes{"momentum_", "pressure_", "cloth_"};
+  static constexpr std::array<std::string_view, 4> prefixes{"momentum_", "pressure_", "walls_", "cloth_"};
   static constexpr std::array<std::string_view, 6> reports{"ksp_view",         "pc_view",        "snes_view",
                                                            "converged_reason", "converged_rate", "final_residual"};
   const auto starts = [&](std::string_view prefix) { return name.starts_with(prefix); };
@@ -42,9 +42,10 @@ bool lacks_prefix(const std::string& name) {
 }
 
 bool is_for_petsc(const std::string& name) {
-  static constexpr std::array<std::string_view, 12> ours{
-      "momentum_ksp_", "momentum_pc_",  "momentum_sub_", "momentum_mat_", "pressure_ksp_", "pressure_pc_",
-      "pressure_mg_",  "pressure_mat_", "cloth_snes_",   "cloth_ksp_",    "cloth_pc_",     "cloth_mat_"};
+  static constexpr std::array<std::string_view, 14> ours{
+      "momentum_ksp_", "momentum_pc_", "momentum_sub_", "momentum_mat_", "pressure_ksp_",
+      "pressure_pc_",  "pressure_mg_", "pressure_mat_", "walls_ksp_",    "walls_pc_",
+      "cloth_snes_",   "cloth_ksp_",   "cloth_pc_",     "cloth_mat_"};
   return belongs_to_petsc(name) ||
          std::any_of(ours.begin(), ours.end(), [&](std::string_view start) { return name.starts_with(start); });
 }
