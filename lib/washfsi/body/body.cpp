@@ -47,7 +47,7 @@ BodyTreatment BodyTreatment::from_options(Options& options) {
                "width of a patch of markers, which share one force: 1.2 times this on thin parts, 1.8 round solids "
                "(direct_forcing)");
     block.real("body_slip_tolerance", treatment.slip_tolerance, "-", tight,
-               "rms slip that is left at the walls' markers, over the largest speed (direct_forcing)");
+               "rms slip that is left at each body, as deltas see it, over the largest speed (direct_forcing)");
     block.boolean("body_limits_advection", treatment.limits_advection,
                   "beside edges and thin parts -advection central gives way to upwind (direct_forcing)");
   });

@@ -24,7 +24,7 @@ struct BodyTreatment {
   BodyMethod method = BodyMethod::mapping;
   MaskEdge edge = MaskEdge::sharp;  ///< smooth: the mapping methods only
   double marker_spacing = 1.0;      ///< of direct forcing: width of a patch [cells]
-  double slip_tolerance = 0.005;    ///< of direct forcing: rms slip at the markers over the largest speed
+  double slip_tolerance = 0.005;    ///< of direct forcing: rms slip left at each body over the largest speed
   bool limits_advection = true;     ///< of direct forcing: beside edges central advection gives way to upwind
   bool inner_water_slides = false;  ///< of direct forcing: behind walls with a law of friction
 

@@ -26,10 +26,12 @@ class WallForces {
   virtual void add_held(Vec force) = 0;
   /// Removes most of the slip of a velocity on faces, as if there were no pressure. Collective.
   virtual void push(Vec velocity) = 0;
-  /// Whether the slip of a velocity is within its tolerance. Collective.
-  virtual bool holds(Vec velocity) const = 0;
-  /// Adds to a velocity what, once projected, leaves a slip within its tolerance. Collective.
-  virtual void hold(const Project& project, Vec velocity) = 0;
+  /// The same, times `relaxation`, of the walls at which the slip is above its tolerance; false if it is at none.
+  /// Collective.
+  virtual bool push_unheld(Vec velocity, double relaxation) = 0;
+  /// Adds to a velocity what, once projected, leaves a slip within its tolerance; false if there is nothing to add.
+  /// Collective.
+  virtual bool hold(const Project& project, Vec velocity) = 0;
   /// For schemes that try a step several times: every trial starts with the forces of the step before. `accept` makes
   /// those of the last trial its successors. The density [kg/m3], on faces, is the trial's.
   virtual void begin_trial(const TimeStep& step, Vec density) = 0;

@@ -59,7 +59,20 @@ class PatchOverlap {
 template <int Dim>
 struct OverlapInverse<Dim>::Factor {
   using Values = Eigen::Matrix<double, Eigen::Dynamic, Dim>;
+  Eigen::SparseMatrix<double> overlaps;
+  Eigen::VectorXd sums;  ///< of their rows
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> cholesky;
+
+  static Values values(const Points<Dim>& points) {
+    Values result(static_cast<Eigen::Index>(points.size()), Dim);
+    for (std::size_t p = 0; p < points.size(); ++p) result.row(static_cast<Eigen::Index>(p)) = points[p];
+    return result;
+  }
+  static Points<Dim> points(const Values& values) {
+    Points<Dim> result(static_cast<std::size_t>(values.rows()));
+    for (std::size_t p = 0; p < result.size(); ++p) result[p] = values.row(static_cast<Eigen::Index>(p));
+    return result;
+  }
 };
 
 template <int Dim>
@@ -67,18 +80,15 @@ OverlapInverse<Dim>::OverlapInverse(const MarkerPatches<Dim>& patches, const Mar
     : factor_(std::make_unique<Factor>()) {
   const PatchOverlap<Dim> overlap(patches, layout);
   std::vector<Eigen::Triplet<double>> entries;
-  for (std::size_t p = 0; p < patches.size(); ++p) {
-    double sum = 0;
-    for (const auto& [other, value] : overlap.row(p)) {
-      sum += value;
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    for (const auto& [other, value] : overlap.row(p))
       entries.emplace_back(static_cast<int>(p), static_cast<int>(other), value);
-    }
-    entries.emplace_back(static_cast<int>(p), static_cast<int>(p), added * sum);
-  }
   const auto size = static_cast<Eigen::Index>(patches.size());
-  Eigen::SparseMatrix<double> matrix(size, size);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  factor_->cholesky.compute(matrix);
+  factor_->overlaps.resize(size, size);
+  factor_->overlaps.setFromTriplets(entries.begin(), entries.end());
+  factor_->sums = factor_->overlaps * Eigen::VectorXd::Ones(size);
+  const Eigen::VectorXd raised = added * factor_->sums;
+  factor_->cholesky.compute(factor_->overlaps + Eigen::SparseMatrix<double>(raised.asDiagonal()));
 }
 
 template <int Dim>
@@ -88,12 +98,12 @@ OverlapInverse<Dim>::OverlapInverse(OverlapInverse&&) noexcept = default;
 
 template <int Dim>
 Points<Dim> OverlapInverse<Dim>::operator()(const Points<Dim>& velocities) const {
-  typename Factor::Values right(static_cast<Eigen::Index>(velocities.size()), Dim);
-  for (std::size_t m = 0; m < velocities.size(); ++m) right.row(static_cast<Eigen::Index>(m)) = velocities[m];
-  const typename Factor::Values solution = factor_->cholesky.solve(right);
-  Points<Dim> forces(velocities.size());
-  for (std::size_t m = 0; m < forces.size(); ++m) forces[m] = solution.row(static_cast<Eigen::Index>(m));
-  return forces;
+  return Factor::points(factor_->cholesky.solve(Factor::values(velocities)));
+}
+
+template <int Dim>
+Points<Dim> OverlapInverse<Dim>::means_about(const Points<Dim>& values) const {
+  return Factor::points(factor_->sums.asDiagonal().inverse() * (factor_->overlaps * Factor::values(values)));
 }
 
 template class OverlapInverse<2>;

@@ -21,6 +21,8 @@ class OverlapInverse {
 
   /// Forces that move the patches by these velocities, both per unit of overlap.
   Points<Dim> operator()(const Points<Dim>& velocities) const;
+  /// The mean about each patch of values of the patches, weighed by their overlap with it.
+  Points<Dim> means_about(const Points<Dim>& values) const;
 
  private:
   struct Factor;

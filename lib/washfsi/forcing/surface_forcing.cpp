@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "washfsi/body/turned.hpp"
 #include "washfsi/coupling/marker_vectors.hpp"
@@ -72,6 +73,7 @@ void SurfaceForcing<Dim>::create_solver() {
   WASH_PETSC(KSPSetOperators(solver_, matrix_, matrix_));
   WASH_PETSC(KSPSetType(solver_, KSPCG));
   WASH_PETSC(KSPSetNormType(solver_, KSP_NORM_UNPRECONDITIONED));
+  WASH_PETSC(KSPSetConvergenceTest(solver_, &SurfaceForcing::judge, this, nullptr));
   PC pc = nullptr;
   WASH_PETSC(KSPGetPC(solver_, &pc));
   WASH_PETSC(PCSetType(pc, PCSHELL));
@@ -95,7 +97,24 @@ PetscErrorCode SurfaceForcing<Dim>::precondition(PC pc, Vec x, Vec y) {
   return petsc::guarded([&] {
     void* self = nullptr;
     WASH_PETSC(PCShellGetContext(pc, &self));
-    to_vector<Dim>(static_cast<SurfaceForcing*>(self)->approximate_forces(to_points<Dim>(x)), y);
+    const auto& forcing = *static_cast<const SurfaceForcing*>(self);
+    const std::vector<bool> none(forcing.bodies_.size(), false);
+    to_vector<Dim>(forcing.approximate_forces(to_points<Dim>(x), none), y);
+  });
+}
+
+template <int Dim>
+PetscErrorCode SurfaceForcing<Dim>::judge(KSP solver, PetscInt, PetscReal norm, KSPConvergedReason* reason,
+                                          void* self) {
+  return petsc::guarded([&] {
+    const auto& forcing = *static_cast<const SurfaceForcing*>(self);
+    Vec residual = nullptr;
+    WASH_PETSC(KSPBuildResidual(solver, nullptr, nullptr, &residual));
+    const std::vector<bool> held = forcing.are_held(to_points<Dim>(residual), forcing.slip_left_);
+    WASH_PETSC(VecDestroy(&residual));
+    *reason = KSP_CONVERGED_ITERATING;
+    if (!std::isfinite(norm)) *reason = KSP_DIVERGED_NANORINF;
+    if (std::ranges::all_of(held, std::identity())) *reason = KSP_CONVERGED_ATOL;
   });
 }
 
@@ -213,14 +232,20 @@ Points<Dim> SurfaceForcing<Dim>::slips(Vec velocity) const {
 }
 
 template <int Dim>
-double SurfaceForcing<Dim>::rms(const Points<Dim>& values) const {
-  std::vector<double> sums{0, 0};
-  for (std::size_t p = 0; p < values.size(); ++p) {
-    sums[0] += values[p].squaredNorm();
-    sums[1] += shares_[p] > 0 ? 1 : 0;
+std::vector<bool> SurfaceForcing<Dim>::are_held(const Points<Dim>& slips, double most) const {
+  const Points<Dim> felt = body_by_body(
+      slips, [this](std::size_t b, const Points<Dim>& of_body) { return inverses_[b].means_about(of_body); });
+  std::vector<double> sums(2 * bodies_.size(), 0.0);  // of the squares; of patches that act
+  for (std::size_t p = 0; p < felt.size(); ++p) {
+    if (shares_[p] == 0) continue;
+    const std::size_t b = markers_.body_of(begin_ + p);
+    sums[2 * b] += felt[p].squaredNorm();
+    sums[2 * b + 1] += 1;
   }
   sums = ordered_sum(grid_.comm(), sums);
-  return std::sqrt(sums[0] / std::max(sums[1], 1.0));
+  std::vector<bool> held;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) held.push_back(sums[2 * b] <= most * most * sums[2 * b + 1]);
+  return held;
 }
 
 template <int Dim>
@@ -244,52 +269,71 @@ Points<Dim> SurfaceForcing<Dim>::response(const Points<Dim>& forces) const {
 }
 
 template <int Dim>
-Points<Dim> SurfaceForcing<Dim>::approximate_forces(const Points<Dim>& velocities) const {
+template <class Find>
+Points<Dim> SurfaceForcing<Dim>::body_by_body(const Points<Dim>& values, const Find& find) const {
   Points<Dim> all(markers_.patches());
-  MPI_Allgatherv(velocities.data(), static_cast<int>(Dim * velocities.size()), MPI_DOUBLE, all.data(), counts_.data(),
+  MPI_Allgatherv(values.data(), static_cast<int>(Dim * values.size()), MPI_DOUBLE, all.data(), counts_.data(),
                  starts_.data(), MPI_DOUBLE, grid_.comm());
   const petsc::LogPart part("wall_forces");
-  const double scale = density_ * grid_.cell_volume() / step_.dt;
-  Points<Dim> forces;
+  Points<Dim> found;
   std::size_t first = 0;
   for (std::size_t b = 0; b < inverses_.size(); ++b) {
     const std::size_t count = markers_.of_body(b).size();
     const auto start = all.begin() + static_cast<std::ptrdiff_t>(first);
     if (first < end_ && first + count > begin_) {
-      const Points<Dim> of_body = inverses_[b](Points<Dim>(start, start + static_cast<std::ptrdiff_t>(count)));
+      const Points<Dim> of_body = find(b, Points<Dim>(start, start + static_cast<std::ptrdiff_t>(count)));
       for (std::size_t m = std::max(first, begin_); m < std::min(first + count, end_); ++m)
-        forces.push_back(scale * of_body[m - first]);
+        found.push_back(of_body[m - first]);
     }
     first += count;
   }
+  return found;
+}
+
+template <int Dim>
+Points<Dim> SurfaceForcing<Dim>::approximate_forces(const Points<Dim>& velocities,
+                                                    const std::vector<bool>& but_for) const {
+  Points<Dim> forces = body_by_body(velocities, [&](std::size_t b, const Points<Dim>& of_body) {
+    return but_for[b] ? Points<Dim>(of_body.size(), Point<Dim>::Zero()) : inverses_[b](of_body);
+  });
+  const double scale = density_ * grid_.cell_volume() / step_.dt;
   for (std::size_t p = 0; p < forces.size(); ++p)
-    forces[p] = shares_[p] == 0 ? Point<Dim>(Point<Dim>::Zero()) : held(forces[p], p);
+    forces[p] = shares_[p] == 0 ? Point<Dim>(Point<Dim>::Zero()) : held(scale * forces[p], p);
   closed_->remove_from(forces);
   return forces;
 }
 
 template <int Dim>
 void SurfaceForcing<Dim>::push(Vec velocity) {
-  const Points<Dim> more = approximate_forces(slips(velocity));
+  const Points<Dim> more = approximate_forces(slips(velocity), std::vector<bool>(bodies_.size(), false));
   accelerate(more, velocity);
   forces_ += more;
 }
 
 template <int Dim>
-bool SurfaceForcing<Dim>::holds(Vec velocity) const {
-  return rms(slips(velocity)) <= tolerance(velocity);
+bool SurfaceForcing<Dim>::push_unheld(Vec velocity, double relaxation) {
+  const Points<Dim> left = slips(velocity);
+  const std::vector<bool> held = are_held(left, tolerance(velocity));
+  if (std::ranges::all_of(held, std::identity())) return false;
+  const Points<Dim> more = relaxation * approximate_forces(left, held);
+  accelerate(more, velocity);
+  forces_ += more;
+  return true;
 }
 
 template <int Dim>
-void SurfaceForcing<Dim>::hold(const Project& project, Vec velocity) {
+bool SurfaceForcing<Dim>::hold(const Project& project, Vec velocity) {
+  const Points<Dim> left = slips(velocity);
+  slip_left_ = tolerance(velocity);
+  if (std::ranges::all_of(are_held(left, slip_left_), std::identity())) return false;
   project_ = &project;
-  to_vector<Dim>(slips(velocity), right_);
-  const double to_norm = std::sqrt(static_cast<double>(markers_.patches()));
-  (void)solve_to(solver_, 0.5 * tolerance(velocity) * to_norm, right_, solution_, "walls");
+  to_vector<Dim>(left, right_);
+  (void)solve_to(solver_, 0, right_, solution_, "walls");
   project_ = nullptr;
   const Points<Dim> more = to_points<Dim>(solution_);
   accelerate(more, velocity);
   forces_ += more;
+  return true;
 }
 
 template class SurfaceForcing<2>;

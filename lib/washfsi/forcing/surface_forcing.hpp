@@ -4,8 +4,10 @@
 // at the bodies' velocity U, and are solved for together with the pressure,
 //   J u = U,   div u = 0,   u = P [u* + dt S F / rho],
 // P the projection. S and J are adjoint, so that J P S is symmetric: conjugate gradients, PETSc prefix walls_,
-// preconditioned by the inverse overlap of the deltas. Uhlmann, J. Comput. Phys. 209 (2005) 448; Taira and Colonius,
-// J. Comput. Phys. 225 (2007) 2118. A step begins with the forces of the step before, which turn with their body.
+// preconditioned by the inverse overlap of the deltas. What is held is the mean slip over the reach of a delta; what
+// changes from patch to patch no force of theirs can move, and it goes to no purpose. Uhlmann, J. Comput. Phys. 209
+// (2005) 448; Taira and Colonius, J. Comput. Phys. 225 (2007) 2118. A step begins with the forces of the step before,
+// which turn with their body.
 #pragma once
 
 #include <optional>
@@ -43,8 +45,8 @@ class SurfaceForcing : public WallForces {
   void begin_trial(const TimeStep& step, Vec density) override;
   void add_held(Vec force) override;
   void push(Vec velocity) override;
-  bool holds(Vec velocity) const override;
-  void hold(const Project& project, Vec velocity) override;
+  bool push_unheld(Vec velocity, double relaxation) override;
+  bool hold(const Project& project, Vec velocity) override;
   void accept() override;
 
   /// What the water does to the markers of each body, about its centre: -F, but for what sides of the box that the
@@ -75,6 +77,7 @@ class SurfaceForcing : public WallForces {
  private:
   static PetscErrorCode multiply(Mat matrix, Vec x, Vec y);
   static PetscErrorCode precondition(PC pc, Vec x, Vec y);
+  static PetscErrorCode judge(KSP solver, PetscInt iteration, PetscReal norm, KSPConvergedReason* reason, void* self);
   Point<Dim> held(const Point<Dim>& value, std::size_t patch) const;
   /// Calls visit(patch, marker) for all markers that act, both counted from this rank's first.
   template <class Visit>
@@ -88,9 +91,14 @@ class SurfaceForcing : public WallForces {
   Points<Dim> felt_means(const Points<Dim>& of_markers) const;
   Points<Dim> slips(Vec velocity) const;
   Points<Dim> response(const Points<Dim>& forces) const;
-  Points<Dim> approximate_forces(const Points<Dim>& velocities) const;
+  /// Of all bodies, but for some.
+  Points<Dim> approximate_forces(const Points<Dim>& velocities, const std::vector<bool>& but_for) const;
   void accelerate(const Points<Dim>& forces, Vec velocity) const;
-  double rms(const Points<Dim>& values) const;
+  /// Of this rank's patches what find(body, values of all its patches) finds for all.
+  template <class Find>
+  Points<Dim> body_by_body(const Points<Dim>& values, const Find& find) const;
+  /// Of each body whether what deltas see of the slips of its patches, root mean square, is at most so much [m/s].
+  std::vector<bool> are_held(const Points<Dim>& slips, double most) const;
   double tolerance(Vec velocity) const;
 
   const Grid<Dim>& grid_;
@@ -117,7 +125,8 @@ class SurfaceForcing : public WallForces {
   petsc::Vector right_, solution_;
   TimeStep step_;                     ///< under way
   Vec fluid_density_ = nullptr;       ///< of it
-  const Project* project_ = nullptr;  ///< while the solver runs
+  const Project* project_ = nullptr;  ///< while the solver runs, and how much slip it may leave [m/s]
+  double slip_left_ = 0;
   /// J u of what was asked for last, where the markers are.
   struct Seen {
     petsc::Version velocity;
