@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/forcing/surface_forcing.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include <gtest/gtest.h>
@@ -84,7 +86,7 @@ TEST(SurfaceForcing, HoldsNoBodyWorseForOthersAtRest) {
   }
 }
 
-/// The patches of a disc, their values found from the order round it.
+/// Of the means about the patches of a disc, root mean square; value(n) is that of the nth patch round it.
 template <class Value>
 double mean_about(Value&& value) {
   const Point<2> cell = Point<2>::Constant(0.025);

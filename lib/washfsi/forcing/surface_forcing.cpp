@@ -79,7 +79,7 @@ void SurfaceForcing<Dim>::create_solver() {
   WASH_PETSC(PCSetType(pc, PCSHELL));
   WASH_PETSC(PCShellSetContext(pc, this));
   WASH_PETSC(PCShellSetApply(pc, &SurfaceForcing::precondition));
-  WASH_PETSC(KSPSetTolerances(solver_, 1e-50, PETSC_DEFAULT, PETSC_DEFAULT, 1000));
+  WASH_PETSC(KSPSetTolerances(solver_, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, 1000));
   (void)set_up_from_options(solver_);
 }
 
@@ -98,8 +98,7 @@ PetscErrorCode SurfaceForcing<Dim>::precondition(PC pc, Vec x, Vec y) {
     void* self = nullptr;
     WASH_PETSC(PCShellGetContext(pc, &self));
     const auto& forcing = *static_cast<const SurfaceForcing*>(self);
-    const std::vector<bool> none(forcing.bodies_.size(), false);
-    to_vector<Dim>(forcing.approximate_forces(to_points<Dim>(x), none), y);
+    to_vector<Dim>(forcing.approximate_forces(forcing.of_all_ranks(to_points<Dim>(x)), forcing.none_of_bodies()), y);
   });
 }
 
@@ -110,7 +109,7 @@ PetscErrorCode SurfaceForcing<Dim>::judge(KSP solver, PetscInt, PetscReal norm, 
     const auto& forcing = *static_cast<const SurfaceForcing*>(self);
     Vec residual = nullptr;
     WASH_PETSC(KSPBuildResidual(solver, nullptr, nullptr, &residual));
-    const std::vector<bool> held = forcing.are_held(to_points<Dim>(residual), forcing.slip_left_);
+    const std::vector<bool> held = forcing.are_held(forcing.of_all_ranks(to_points<Dim>(residual)), forcing.slip_left_);
     WASH_PETSC(VecDestroy(&residual));
     *reason = KSP_CONVERGED_ITERATING;
     if (!std::isfinite(norm)) *reason = KSP_DIVERGED_NANORINF;
@@ -269,11 +268,16 @@ Points<Dim> SurfaceForcing<Dim>::response(const Points<Dim>& forces) const {
 }
 
 template <int Dim>
-template <class Find>
-Points<Dim> SurfaceForcing<Dim>::body_by_body(const Points<Dim>& values, const Find& find) const {
+Points<Dim> SurfaceForcing<Dim>::of_all_ranks(const Points<Dim>& values) const {
   Points<Dim> all(markers_.patches());
   MPI_Allgatherv(values.data(), static_cast<int>(Dim * values.size()), MPI_DOUBLE, all.data(), counts_.data(),
                  starts_.data(), MPI_DOUBLE, grid_.comm());
+  return all;
+}
+
+template <int Dim>
+template <class Find>
+Points<Dim> SurfaceForcing<Dim>::body_by_body(const Points<Dim>& all, const Find& find) const {
   const petsc::LogPart part("wall_forces");
   Points<Dim> found;
   std::size_t first = 0;
@@ -304,20 +308,22 @@ Points<Dim> SurfaceForcing<Dim>::approximate_forces(const Points<Dim>& velocitie
 }
 
 template <int Dim>
-void SurfaceForcing<Dim>::push(Vec velocity) {
-  const Points<Dim> more = approximate_forces(slips(velocity), std::vector<bool>(bodies_.size(), false));
+void SurfaceForcing<Dim>::add_forces(const Points<Dim>& more, Vec velocity) {
   accelerate(more, velocity);
   forces_ += more;
 }
 
 template <int Dim>
+void SurfaceForcing<Dim>::push(Vec velocity) {
+  add_forces(approximate_forces(of_all_ranks(slips(velocity)), none_of_bodies()), velocity);
+}
+
+template <int Dim>
 bool SurfaceForcing<Dim>::push_unheld(Vec velocity, double relaxation) {
-  const Points<Dim> left = slips(velocity);
+  const Points<Dim> left = of_all_ranks(slips(velocity));
   const std::vector<bool> held = are_held(left, tolerance(velocity));
   if (std::ranges::all_of(held, std::identity())) return false;
-  const Points<Dim> more = relaxation * approximate_forces(left, held);
-  accelerate(more, velocity);
-  forces_ += more;
+  add_forces(relaxation * approximate_forces(left, held), velocity);
   return true;
 }
 
@@ -325,14 +331,12 @@ template <int Dim>
 bool SurfaceForcing<Dim>::hold(const Project& project, Vec velocity) {
   const Points<Dim> left = slips(velocity);
   slip_left_ = tolerance(velocity);
-  if (std::ranges::all_of(are_held(left, slip_left_), std::identity())) return false;
+  if (std::ranges::all_of(are_held(of_all_ranks(left), slip_left_), std::identity())) return false;
   project_ = &project;
   to_vector<Dim>(left, right_);
   (void)solve_to(solver_, 0, right_, solution_, "walls");
   project_ = nullptr;
-  const Points<Dim> more = to_points<Dim>(solution_);
-  accelerate(more, velocity);
-  forces_ += more;
+  add_forces(to_points<Dim>(solution_), velocity);
   return true;
 }
 

@@ -62,7 +62,7 @@ class SurfaceForcing : public WallForces {
   /// Collective.
   double lost_power(const Points<Dim>& before, const Points<Dim>& after, double dt) const;
   /// The slip of the water at each body's markers, root mean square [m/s]; without that with which a law lets it slide.
-  /// The solver holds the mean over the markers of a patch, which is less. Collective.
+  /// The solver holds means over the reach of a delta, which are less. Collective.
   std::vector<double> slip_of_bodies(const Points<Dim>& water) const;
 
   /// What a restart needs: the forces of this rank's patches, in the bodies' frames, and which patches these are.
@@ -91,13 +91,16 @@ class SurfaceForcing : public WallForces {
   Points<Dim> felt_means(const Points<Dim>& of_markers) const;
   Points<Dim> slips(Vec velocity) const;
   Points<Dim> response(const Points<Dim>& forces) const;
-  /// Of all bodies, but for some.
+  Points<Dim> of_all_ranks(const Points<Dim>& values) const;
+  /// On this rank's patches, by the velocities of all patches; none on some bodies.
   Points<Dim> approximate_forces(const Points<Dim>& velocities, const std::vector<bool>& but_for) const;
+  std::vector<bool> none_of_bodies() const { return std::vector<bool>(bodies_.size(), false); }
   void accelerate(const Points<Dim>& forces, Vec velocity) const;
-  /// Of this rank's patches what find(body, values of all its patches) finds for all.
+  void add_forces(const Points<Dim>& more, Vec velocity);
+  /// Of this rank's patches what find(body, values of its patches) finds from those of all patches.
   template <class Find>
-  Points<Dim> body_by_body(const Points<Dim>& values, const Find& find) const;
-  /// Of each body whether what deltas see of the slips of its patches, root mean square, is at most so much [m/s].
+  Points<Dim> body_by_body(const Points<Dim>& all, const Find& find) const;
+  /// Of each body whether what deltas see of the slips of all patches is at most so much on its own, rms [m/s].
   std::vector<bool> are_held(const Points<Dim>& slips, double most) const;
   double tolerance(Vec velocity) const;
 
