@@ -86,6 +86,12 @@ TEST(SurfaceForcing, HoldsNoBodyWorseForOthersAtRest) {
   }
 }
 
+TEST(SurfaceForcing, HoldsBesidesABodyWithoutSurfaceInTheBox) {
+  Discs discs(4, 0.1);  // the last lies beyond the end
+  EXPECT_TRUE(discs.push_unheld());
+  EXPECT_GT(discs.force_on(0), 0);
+}
+
 /// Of the means about the patches of a disc, root mean square; value(n) is that of the nth patch round it.
 template <class Value>
 double mean_about(Value&& value) {

@@ -87,8 +87,9 @@ OverlapInverse<Dim>::OverlapInverse(const MarkerPatches<Dim>& patches, const Mar
   factor_->overlaps.resize(size, size);
   factor_->overlaps.setFromTriplets(entries.begin(), entries.end());
   factor_->sums = factor_->overlaps * Eigen::VectorXd::Ones(size);
-  const Eigen::VectorXd raised = added * factor_->sums;
-  factor_->cholesky.compute(factor_->overlaps + Eigen::SparseMatrix<double>(raised.asDiagonal()));
+  Eigen::SparseMatrix<double> raised = factor_->overlaps;
+  for (Eigen::Index p = 0; p < size; ++p) raised.coeffRef(p, p) += added * factor_->sums[p];
+  factor_->cholesky.compute(raised);
 }
 
 template <int Dim>
