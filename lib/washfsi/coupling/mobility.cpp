@@ -15,8 +15,10 @@ std::vector<typename MobilityMatrix<Dim>::Stencils> MobilityMatrix<Dim>::stencil
   const AxisDelta spread(delta_.kernel, delta_.spread_width), interpolate(delta_.kernel, delta_.interpolate_width);
   std::vector<Stencils> stencils;
   stencils.reserve(positions.size());
-  for (const auto& position : positions)
-    stencils.push_back({FaceStencil<Dim>(grid_, spread, position), FaceStencil<Dim>(grid_, interpolate, position)});
+  for (const auto& position : positions) {
+    const FaceStencil<Dim> stencil(grid_, spread, position);
+    stencils.push_back({stencil, is_symmetric() ? stencil : FaceStencil<Dim>(grid_, interpolate, position)});
+  }
   return stencils;
 }
 
@@ -34,11 +36,10 @@ std::vector<std::vector<typename MobilityMatrix<Dim>::Entry>> MobilityMatrix<Dim
   for (std::size_t marker = first; marker < first + count; ++marker) reached.push_back(round(marker, reach));
   const NearSearch<Dim> search(std::move(places), reach, hull(reached), periods_of<Dim>(grid_));
   const std::vector<Stencils> stencils = stencils_at(positions);
-  const bool symmetric = delta_.spread_width == delta_.interpolate_width;
   std::vector<std::vector<Entry>> rows(count);
   for (std::size_t marker = first; marker < first + count; ++marker)
     search.visit_near(reached[marker - first], [&](std::size_t other) {
-      const bool mirrored = symmetric && other >= first && other < first + count && other != marker;
+      const bool mirrored = is_symmetric() && other >= first && other < first + count && other != marker;
       if (mirrored && other < marker) return;
       const Point<Dim> value = overlap(grid_, stencils[marker].interpolate, stencils[other].spread);
       if (value == Point<Dim>::Zero()) return;

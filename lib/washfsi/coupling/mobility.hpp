@@ -29,6 +29,7 @@ class MobilityMatrix {
     std::size_t other;
     Point<Dim> value;
   };
+  bool is_symmetric() const { return delta_.spread_width == delta_.interpolate_width; }
   std::vector<std::vector<Entry>> overlaps(const Points<Dim>& positions, std::size_t first, std::size_t count) const;
   std::vector<Stencils> stencils_at(const Points<Dim>& positions) const;
 

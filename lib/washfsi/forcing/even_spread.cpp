@@ -2,6 +2,7 @@
 #include "washfsi/forcing/even_spread.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
 #include <limits>
 #include <queue>
@@ -27,13 +28,12 @@ template <int Dim>
 class Elimination {
  public:
   Elimination(const std::vector<Candidate<Dim>>& candidates, const Point<Dim>& spacing)
-      : candidates_(candidates), scale_(spacing.cwiseInverse()), pairs_(candidates.size()) {
+      : candidates_(candidates), scale_(spacing.cwiseInverse()), near_(candidates.size()) {
     const NearSearch<Dim> search = search_among(candidates, spacing);
     // each tells the others of itself, so that their sums are in its order and not in that of the bins
     for (std::size_t m = 0; m < candidates_.size(); ++m)
       search.visit_near(Bounds<Dim>::round(candidates_[m].place, influence * spacing), [&](std::size_t other) {
-        if (const double distance = apart(m, other); other != m && distance < influence)
-          pairs_[other].push_back({m, distance});
+        if (other != m && apart(m, other) < influence) near_[other].push_back(static_cast<Number>(m));
       });
   }
 
@@ -52,10 +52,7 @@ class Elimination {
 
  private:
   static constexpr double influence = 2;  // farther than this many spacings places do not crowd each other
-  struct Pair {
-    std::size_t other;
-    double distance;
-  };
+  using Number = std::uint32_t;           // of which there are hundreds for each place
 
   // The most crowded of what is left, one after the other, where `goes(place)`; returns them in their order.
   template <class Goes>
@@ -65,7 +62,7 @@ class Elimination {
     gone_.assign(candidates_.size(), 0);
     std::priority_queue<std::pair<double, std::size_t>> queue;  // by how crowded each was once: never less than now
     for (std::size_t m = 0; m < candidates_.size(); ++m) {
-      for (const Pair& pair : pairs_[m]) add(m, pair, 1);
+      for (const Number other : near_[m]) add(m, other, 1);
       queue.emplace(crowding_[m], m);
     }
     std::vector<std::size_t> order;
@@ -79,8 +76,8 @@ class Elimination {
       if (!goes(worst)) continue;
       gone_[worst] = 1;
       order.push_back(worst);
-      for (const Pair& pair : pairs_[worst])
-        if (!gone_[pair.other]) add(pair.other, {worst, pair.distance}, -1);
+      for (const Number other : near_[worst])
+        if (!gone_[other]) add(other, worst, -1);
     }
     return order;
   }
@@ -89,8 +86,7 @@ class Elimination {
   void fill_gaps(std::vector<std::size_t> order) {
     std::ranges::reverse(order);
     for (const std::size_t place : order)
-      if (std::none_of(pairs_[place].begin(), pairs_[place].end(),
-                       [&](const Pair& pair) { return pair.distance < 1 && !gone_[pair.other]; }))
+      if (std::ranges::none_of(near_[place], [&](Number other) { return !gone_[other] && apart(place, other) < 1; }))
         gone_[place] = 0;
   }
 
@@ -106,16 +102,17 @@ class Elimination {
   }
 
   // Edges crowd less, so that they are kept.
-  void add(std::size_t m, const Pair& pair, int sign) {
-    const double nearness = 1 - pair.distance / influence;
+  void add(std::size_t m, std::size_t other, int sign) {
+    const double distance = apart(m, other);
+    const double nearness = 1 - distance / influence;
     const double kept = 1 + 20 * candidates_[m].sharpness;
     crowding_[m] += sign * nearness * nearness * nearness * nearness / kept;
-    if (pair.distance < 1) too_near_[m] += sign;
+    if (distance < 1) too_near_[m] += sign;
   }
 
   const std::vector<Candidate<Dim>>& candidates_;
   Point<Dim> scale_;
-  std::vector<std::vector<Pair>> pairs_;
+  std::vector<std::vector<Number>> near_;  ///< of each place, in ascending order
   std::vector<double> crowding_;
   std::vector<int> too_near_;
   std::vector<char> gone_;

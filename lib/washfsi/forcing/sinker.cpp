@@ -21,6 +21,7 @@ constexpr double smooth_bend = 0.25;    // in cells, above which a place belongs
 constexpr double eddies = 2.1;          // of a cylinder and of a sphere alike, by their drag in creeping flow
 constexpr double narrow = 1.5;          // radius in cells up to which eddies are left out
 constexpr double most_stress = 0.6;     // over that of the water before the markers
+constexpr double farthest = 2;          // cells: what is deeper does not matter
 
 template <int Dim>
 double largest_of(const Eigen::Matrix<double, Dim, Dim>& symmetric) {
@@ -32,25 +33,48 @@ double largest_of(const Eigen::Matrix<double, Dim, Dim>& symmetric) {
 
 template <int Dim>
 std::optional<Candidate<Dim>> Sinker<Dim>::sink(const Point<Dim>& seed) const {
+  const auto found = behind(seed, farthest);
+  if (!found) return {};
+  return is_in_sheet(*found) ? in_sheet(found->inmost, found->normal) : on_face(*found);
+}
+
+template <int Dim>
+std::optional<Candidate<Dim>> Sinker<Dim>::sink_behind_no_face(const Point<Dim>& seed) const {
+  const auto found = behind(seed, layout_.moments.sheet_reach());
+  if (!found) return {};
+  if (is_in_sheet(*found)) return in_sheet(found->inmost, found->normal);
+  if (bending(curvatures(found->foot)) >= 0) return {};
+  const auto in_corner = sink(seed);
+  return in_corner && in_corner->place == in_corner->foot ? in_corner : std::nullopt;
+}
+
+// Down to a depth in cells.
+template <int Dim>
+std::optional<typename Sinker<Dim>::Behind> Sinker<Dim>::behind(const Point<Dim>& seed, double deepest) const {
   const double from_surface = shape_.distance(seed);
   if (from_surface < 0 || from_surface > reach * layout_.cell.maxCoeff()) return {};
   const Point<Dim> out = distance_gradient<Dim>(shape_, seed, fine * cell_);
   const std::optional<Point<Dim>> foot = foot_of(seed);
   if (!foot || out.norm() < 0.5) return {};
   const Point<Dim> normal = out.normalized();
-  const double along = normal.cwiseProduct(layout_.cell).norm();  // a cell's size in the normal's direction
-  const auto [inmost, depth] = inmost_behind(*foot, normal, along);
-  if (depth < along * layout_.moments.sheet_reach()) return in_sheet(inmost, normal);
+  const double along = normal.cwiseProduct(layout_.cell).norm();
+  const auto [inmost, depth] = inmost_behind(*foot, normal, along, deepest);
+  return Behind{*foot, normal, inmost, depth, along};
+}
+
+template <int Dim>
+Candidate<Dim> Sinker<Dim>::on_face(const Behind& behind) const {
+  const auto& [foot, normal, inmost, depth, along] = behind;
   // at an edge the way is that between its faces
-  const Point<Dim> inwards = -distance_gradient<Dim>(shape_, *foot, coarse * cell_).normalized();
-  const Curvatures bent = curvatures(*foot);
+  const Point<Dim> inwards = -distance_gradient<Dim>(shape_, foot, coarse * cell_).normalized();
+  const Curvatures bent = curvatures(foot);
   const double bend = bending(bent);
   double flat = along * layout_.moments.retraction(depth / along);
-  const double held = is_held_behind(*foot, inwards) ? held_stress(flat, bend) : 0;
+  const double held = is_held_behind(foot, inwards) ? held_stress(flat, bend) : 0;
   const double stirred = layout_.inside.turns ? 0 : stirred_stress(largest_of<Dim>(bent), along);
   flat /= 1 - std::min(most_stress, flat * std::max(held, stirred));
-  return Candidate<Dim>{*foot + std::clamp(flat + bend, 0.0, depth) * inwards, *foot,
-                        static_cast<int>(std::clamp(bend / (smooth_bend * cell_), 0.0, 2.0))};
+  return {foot + std::clamp(flat + bend, 0.0, depth) * inwards, foot,
+          static_cast<int>(std::clamp(bend / (smooth_bend * cell_), 0.0, 2.0))};
 }
 
 template <int Dim>
@@ -93,17 +117,17 @@ std::optional<Point<Dim>> Sinker<Dim>::foot_of(const Point<Dim>& seed) const {
   return {};
 }
 
-// The place that is farthest from the surface on the way that leads from it fastest, and how far that is.
+// The place that is farthest from the surface on the way that leads from it fastest, and how far that is; or one at
+// least so many cells deep.
 template <int Dim>
-std::pair<Point<Dim>, double> Sinker<Dim>::inmost_behind(const Point<Dim>& foot, const Point<Dim>& normal,
-                                                         double along) const {
-  constexpr double farthest = 2;   // cells: what is deeper does not matter
+std::pair<Point<Dim>, double> Sinker<Dim>::inmost_behind(const Point<Dim>& foot, const Point<Dim>& normal, double along,
+                                                         double deepest) const {
   constexpr double slowest = 0.3;  // growth of the depth on its way: slower it runs along the middle of a sheet
   const double step = 0.1 * along;
   Point<Dim> inmost = foot, way = -normal;
   double depth = 0;
   bool slow = false;
-  for (int n = 0; n * step < farthest * along; ++n) {
+  for (int n = 0; n * step < farthest * along && depth < deepest * along; ++n) {
     const Point<Dim> next = inmost + step * way;
     const double deeper = -shape_.distance(next);
     const bool slower = deeper <= depth + slowest * step;

@@ -78,21 +78,21 @@ std::vector<Candidate<Dim>> of_all_ranks(MPI_Comm comm, const std::vector<Candid
   return candidates;
 }
 
-// In an order that does not depend on the region, for what is equally crowded. Ranks share the seeds.
-template <int Dim>
+// What sink(seed) finds, in an order that does not depend on the region, for what is equally crowded. Ranks share the
+// seeds.
+template <int Dim, class Sink>
 std::vector<Candidate<Dim>> candidates_of(const Shape<Dim>& shape, const MarkerLayout<Dim>& layout,
-                                          const SeedCells<Dim>& seeds) {
+                                          const SeedCells<Dim>& seeds, const Sink& sink) {
   std::vector<Index<Dim>> near;
   subdivide<Dim>(
       seeds, seeds.box(), Sinker<Dim>::reach * layout.cell.maxCoeff(),
       [&](const Point<Dim>& place) { return shape.distance(place); }, [](const Box<Dim>&, int) {},
       [&](const Index<Dim>& cell) { near.push_back(cell); });
-  const Sinker<Dim> sinker(shape, layout);
   const auto rank = static_cast<std::size_t>(rank_of(layout.comm)),
              ranks = static_cast<std::size_t>(ranks_of(layout.comm));
   std::vector<Candidate<Dim>> mine;
   for (std::size_t n = near.size() * rank / ranks; n < near.size() * (rank + 1) / ranks; ++n)
-    if (const auto candidate = sinker.sink(seeds.center(near[n]))) mine.push_back(*candidate);
+    if (const auto candidate = sink(seeds.center(near[n]))) mine.push_back(*candidate);
   std::vector<Candidate<Dim>> candidates = of_all_ranks<Dim>(layout.comm, mine);
   std::sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
     return std::lexicographical_compare(a.place.begin(), a.place.end(), b.place.begin(), b.place.end());
@@ -132,12 +132,12 @@ std::size_t patch_count(std::size_t markers, double spacing, double width) {
   return std::min(markers, std::max<std::size_t>(count, 1));
 }
 
-// Those on faces, or those in the middle of thin parts, which are on no face.
+// Those that lie behind a face, and not in the middle of a thin part or in a corner.
 template <int Dim>
-std::vector<Candidate<Dim>> only(bool in_sheets, const std::vector<Candidate<Dim>>& candidates) {
+std::vector<Candidate<Dim>> behind_faces(const std::vector<Candidate<Dim>>& candidates) {
   std::vector<Candidate<Dim>> result;
   std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(result),
-               [&](const auto& candidate) { return (candidate.place == candidate.foot) == in_sheets; });
+               [](const auto& candidate) { return candidate.place != candidate.foot; });
   return result;
 }
 
@@ -145,7 +145,9 @@ template <int Dim>
 MarkerPatches<Dim> patches_of_sheets(const Shape<Dim>& shape, const Bounds<Dim>& region,
                                      const MarkerLayout<Dim>& layout) {
   const SeedCells<Dim> seeds(region, layout.cell / sheet_seeds_a_cell<Dim>);
-  const auto candidates = only<Dim>(true, candidates_of<Dim>(shape, layout, seeds));
+  const Sinker<Dim> sinker(shape, layout);
+  const auto candidates = candidates_of<Dim>(shape, layout, seeds,
+                                             [&](const Point<Dim>& seed) { return sinker.sink_behind_no_face(seed); });
   const auto places = spread_evenly<Dim>(distinct<Dim>(candidates, seeds.spacing()), sheet_spacing<Dim> * layout.cell);
   const double width = sheet_width * layout.spacing;
   const std::size_t apart = thinned<Dim>(places, least_sheet_width * layout.cell).size();
@@ -157,8 +159,11 @@ template <int Dim>
 MarkerPatches<Dim> markers_of_part(const Shape<Dim>& shape, const Bounds<Dim>& region,
                                    const MarkerLayout<Dim>& layout) {
   const SeedCells<Dim> seeds(region, layout.cell / seeds_a_cell<Dim>);
-  const auto markers = spread_evenly<Dim>(candidates_of<Dim>(shape, layout, seeds), marker_spacing * layout.cell);
-  const auto on_faces = only<Dim>(false, markers);
+  const Sinker<Dim> sinker(shape, layout);
+  const auto candidates =
+      candidates_of<Dim>(shape, layout, seeds, [&](const Point<Dim>& seed) { return sinker.sink(seed); });
+  const auto markers = spread_evenly<Dim>(candidates, marker_spacing * layout.cell);
+  const auto on_faces = behind_faces<Dim>(markers);
   const bool has_sheets = on_faces.size() < markers.size();
   const double width = layout.spacing * (has_sheets ? 1 : wider_on_solids);
   const auto most = on_faces.size();
