@@ -9,6 +9,7 @@
 #include "washfsi/body/inner_water.hpp"
 #include "washfsi/grid/interpolate.hpp"
 #include "washfsi/grid/subdivide.hpp"
+#include "washfsi/support/equal_parts.hpp"
 
 namespace washfsi {
 
@@ -89,12 +90,13 @@ double Mask<Dim>::fraction_at(double distance) const {
 
 // Calls visit(face, component, place, distance) for this rank's faces of cells that are less than `reach` before the
 // surface of a body or behind it, with a very small distance where they are farther behind it; a negative reach takes a
-// surface so far behind.
+// surface so far behind. Ranks share the work: a body may lie in the cells of one. Collective.
 template <int Dim>
 template <class Visit>
 void Mask<Dim>::for_each_inside(const PosedBodies<Dim>& posed, std::size_t body, double reach,
                                 const Visit& visit) const {
   const double depth = std::max(0.0, -reach);
+  std::vector<Index<Dim>> near;
   subdivide<Dim>(
       grid_, grid_.owned(), std::max(0.0, reach),
       [&](const Point<Dim>& place) { return posed.distance(body, place) + depth; },
@@ -104,12 +106,14 @@ void Mask<Dim>::for_each_inside(const PosedBodies<Dim>& posed, std::size_t body,
             for (int c = 0; c < Dim; ++c) visit(face, c, grid_.face_center(face, c), deep_inside);
           });
       },
-      [&](const Index<Dim>& face) {
-        for (int c = 0; c < Dim; ++c) {
-          const Point<Dim> place = grid_.face_center(face, c);
-          visit(face, c, place, posed.distance(body, place));
-        }
-      });
+      [&](const Index<Dim>& cell) { near.push_back(cell); });
+  Points<Dim> places;
+  for (const auto& face : near)
+    for (int c = 0; c < Dim; ++c) places.push_back(grid_.face_center(face, c));
+  const std::vector<double> distances =
+      shared_values<Dim>(grid_.comm(), places, [&](const Point<Dim>& place) { return posed.distance(body, place); });
+  for (std::size_t n = 0; n < places.size(); ++n)
+    visit(near[n / Dim], static_cast<int>(n % Dim), places[n], distances[n]);
 }
 
 // Where bodies overlap, a face is held by the one that leaves the water least; among equals, by the one named first.

@@ -15,9 +15,10 @@ namespace washfsi {
 template <int Dim>
 class Mask {
  public:
+  /// Collective.
   Mask(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies, const BodyTreatment& treatment);
 
-  /// Places the bodies as they are at `time`.
+  /// Places the bodies as they are at `time`. Collective.
   void update(double time);
   /// For `BodyMethod::ghost`, else nothing: sets what the faces inside the walls are held at, by extrapolation of the
   /// velocity through the wall (Yokoi 2003, thesis 4.3.1.2). The velocity is filled and has wide ghosts.
