@@ -2,6 +2,7 @@
 """The lid-driven cavity at Re = 100 agrees with Ghia, Ghia & Shin (1982) on its centre lines."""
 
 import csv
+import json
 import unittest
 
 import numpy as np
@@ -43,6 +44,16 @@ class Cavity(ProgramTest):
         history = read_columns(self.folder / "out" / "history.csv")
         self.assertEqual(list(history["step"]), [1, 2, 3])
         self.assertGreater(history["kinetic_energy"][-1], 0)
+
+    def peak_memory(self, cells):
+        """Returns the most memory that a few steps on cells^3 take [byte]."""
+        self.run_well(2, "-grid_cells", f"{cells},{cells},{cells}", "-bc_y_upper_velocity", "1,0,0", "-fluid_density", 1,
+                      "-fluid_viscosity", 1e-3, "-time_step", 2.5e-3, "-max_steps", 6, "-time_end", 1, "-output_dir", "out")
+        return json.loads((self.folder / "out" / "summary.json").read_text())["peak_memory_bytes"]
+
+    def test_takes_little_memory_a_cell(self):
+        most = 850  # [byte]: a hundred numbers; 750 when it was written, 1000 with fields of bodies that there are not
+        self.assertLess(self.peak_memory(48) - self.peak_memory(32), most * (48**3 - 32**3))
 
 
 if __name__ == "__main__":

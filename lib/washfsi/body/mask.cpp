@@ -31,30 +31,33 @@ Mask<Dim>::Mask(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies, con
       treatment_(treatment),
       smoothing_(smoothing_of(treatment, grid.spacing().maxCoeff())),
       held_depths_(bodies.size(), 0.0),
-      fraction_(grid.face_vector()),
-      solid_velocity_(grid.face_vector()),
-      held_velocity_(grid.face_vector()),
-      body_(grid.face_vector()),
-      resting_fraction_(grid.face_vector()),
-      resting_body_(grid.face_vector()),
       any_moves_(std::any_of(bodies.begin(), bodies.end(), [](const auto& body) { return !body.motion.at_rest(); })) {
-  WASH_PETSC(VecSet(fraction_, 1.0));
-  WASH_PETSC(VecSet(body_, -1.0));
-  if (treatment.method == BodyMethod::direct_forcing) {
-    for (std::size_t b = 0; b < bodies.size(); ++b)
-      held_depths_[b] = InnerWater::of(bodies[b], grid, treatment.inner_water_slides).held_depth;
-    share_ = petsc::zeros_like(fraction_);
-    WASH_PETSC(VecSet(share_, 1.0));
-    resting_share_ = petsc::zeros_like(fraction_);
-  }
+  if (empty()) return;
+  create_fields();
   const PosedBodies<Dim> posed(bodies_, 0);
   for (std::size_t b = 0; b < bodies_.size(); ++b)
     if (bodies_[b].motion.at_rest()) place(posed, b, 0);
-  WASH_PETSC(VecCopy(fraction_, resting_fraction_));
-  if (share_) WASH_PETSC(VecCopy(share_, resting_share_));
-  WASH_PETSC(VecCopy(body_, resting_body_));
+  if (any_moves_) {
+    resting_fraction_ = petsc::copy_of(fraction_);
+    if (share_) resting_share_ = petsc::copy_of(share_);
+    resting_body_ = petsc::copy_of(body_);
+  }
   if (treatment_.method == BodyMethod::cut_stencil) find_cuts(posed, 0);
   update(0);
+}
+
+template <int Dim>
+void Mask<Dim>::create_fields() {
+  fraction_ = grid_.face_vector();
+  WASH_PETSC(VecSet(fraction_, 1.0));
+  solid_velocity_ = grid_.face_vector();
+  if (extrapolates()) held_velocity_ = grid_.face_vector();
+  body_ = grid_.face_vector();
+  WASH_PETSC(VecSet(body_, -1.0));
+  if (treatment_.method != BodyMethod::direct_forcing) return;
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    held_depths_[b] = InnerWater::of(bodies_[b], grid_, treatment_.inner_water_slides).held_depth;
+  share_ = petsc::copy_of(fraction_);
 }
 
 template <int Dim>

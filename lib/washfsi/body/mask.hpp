@@ -41,7 +41,7 @@ class Mask {
   /// H where markers hold the walls: smooth, 1/2 (1 - 1/2 - 1/pi).
   static constexpr double fraction_half_a_cell_behind = 0.0908;
 
-  Vec fluid_fraction() const { return fraction_; }  ///< H, on faces
+  Vec fluid_fraction() const { return fraction_; }  ///< H, on faces; null without bodies, as the others
   /// The share of each face that lies in fluid: H, but where markers hold the walls and H is 0 only behind them.
   Vec fluid_share() const { return share_ ? share_ : fraction_; }
   Vec solid_velocity() const { return solid_velocity_; }  ///< on faces [m/s]
@@ -76,6 +76,7 @@ class Mask {
                                double time) const;
 
  private:
+  void create_fields();
   template <class Visit>
   void for_each_inside(const PosedBodies<Dim>& posed, std::size_t body, double reach, const Visit& visit) const;
   void place(const PosedBodies<Dim>& posed, std::size_t body, double time);

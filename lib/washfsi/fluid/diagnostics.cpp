@@ -23,6 +23,12 @@ struct Ends {
   bool at_upper(const Index<Dim>& index, std::size_t axis) const {
     return !periodic[axis] && index[axis] == cells[axis];
   }
+  /// Whether a face has a number in the box.
+  bool within(const Index<Dim>& index) const {
+    for (int d = 0; d < Dim; ++d)
+      if (!periodic[d] && (index[d] < 0 || index[d] >= cells[d])) return false;
+    return true;
+  }
   /// What lies in the boundary has half the volume of another.
   double part(const Index<Dim>& index, std::size_t axis) const {
     return at_lower(index, axis) || at_upper(index, axis) ? 0.5 : 1;
@@ -33,19 +39,11 @@ struct Ends {
 };
 
 // 2 mu e:e over the viscosity's scale, summed over this rank's cells and, between two directions, over the edges where
-// their faces meet. Where all faces are solid or beyond the box nothing is counted.
-template <int Dim, class Form>
-double squared_strain(const Grid<Dim>& grid, const ConstFaceView<Dim>& u, const Form& mu, const FlowState& state) {
-  const Vec fluid_fraction = state.fluid_fraction ? state.fluid_fraction : state.liquid.density;
-  const petsc::LocalVector local_fraction(grid.face_dm());
-  WASH_PETSC(VecZeroEntries(local_fraction));  // beyond the box all is solid
-  WASH_PETSC(DMGlobalToLocal(grid.face_dm(), fluid_fraction, INSERT_VALUES, local_fraction));
-  const ConstFaceView<Dim> fraction(grid.face_dm(), local_fraction);
+// their faces meet. Where no face is wet nothing is counted.
+template <int Dim, class Form, class IsWet>
+double squared_strain(const Grid<Dim>& grid, const ConstFaceView<Dim>& u, const Form& mu, const Ends<Dim>& ends,
+                      const IsWet& is_wet) {
   const Spacing<Dim> h(grid.spacing());
-  const Ends<Dim> ends(grid);
-  const auto is_wet = [&](const Index<Dim>& face, auto c) {
-    return !ends.at_lower(face, c) && fraction(face, c) > state.dry_fraction;
-  };
   double sum = 0;
   for_each_component<Dim>([&](auto c) {
     for_each<Dim>(grid.owned(), [&](const Index<Dim>& cell) {
@@ -70,13 +68,28 @@ double squared_strain(const Grid<Dim>& grid, const ConstFaceView<Dim>& u, const 
   return sum;
 }
 
-// This rank's part of the dissipation over the volume of a cell.
+// This rank's part of the dissipation over the volume of a cell. Faces in solids, in the box's sides and beyond them
+// are not wet.
 template <int Dim>
 double dissipated(const Grid<Dim>& grid, const ConstFaceView<Dim>& u, const FlowState& state) {
   if (state.liquid.viscosity.everywhere == 0 && !state.liquid.viscosity.in_cells) return 0;
+  const Ends<Dim> ends(grid);
   double result = 0;
   with_viscosity<Dim>(grid, state.liquid.viscosity, [&](const auto& viscosity) {
-    result = viscosity.scale * squared_strain(grid, u, viscosity, state);
+    const auto sum_over = [&](const auto& is_wet) {
+      result = viscosity.scale * squared_strain(grid, u, viscosity, ends, is_wet);
+    };
+    if (!state.fluid_fraction) {
+      sum_over([&](const Index<Dim>& face, auto c) { return ends.within(face) && !ends.at_lower(face, c); });
+      return;
+    }
+    const petsc::LocalVector local(grid.face_dm());
+    WASH_PETSC(VecZeroEntries(local));  // beyond the box all is solid
+    WASH_PETSC(DMGlobalToLocal(grid.face_dm(), state.fluid_fraction, INSERT_VALUES, local));
+    const ConstFaceView<Dim> fraction(grid.face_dm(), local);
+    sum_over([&](const Index<Dim>& face, auto c) {
+      return !ends.at_lower(face, c) && fraction(face, c) > state.dry_fraction;
+    });
   });
   return result;
 }

@@ -58,7 +58,7 @@ void Liquid<Dim>::let_walls_follow(const StepFlow& flow, const CellShare<Dim>& s
 
 template <int Dim>
 void Liquid<Dim>::let_models_add(const StepFlow& flow) {
-  let_models_add(flow, CellShare<Dim>(grid_, flow.fluid_share));
+  if (!models_.empty()) let_models_add(flow, CellShare<Dim>(grid_, flow.fluid_share));
 }
 
 template <int Dim>

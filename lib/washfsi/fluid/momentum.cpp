@@ -14,8 +14,7 @@ MomentumSolver<Dim>::MomentumSolver(const Grid<Dim>& grid, const Boundary<Dim>& 
       boundary_(boundary),
       tolerance_(tolerance),
       residual_(grid.face_vector()),
-      correction_(grid.face_vector()),
-      diagonal_(grid.face_vector()) {
+      correction_(grid.face_vector()) {
   PetscInt size = 0;
   WASH_PETSC(VecGetLocalSize(residual_, &size));
   WASH_PETSC(MatCreateShell(grid.comm(), size, size, PETSC_DETERMINE, PETSC_DETERMINE, this, matrix_.put()));
@@ -50,7 +49,8 @@ void MomentumSolver<Dim>::set_step(double dt, const LiquidFields& liquid, const 
   constraint_ = constraint;
   versions_ = versions;
   if (same) return;
-  find_diagonal();
+  if (constraint.fluid_fraction && !diagonal_) diagonal_ = grid_.face_vector();
+  if (diagonal_) find_diagonal(diagonal_);
   WASH_PETSC(MatAssemblyBegin(matrix_, MAT_FINAL_ASSEMBLY));  // tells the preconditioner of new entries
   WASH_PETSC(MatAssemblyEnd(matrix_, MAT_FINAL_ASSEMBLY));
 }
@@ -69,15 +69,19 @@ PetscErrorCode MomentumSolver<Dim>::get_diagonal(Mat matrix, Vec result) {
   return petsc::guarded([&] {
     void* context = nullptr;
     WASH_PETSC(MatShellGetContext(matrix, &context));
-    WASH_PETSC(VecCopy(static_cast<MomentumSolver*>(context)->diagonal_, result));
+    const auto& self = *static_cast<const MomentumSolver*>(context);
+    if (self.diagonal_)
+      WASH_PETSC(VecCopy(self.diagonal_, result));
+    else
+      self.find_diagonal(result);
   });
 }
 
 // 1 - (dt / 2 rho) (diagonal of the viscous force)
 template <int Dim>
-void MomentumSolver<Dim>::find_diagonal() {
-  WASH_PETSC(VecSet(diagonal_, 1.0));  // boundary faces: identity rows
-  const FaceView<Dim> diagonal(grid_.face_dm(), diagonal_);
+void MomentumSolver<Dim>::find_diagonal(Vec result) const {
+  WASH_PETSC(VecSet(result, 1.0));  // boundary faces: identity rows
+  const FaceView<Dim> diagonal(grid_.face_dm(), result);
   const ConstFaceView<Dim> rho(grid_.face_dm(), liquid_.density);
   const Spacing<Dim> h(grid_.spacing());
   with_viscosity<Dim>(grid_, liquid_.viscosity, [&](const auto& viscosity) {

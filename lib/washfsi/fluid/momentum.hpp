@@ -39,7 +39,7 @@ class MomentumSolver {
   static PetscErrorCode get_diagonal(Mat matrix, Vec diagonal);
   void apply(Vec x, Vec y) const;
   void residual(Vec rhs, double time, Vec velocity, Vec result) const;
-  void find_diagonal();
+  void find_diagonal(Vec result) const;
   template <class Form, class Visit>
   void visit_cuts(const Form& viscosity, Visit&& visit) const;
   double largest_speed(Vec rhs) const;
@@ -54,7 +54,7 @@ class MomentumSolver {
   petsc::Matrix matrix_;
   petsc::Solver solver_;
   petsc::Vector residual_, correction_;
-  petsc::Vector diagonal_;  ///< of the fluid rows
+  petsc::Vector diagonal_;  ///< of the fluid rows; null before there are solid ones
   bool user_sets_atol_ = false;
 };
 

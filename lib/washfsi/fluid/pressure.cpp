@@ -65,7 +65,6 @@ void assemble_laplacian(DM dm, const Point<Dim>& extent, Mat matrix, const Ratio
 template <int Dim>
 PressureSolver<Dim>::PressureSolver(const Grid<Dim>& grid, double reference_density)
     : grid_(grid), reference_density_(reference_density) {
-  WASH_PETSC(DMCreateLocalVector(grid.face_dm(), ratio_.put()));
   WASH_PETSC(DMCreateLocalVector(grid.stencil_dm(), local_phi_.put()));
   WASH_PETSC(VecZeroEntries(local_phi_));
   create_matrices();
@@ -83,12 +82,12 @@ PressureSolver<Dim>::PressureSolver(const Grid<Dim>& grid, double reference_dens
   WASH_PETSC(PCSetDM(pc, grid.stencil_dm()));
   register_transform_preconditioner();
   WASH_PETSC(PCSetType(pc, transform));
+  solves_directly_ = !assembled_ && options_with_prefix("pressure_ksp_").empty();
   const petsc::Vector uniform = grid.face_vector();
   WASH_PETSC(VecSet(uniform, reference_density_));
   set_density(uniform);
   set_preconditioner_defaults();
   user_sets_atol_ = set_up_from_options(solver_);
-  solves_directly_ = !assembled_ && options_with_prefix("pressure_ksp_").empty();
 }
 
 // The transform wants none that is assembled; a kind of matrix that there is not is refused all the same.
@@ -166,13 +165,30 @@ PetscErrorCode PressureSolver<Dim>::assemble_coarse(KSP solver, Mat, Mat precond
 
 template <int Dim>
 void PressureSolver<Dim>::set_density(Vec density, Vec fluid_fraction) {
-  constexpr double least_fraction = 1e-2;  // so that the equation stays solvable within solids
   const std::array versions{petsc::Version(density), petsc::Version(fluid_fraction)};
   if (versions == versions_) return;
   versions_ = versions;
-  const petsc::GlobalVector specific_volume(grid_.face_dm());
+  double least = 0, most = 0;
+  WASH_PETSC(VecMin(density, nullptr, &least));
+  WASH_PETSC(VecMax(density, nullptr, &most));
+  is_uniform_ = !fluid_fraction && least == reference_density_ && most == reference_density_;
+  if (is_uniform_ && solves_directly_) return;
+  const bool nearly_uniform = find_ratio(density, fluid_fraction);
+  if (!assembled_) return;
+  // Where the density varies little, the preconditioner of the uniform one serves; otherwise it follows each step.
+  // A function of this step's density alone, so that a restarted run has the same preconditioner.
+  if (nearly_uniform && assembled_is_uniform_) return;
+  assembled_is_uniform_ = nearly_uniform;
+  assemble();
+}
+
+// Whether it is nearly the same everywhere.
+template <int Dim>
+bool PressureSolver<Dim>::find_ratio(Vec density, Vec fluid_fraction) {
+  constexpr double least_fraction = 1e-2;  // so that the equation stays solvable within solids
+  const petsc::GlobalVector inner(grid_.face_dm());
   {
-    const FaceView<Dim> ratio(grid_.face_dm(), specific_volume);
+    const FaceView<Dim> ratio(grid_.face_dm(), inner);
     const ConstFaceView<Dim> rho(grid_.face_dm(), density),
         fraction(grid_.face_dm(), fluid_fraction ? fluid_fraction : density);
     const bool variable = fluid_fraction != nullptr;
@@ -182,19 +198,13 @@ void PressureSolver<Dim>::set_density(Vec density, Vec fluid_fraction) {
             (variable ? std::max(fraction(face, d), least_fraction) : 1) * reference_density_ / rho(face, d);
     });
   }
-  WASH_PETSC(DMGlobalToLocal(grid_.face_dm(), specific_volume, INSERT_VALUES, ratio_));
+  if (!ratio_) WASH_PETSC(DMCreateLocalVector(grid_.face_dm(), ratio_.put()));
+  WASH_PETSC(DMGlobalToLocal(grid_.face_dm(), inner, INSERT_VALUES, ratio_));
   close_boundary_faces();
   double least = 0, most = 0;
-  WASH_PETSC(VecMin(specific_volume, nullptr, &least));
-  WASH_PETSC(VecMax(specific_volume, nullptr, &most));
-  is_uniform_ = least == 1 && most == 1;
-  if (!assembled_) return;
-  // Where the density varies little, the preconditioner of the uniform one serves; otherwise it follows each step.
-  // A function of this step's density alone, so that a restarted run has the same preconditioner.
-  const bool nearly_uniform = least > 1 / 1.5 && most < 1.5;
-  if (nearly_uniform && assembled_is_uniform_) return;
-  assembled_is_uniform_ = nearly_uniform;
-  assemble();
+  WASH_PETSC(VecMin(inner, nullptr, &least));
+  WASH_PETSC(VecMax(inner, nullptr, &most));
+  return least > 1 / 1.5 && most < 1.5;
 }
 
 // No flux through the sides of the box.
@@ -274,15 +284,23 @@ PetscInt PressureSolver<Dim>::solve(Vec minus_divergence, double tolerance, Vec 
 }
 
 template <int Dim>
-void PressureSolver<Dim>::correct(Vec phi, Vec velocity) const {
+template <class Ratio>
+void PressureSolver<Dim>::correct_by(const Ratio& ratio, Vec phi, Vec velocity) const {
   WASH_PETSC(DMGlobalToLocal(grid_.stencil_dm(), phi, INSERT_VALUES, local_phi_));
   const ConstCellView<Dim> local(grid_.stencil_dm(), local_phi_);
-  const ConstFaceView<Dim> ratio(grid_.face_dm(), ratio_);
   const FaceView<Dim> u(grid_.face_dm(), velocity);
   const Spacing<Dim> h(grid_.spacing());
   for (int d = 0; d < Dim; ++d)
     for_each<Dim>(grid_.inner_faces(d),
                   [&](const Index<Dim>& face) { u(face, d) -= ratio(face, d) * gradient<Dim>(local, face, d, h); });
+}
+
+template <int Dim>
+void PressureSolver<Dim>::correct(Vec phi, Vec velocity) const {
+  if (is_uniform_)
+    correct_by([](const Index<Dim>&, int) { return 1; }, phi, velocity);
+  else
+    correct_by(ConstFaceView<Dim>(grid_.face_dm(), ratio_), phi, velocity);
 }
 
 template class PressureSolver<2>;

@@ -37,14 +37,17 @@ class PressureSolver {
   void apply(Vec x, Vec y);
   void solve_directly(Vec minus_divergence, Vec phi) const;
   void create_matrices();
+  bool find_ratio(Vec density, Vec fluid_fraction);
   void close_boundary_faces();
+  template <class Ratio>
+  void correct_by(const Ratio& ratio, Vec phi, Vec velocity) const;
   void assemble();
   void set_preconditioner_defaults();
   void configure_multigrid();
 
   const Grid<Dim>& grid_;
   double reference_density_;
-  petsc::Vector ratio_;      ///< rho_f/rho, or H rho_f/rho, on faces, local, 0 on boundary faces
+  petsc::Vector ratio_;      ///< rho_f/rho, or H rho_f/rho, on faces, local, 0 on boundary faces; null where none asks
   petsc::Vector local_phi_;  ///< ghosted; ghosts beyond the boundary stay 0
   petsc::Matrix matrix_;
   petsc::Matrix assembled_;  ///< null where the preconditioner wants none

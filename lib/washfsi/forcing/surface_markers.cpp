@@ -78,8 +78,8 @@ std::vector<Candidate<Dim>> of_all_ranks(MPI_Comm comm, const std::vector<Candid
   return candidates;
 }
 
-// What sink(seed) finds, in an order that does not depend on the region, for what is equally crowded. Ranks share the
-// seeds.
+// What sink(seed) finds, in an order that does not depend on the region, for what is equally crowded. Ranks take seeds
+// by turns: dear ones are near each other.
 template <int Dim, class Sink>
 std::vector<Candidate<Dim>> candidates_of(const Shape<Dim>& shape, const MarkerLayout<Dim>& layout,
                                           const SeedCells<Dim>& seeds, const Sink& sink) {
@@ -91,7 +91,7 @@ std::vector<Candidate<Dim>> candidates_of(const Shape<Dim>& shape, const MarkerL
   const auto rank = static_cast<std::size_t>(rank_of(layout.comm)),
              ranks = static_cast<std::size_t>(ranks_of(layout.comm));
   std::vector<Candidate<Dim>> mine;
-  for (std::size_t n = near.size() * rank / ranks; n < near.size() * (rank + 1) / ranks; ++n)
+  for (std::size_t n = rank; n < near.size(); n += ranks)
     if (const auto candidate = sink(seeds.center(near[n]))) mine.push_back(*candidate);
   std::vector<Candidate<Dim>> candidates = of_all_ranks<Dim>(layout.comm, mine);
   std::sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {

@@ -62,34 +62,54 @@ std::string xdmf_mesh(const Grid<Dim>& grid, const FrameFolder& frames) {
   }
 }
 
-// Velocity at cell centres with three components, the curl of it by central differences, and the pressure.
+/// The velocity at cell centres.
 template <int Dim>
-std::vector<CellField> fields_of(const Grid<Dim>& grid, const Boundary<Dim>& boundary, Vec face_velocity, Vec pressure,
-                                 double time) {
-  const GhostedVelocity<Dim> local(boundary, grid.face_dm(), face_velocity, time);
-  const ConstFaceView<Dim> u(grid.face_dm(), local);
+class CentredVelocity {
+ public:
+  CentredVelocity(const Grid<Dim>& grid, const Boundary<Dim>& boundary, Vec face_velocity, double time)
+      : grid_(grid), local_(boundary, grid.face_dm(), face_velocity, time), u_(grid.face_dm(), local_) {}
+
+  /// With three components.
+  CellField field() const {
+    return of_cells({"velocity", "m/s", 3, {}}, [&](const Index<Dim>& cell, std::vector<double>& values) {
+      for (int c = 0; c < 3; ++c) values.push_back(c < Dim ? at(cell, c) : 0.0);
+    });
+  }
+  /// By central differences.
+  CellField vorticity() const {
+    return of_cells({"vorticity", "1/s", Dim == 2 ? 1 : 3, {}},
+                    [&](const Index<Dim>& cell, std::vector<double>& values) {
+                      if constexpr (Dim == 3) {
+                        values.push_back(slope(cell, 2, 1) - slope(cell, 1, 2));
+                        values.push_back(slope(cell, 0, 2) - slope(cell, 2, 0));
+                      }
+                      values.push_back(slope(cell, 1, 0) - slope(cell, 0, 1));
+                    });
+  }
+
+ private:
+  template <class Add>
+  CellField of_cells(CellField field, const Add& add) const {
+    field.values.reserve(grid_.owned().count() * static_cast<std::size_t>(field.components));
+    for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) { add(cell, field.values); });
+    return field;
+  }
+  double at(const Index<Dim>& cell, int c) const { return 0.5 * (u_(cell, c) + u_(shifted<Dim>(cell, c, 1), c)); }
+  double slope(const Index<Dim>& cell, int c, int d) const {
+    return (at(shifted<Dim>(cell, d, 1), c) - at(shifted<Dim>(cell, d, -1), c)) / (2 * grid_.spacing()[d]);
+  }
+
+  const Grid<Dim>& grid_;
+  GhostedVelocity<Dim> local_;
+  ConstFaceView<Dim> u_;
+};
+
+template <int Dim>
+CellField pressure_field(const Grid<Dim>& grid, Vec pressure) {
+  CellField field{"pressure", "Pa", 1, {}};
   const ConstCellView<Dim> p(grid.cell_dm(), pressure);
-  const auto centred = [&](const Index<Dim>& cell, int c) {
-    return 0.5 * (u(cell, c) + u(shifted<Dim>(cell, c, 1), c));
-  };
-  const auto slope = [&](const Index<Dim>& cell, int c, int d) {
-    return (centred(shifted<Dim>(cell, d, 1), c) - centred(shifted<Dim>(cell, d, -1), c)) / (2 * grid.spacing()[d]);
-  };
-  std::vector<CellField> fields{
-      {"velocity", "m/s", 3, {}}, {"pressure", "Pa", 1, {}}, {"vorticity", "1/s", Dim == 2 ? 1 : 3, {}}};
-  for (CellField& field : fields)
-    field.values.reserve(grid.owned().count() * static_cast<std::size_t>(field.components));
-  std::vector<double>&velocities = fields[0].values, &pressures = fields[1].values, &curls = fields[2].values;
-  for_each<Dim>(grid.owned(), [&](const Index<Dim>& cell) {
-    for (int c = 0; c < 3; ++c) velocities.push_back(c < Dim ? centred(cell, c) : 0.0);
-    pressures.push_back(p(cell));
-    if constexpr (Dim == 3) {
-      curls.push_back(slope(cell, 2, 1) - slope(cell, 1, 2));
-      curls.push_back(slope(cell, 0, 2) - slope(cell, 2, 0));
-    }
-    curls.push_back(slope(cell, 1, 0) - slope(cell, 0, 1));
-  });
-  return fields;
+  for_each<Dim>(grid.owned(), [&](const Index<Dim>& cell) { field.values.push_back(p(cell)); });
+  return field;
 }
 
 }  // namespace
@@ -107,23 +127,30 @@ FlowSeries<Dim>::FlowSeries(const Grid<Dim>& grid, const Boundary<Dim>& boundary
 template <int Dim>
 void FlowSeries<Dim>::write(double time, long step, Vec velocity, Vec pressure, const std::vector<CellField>& further) {
   const petsc::LogPart part("output");
-  std::vector<CellField> fields = fields_of(grid_, boundary_, velocity, pressure, time);
-  fields.insert(fields.end(), further.begin(), further.end());
+  std::vector<CellField> written;  // without their values: there is one field at a time
   frames_.add(
       time, step,
       [&](Hdf5File& file) {
-        for (const CellField& field : fields)
+        const auto write = [&](const CellField& field) {
           write_with_unit(file, "/" + field.name, field.unit, field_slab(grid_, field.components), field.values);
+          if (slices_) slices_->take(field);
+          written.push_back({field.name, field.unit, field.components, {}});
+        };
+        const CentredVelocity<Dim> centred(grid_, boundary_, velocity, time);
+        write(centred.field());
+        write(pressure_field(grid_, pressure));
+        write(centred.vorticity());
+        for (const CellField& field : further) write(field);
       },
       [&](const Frame& frame) {
         std::string text = xdmf_mesh(grid_, frames_);
-        for (const CellField& field : fields)
+        for (const CellField& field : written)
           text +=
               xdmf_attribute(field.name, field.components == 1 ? "Scalar" : "Vector", "Cell",
                              frames_.frame_item(frame, "/" + field.name, field_slab(grid_, field.components).shape));
         return text;
       });
-  if (slices_) slices_->write(time, step, fields);
+  if (slices_) slices_->write(time, step);
 }
 
 template <int Dim>

@@ -74,32 +74,38 @@ std::vector<double> SliceSeries::values_in(const Plane& plane, const CellField& 
   return values;
 }
 
-std::string SliceSeries::xdmf(const Plane& plane, const Frame& frame, const std::vector<CellField>& fields) const {
+std::string SliceSeries::xdmf(const Plane& plane, const Frame& frame) const {
   const std::vector<hsize_t> nodes = node_shape(plane);
   std::string text = "<Grid Name=\"" + plane.name + "\" GridType=\"Uniform\">\n<Topology TopologyType=\"2DSMesh\"" +
                      " Dimensions=\"" + std::to_string(nodes[0]) + " " + std::to_string(nodes[1]) +
                      "\"/>\n<Geometry GeometryType=\"XYZ\">\n" +
                      frames_.constant_item("/" + plane.name + "/position", nodes) + "</Geometry>\n";
-  for (const CellField& field : fields)
+  for (const Taken& field : taken_)
     text += xdmf_attribute(
         field.name, field.components == 1 ? "Scalar" : "Vector", "Cell",
         frames_.frame_item(frame, "/" + plane.name + "/" + field.name, slab(plane, field.components).shape));
   return text + "</Grid>\n";
 }
 
-void SliceSeries::write(double time, long step, const std::vector<CellField>& fields) {
+void SliceSeries::take(const CellField& field) {
+  Taken& taken = taken_.emplace_back(Taken{field.name, field.unit, field.components, {}});
+  for (const Plane& plane : planes_) taken.values[static_cast<std::size_t>(plane.axis)] = values_in(plane, field);
+}
+
+void SliceSeries::write(double time, long step) {
   const auto write_fields = [&](Hdf5File& file) {
     for (const Plane& plane : planes_)
-      for (const CellField& field : fields)
+      for (const Taken& field : taken_)
         write_with_unit(file, "/" + plane.name + "/" + field.name, field.unit, slab(plane, field.components),
-                        values_in(plane, field));
+                        field.values[static_cast<std::size_t>(plane.axis)]);
   };
   const auto describe = [&](const Frame& frame) {
     std::string text;
-    for (const Plane& plane : planes_) text += xdmf(plane, frame, fields);
+    for (const Plane& plane : planes_) text += xdmf(plane, frame);
     return text;
   };
   frames_.add(time, step, write_fields, describe, FrameFolder::Parts::several);
+  taken_.clear();
 }
 
 }  // namespace washfsi

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -22,8 +23,10 @@ class SliceSeries {
  public:
   /// Collective.
   SliceSeries(const Grid<3>& grid, const std::string& folder, long restart_step);
-  /// Collective.
-  void write(double time, long step, const std::vector<CellField>& fields);
+  /// Keeps of a field what the next frame shows.
+  void take(const CellField& field);
+  /// A frame of the fields taken since the last. Collective.
+  void write(double time, long step);
 
  private:
   /// The layer across an axis.
@@ -34,14 +37,21 @@ class SliceSeries {
     Box<3> part;       ///< this rank's cells; none if `is_here` is false
     bool is_here;
   };
+  /// The part of a field in each plane.
+  struct Taken {
+    std::string name, unit;
+    int components;
+    std::array<std::vector<double>, 3> values;
+  };
   Slab slab(const Plane& plane, int components) const;
   std::vector<double> values_in(const Plane& plane, const CellField& field) const;
   void write_nodes(Hdf5File& file, const Plane& plane) const;
   std::vector<hsize_t> node_shape(const Plane& plane) const;
-  std::string xdmf(const Plane& plane, const Frame& frame, const std::vector<CellField>& fields) const;
+  std::string xdmf(const Plane& plane, const Frame& frame) const;
 
   const Grid<3>& grid_;
   std::vector<Plane> planes_;
+  std::vector<Taken> taken_;
   FrameFolder frames_;
 };
 

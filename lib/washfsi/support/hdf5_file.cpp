@@ -51,9 +51,14 @@ bool select(hid_t file_space, hid_t memory, const Slab& slab) {
   return H5Sselect_hyperslab(file_space, H5S_SELECT_SET, slab.offset.data(), nullptr, slab.count.data(), nullptr) >= 0;
 }
 
-Identifier collective_transfer() {
+// A file of one rank needs no MPI, which opens and closes files slowly.
+bool is_shared(MPI_Comm comm) {
+  return ranks_of(comm) > 1;
+}
+
+Identifier transfer_of(MPI_Comm comm) {
   Identifier transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
-  (void)H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE);
+  if (is_shared(comm)) (void)H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE);
   return transfer;
 }
 
@@ -62,7 +67,11 @@ Identifier collective_transfer() {
 Hdf5File::Hdf5File(MPI_Comm comm, const std::string& path, Mode mode) : comm_(comm), path_(path), mode_(mode) {
   (void)H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // we report errors ourselves, in one line
   const Identifier access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  (void)H5Pset_fapl_mpio(access, comm, MPI_INFO_NULL);
+  if (is_shared(comm))
+    (void)H5Pset_fapl_mpio(access, comm, MPI_INFO_NULL);
+  else
+    (void)H5Pset_sieve_buf_size(access, 0);        // what fails when its buffer is emptied is not told
+  (void)H5Pset_file_locking(access, false, true);  // which not every file system has; no other writes this file
   if (mode == Mode::create)
     file_ = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
   else
@@ -89,7 +98,7 @@ void Hdf5File::write(const std::string& dataset, const Slab& slab, hid_t type, c
   agree(set >= 0, "cannot write " + dataset);
   const Identifier memory = memory_space(slab);
   const bool written =
-      select(space, memory, slab) && H5Dwrite(set, type, memory, space, collective_transfer(), values) >= 0;
+      select(space, memory, slab) && H5Dwrite(set, type, memory, space, transfer_of(comm_), values) >= 0;
   agree(written, "cannot write " + dataset + " (is the disk full?)");
 }
 
@@ -124,7 +133,7 @@ std::vector<double> Hdf5File::read(const std::string& dataset, const Slab& slab)
   const hsize_t size = std::accumulate(slab.count.begin(), slab.count.end(), hsize_t{1}, std::multiplies<>());
   std::vector<double> values(size);
   const bool done = select(space, memory, slab) &&
-                    H5Dread(set, H5T_NATIVE_DOUBLE, memory, space, collective_transfer(), values.data()) >= 0;
+                    H5Dread(set, H5T_NATIVE_DOUBLE, memory, space, transfer_of(comm_), values.data()) >= 0;
   agree(done, "cannot read " + dataset);
   return values;
 }
