@@ -42,8 +42,9 @@ TEST(MarkerBlocks, SolveTheEquationsOfNearMarkersExactly) {
   const petsc::Matrix k = band_matrix<3>(markers, 3), m = band_matrix<3>(markers, 2);
   MarkerBlocks<3> blocks;
   blocks.factorise(random_points<3>(markers, 3), k, block_of(m), s);
+  const MatrixProduct<3> product;
   const Points<3> right = random_points<3>(markers, 4), solved = blocks.solve(right);
-  const Points<3> again = solved + s * product<3>(m, product<3>(k, solved));
+  const Points<3> again = solved + s * product(m, product(k, solved));
   for (std::size_t i = 0; i < markers; ++i) EXPECT_LE((again[i] - right[i]).norm(), 1e-5);  // in single precision
 }
 

@@ -61,8 +61,10 @@ class FaceStencil {
   void add(auto component, double value, const FaceView<Dim>& field) const {
     const AxisStencil& x = along(0, component);
     with_count(x, [&](auto count) {
+      std::array<double, Dim * AxisStencil::most> values{};  // with nothing for what lies between: whole vectors
+      for (int i = 0; i < count; ++i) values[i * Dim] = value * x.weight[i];
       visit_rows(component, field, [&](double* row, double weight) {
-        for (int i = 0; i < count; ++i) row[i * Dim] += weight * value * x.weight[i];
+        for (int i = 0; i <= Dim * (count - 1); ++i) row[i] += weight * values[i];
       });
     });
   }

@@ -27,12 +27,11 @@ Points<Dim> to_points(Vec vector) {
 }
 
 template <int Dim>
-Points<Dim> product(Mat matrix, const Points<Dim>& values) {
-  petsc::Vector x, y;
-  WASH_PETSC(MatCreateVecs(matrix, x.put(), y.put()));
-  to_vector<Dim>(values, x);
-  WASH_PETSC(MatMult(matrix, x, y));
-  return to_points<Dim>(y);
+Points<Dim> MatrixProduct<Dim>::operator()(Mat matrix, const Points<Dim>& values) const {
+  if (!values_) WASH_PETSC(MatCreateVecs(matrix, values_.put(), result_.put()));
+  to_vector<Dim>(values, values_);
+  WASH_PETSC(MatMult(matrix, values_, result_));
+  return to_points<Dim>(result_);
 }
 
 namespace {
@@ -66,8 +65,8 @@ template void to_vector<2>(const Points<2>&, Vec);
 template void to_vector<3>(const Points<3>&, Vec);
 template Points<2> to_points<2>(Vec);
 template Points<3> to_points<3>(Vec);
-template Points<2> product<2>(Mat, const Points<2>&);
-template Points<3> product<3>(Mat, const Points<3>&);
+template class MatrixProduct<2>;
+template class MatrixProduct<3>;
 template void scale_and_shift<2>(const std::vector<double>&, const std::vector<double>&, Mat);
 template void scale_and_shift<3>(const std::vector<double>&, const std::vector<double>&, Mat);
 template void scale_columns_and_shift<2>(const std::vector<double>&, double, Mat);

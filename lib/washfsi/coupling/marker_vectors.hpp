@@ -17,9 +17,17 @@ void to_vector(const Points<Dim>& points, Vec vector);
 template <int Dim>
 Points<Dim> to_points(Vec vector);
 
-/// The product of a matrix of the cloths' lattice with one value per marker. Collective.
+/// Products of matrices of the cloths' lattice, all of the same layout, with one value per marker. Keeps the vectors,
+/// whose making is collective and takes as long as a product.
 template <int Dim>
-Points<Dim> product(Mat matrix, const Points<Dim>& values);
+class MatrixProduct {
+ public:
+  /// Collective.
+  Points<Dim> operator()(Mat matrix, const Points<Dim>& values) const;
+
+ private:
+  mutable petsc::Vector values_, result_;  ///< null before the first
+};
 
 /// Makes a matrix M of the cloths' lattice  diag(row_factors) M + diag(diagonal), with one
 /// value per marker. Collective.
@@ -29,5 +37,8 @@ void scale_and_shift(const std::vector<double>& row_factors, const std::vector<d
 /// Makes it  M diag(column_factors) + diagonal 1. Collective.
 template <int Dim>
 void scale_columns_and_shift(const std::vector<double>& column_factors, double diagonal, Mat matrix);
+
+extern template class MatrixProduct<2>;
+extern template class MatrixProduct<3>;
 
 }  // namespace washfsi

@@ -6,6 +6,7 @@
 
 #include "washfsi/coupling/overlap.hpp"
 #include "washfsi/geometry/near_search.hpp"
+#include "washfsi/support/collective.hpp"
 
 namespace washfsi {
 
@@ -22,8 +23,8 @@ std::vector<typename MobilityMatrix<Dim>::Stencils> MobilityMatrix<Dim>::stencil
   return stencils;
 }
 
-// The overlaps of this rank's markers with others, in ascending order: so the matrix takes them several times faster.
-// Between two markers of this rank they are worked out once if both deltas are the same.
+// The overlaps of this rank's markers with others, in ascending order, so that sums do not depend on how they are
+// found. Between two markers of this rank they are worked out once if both deltas are the same.
 template <int Dim>
 std::vector<std::vector<typename MobilityMatrix<Dim>::Entry>> MobilityMatrix<Dim>::overlaps(
     const Points<Dim>& positions, std::size_t first, std::size_t count) const {
@@ -57,38 +58,106 @@ void MobilityMatrix<Dim>::assemble(const Points<Dim>& positions, PetscInt first,
   const auto begin = static_cast<std::size_t>(first);
   const std::vector<std::vector<Entry>> rows = overlaps(positions, begin, row_sums.size());
   std::vector<double> scales(positions.size(), 0.0);  // what the row sums of the overlaps must be multiplied with
-  std::vector<PetscInt> own(Dim * rows.size(), 0), foreign(Dim * rows.size(), 0);  // entries of each matrix row
   for (std::size_t m = 0; m < rows.size(); ++m) {
     Point<Dim> sum = Point<Dim>::Zero();
-    for (const Entry& entry : rows[m]) {
-      sum += entry.value;
-      const bool is_own = entry.other >= begin && entry.other < begin + rows.size();
-      for (int c = 0; c < Dim; ++c) ++(is_own ? own : foreign)[Dim * m + c];
-    }
+    for (const Entry& entry : rows[m]) sum += entry.value;
     scales[begin + m] = row_sums[m] / sum.maxCoeff();
   }
   MPI_Allreduce(MPI_IN_PLACE, scales.data(), static_cast<int>(scales.size()), MPI_DOUBLE, MPI_SUM, grid_.comm());
+  fill(rows, begin, scales, own_share);
+}
 
-  const auto owned = static_cast<PetscInt>(Dim * rows.size());
-  WASH_PETSC(MatCreateAIJ(grid_.comm(), owned, owned, PETSC_DETERMINE, PETSC_DETERMINE, 0, own.data(), 0,
-                          foreign.data(), matrix_.put()));
-  std::vector<PetscInt> columns;
-  std::vector<double> values;
-  for (std::size_t m = 0; m < rows.size(); ++m)
-    for (int c = 0; c < Dim; ++c) {
-      const PetscInt row = (first + static_cast<PetscInt>(m)) * Dim + c;
-      columns.clear();
-      values.clear();
-      for (const Entry& entry : rows[m]) {
-        columns.push_back(static_cast<PetscInt>(entry.other) * Dim + c);
-        const double share = entry.other == begin + m ? 1 + own_share : 1;
-        values.push_back(share * std::sqrt(scales[begin + m] * scales[entry.other]) * entry.value[c]);
-      }
-      WASH_PETSC(MatSetValues(matrix_, 1, &row, static_cast<PetscInt>(columns.size()), columns.data(), values.data(),
-                              INSERT_VALUES));
+template <int Dim>
+void MobilityMatrix<Dim>::fill(const std::vector<std::vector<Entry>>& rows, std::size_t begin,
+                               const std::vector<double>& scales, double own_share) {
+  const std::vector<std::size_t> others = others_in(rows, begin, scales.size());
+  std::vector<std::size_t> column_of(scales.size());
+  for (std::size_t n = 0; n < others.size(); ++n) column_of[others[n]] = n;
+  own_ = others_ = {};
+  for (std::size_t m = 0; m < rows.size(); ++m) {
+    for (const auto& [other, value] : rows[m]) {
+      const double share = other == begin + m ? 1 + own_share : 1;
+      const Point<Dim> entry = share * std::sqrt(scales[begin + m] * scales[other]) * value;
+      if (other < begin || other >= begin + rows.size())
+        others_.add(column_of[other], entry);
+      else if (other >= begin + m || !is_symmetric())
+        own_.add(other - begin, entry);
     }
-  WASH_PETSC(MatAssemblyBegin(matrix_, MAT_FINAL_ASSEMBLY));
-  WASH_PETSC(MatAssemblyEnd(matrix_, MAT_FINAL_ASSEMBLY));
+    own_.end_row();
+    others_.end_row();
+  }
+  find_others(others, begin);
+}
+
+// The markers of other ranks, in ascending order.
+template <int Dim>
+std::vector<std::size_t> MobilityMatrix<Dim>::others_in(const std::vector<std::vector<Entry>>& rows, std::size_t begin,
+                                                        std::size_t all) {
+  std::vector<char> is_met(all, 0);
+  for (const auto& row : rows)
+    for (const Entry& entry : row) is_met[entry.other] = 1;
+  std::vector<std::size_t> others;
+  for (std::size_t marker = 0; marker < all; ++marker)
+    if (is_met[marker] && (marker < begin || marker >= begin + rows.size())) others.push_back(marker);
+  return others;
+}
+
+template <int Dim>
+void MobilityMatrix<Dim>::find_others(const std::vector<std::size_t>& others, std::size_t begin) {
+  std::vector<unsigned long long> firsts(static_cast<std::size_t>(ranks_of(grid_.comm())));  // of each rank's markers
+  const unsigned long long first = begin;
+  MPI_Allgather(&first, 1, MPI_UNSIGNED_LONG_LONG, firsts.data(), 1, MPI_UNSIGNED_LONG_LONG, grid_.comm());
+  std::vector<PetscSFNode> sources;
+  for (const std::size_t marker : others) {
+    const auto rank = std::upper_bound(firsts.begin(), firsts.end(), marker) - firsts.begin() - 1;
+    sources.push_back({static_cast<PetscInt>(rank), static_cast<PetscInt>(marker - firsts[rank])});
+  }
+  from_others_ = petsc::star_forest(grid_.comm(), own_.starts.size() - 1, sources);
+}
+
+template <int Dim>
+Points<Dim> MobilityMatrix<Dim>::times(const Points<Dim>& forces) const {
+  PetscInt count = 0;
+  WASH_PETSC(PetscSFGetGraph(from_others_, nullptr, &count, nullptr, nullptr));
+  Points<Dim> of_others(static_cast<std::size_t>(count)), result(forces.size(), Point<Dim>::Zero());
+  WASH_PETSC(PetscSFBcastBegin(from_others_, point_type_, forces.data(), of_others.data(), MPI_REPLACE));
+  add_of_own(forces, result);
+  WASH_PETSC(PetscSFBcastEnd(from_others_, point_type_, forces.data(), of_others.data(), MPI_REPLACE));
+  for (std::size_t m = 0; m < result.size(); ++m)
+    for (std::size_t k = others_.starts[m]; k < others_.starts[m + 1]; ++k)
+      result[m] += others_.values[k].cwiseProduct(of_others[others_.columns[k]]);
+  return result;
+}
+
+template <int Dim>
+void MobilityMatrix<Dim>::add_of_own(const Points<Dim>& forces, Points<Dim>& result) const {
+  const bool mirrors = is_symmetric();
+  for (std::size_t m = 0; m < forces.size(); ++m) {
+    Point<Dim> sum = Point<Dim>::Zero();
+    for (std::size_t k = own_.starts[m]; k < own_.starts[m + 1]; ++k) {
+      const auto other = static_cast<std::size_t>(own_.columns[k]);
+      sum += own_.values[k].cwiseProduct(forces[other]);
+      if (mirrors && other != m) result[other] += own_.values[k].cwiseProduct(forces[m]);
+    }
+    result[m] += sum;
+  }
+}
+
+template <int Dim>
+Eigen::MatrixXd MobilityMatrix<Dim>::block(const std::vector<std::size_t>& markers) const {
+  std::vector<int> numbers(own_.starts.size() - 1, -1);
+  for (std::size_t i = 0; i < markers.size(); ++i) numbers[markers[i]] = static_cast<int>(i);
+  const auto size = static_cast<int>(Dim * markers.size());
+  Eigen::MatrixXd block = Eigen::MatrixXd::Zero(size, size);
+  for (std::size_t i = 0; i < markers.size(); ++i)
+    for (std::size_t k = own_.starts[markers[i]]; k < own_.starts[markers[i] + 1]; ++k) {
+      const int row = static_cast<int>(Dim * i), column = Dim * numbers[static_cast<std::size_t>(own_.columns[k])];
+      for (int c = 0; column >= 0 && c < Dim; ++c) {
+        block(row + c, column + c) = own_.values[k][c];
+        if (is_symmetric()) block(column + c, row + c) = own_.values[k][c];
+      }
+    }
+  return block;
 }
 
 template class MobilityMatrix<2>;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
+
 #include "washfsi/coupling/transfer.hpp"
 
 namespace washfsi {
@@ -19,7 +21,10 @@ class MobilityMatrix {
   void assemble(const Points<Dim>& positions, PetscInt first, const std::vector<double>& row_sums,
                 double own_share = 0);
 
-  operator Mat() const { return matrix_; }
+  /// Its product with forces on this rank's markers. Collective.
+  Points<Dim> times(const Points<Dim>& forces) const;
+  /// What is between all coordinates of some of this rank's markers, numbered as on this rank. No communication.
+  Eigen::MatrixXd block(const std::vector<std::size_t>& markers) const;
 
  private:
   struct Stencils {
@@ -32,10 +37,31 @@ class MobilityMatrix {
   bool is_symmetric() const { return delta_.spread_width == delta_.interpolate_width; }
   std::vector<std::vector<Entry>> overlaps(const Points<Dim>& positions, std::size_t first, std::size_t count) const;
   std::vector<Stencils> stencils_at(const Points<Dim>& positions) const;
+  /// A sparse matrix between this rank's markers and some others; by coordinate, as none is between two of them.
+  struct Rows {
+    std::vector<std::size_t> starts{0};  ///< of the markers' entries, and their end
+    std::vector<PetscInt> columns;
+    Points<Dim> values;
+
+    void add(std::size_t column, const Point<Dim>& value) {
+      columns.push_back(static_cast<PetscInt>(column));
+      values.push_back(value);
+    }
+    void end_row() { starts.push_back(columns.size()); }
+  };
+  void fill(const std::vector<std::vector<Entry>>& rows, std::size_t begin, const std::vector<double>& scales,
+            double own_share);
+  static std::vector<std::size_t> others_in(const std::vector<std::vector<Entry>>& rows, std::size_t begin,
+                                            std::size_t all);
+  void find_others(const std::vector<std::size_t>& others, std::size_t begin);
+  void add_of_own(const Points<Dim>& forces, Points<Dim>& result) const;
 
   const Grid<Dim>& grid_;
   DeltaOptions delta_;
-  petsc::Matrix matrix_;
+  PointType<Dim> point_type_;
+  Rows own_;     ///< between this rank's markers; from each marker on if the matrix is symmetric
+  Rows others_;  ///< of markers of other ranks, in ascending order
+  petsc::StarForest from_others_;
 };
 
 extern template class MobilityMatrix<2>;

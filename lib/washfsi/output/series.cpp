@@ -169,12 +169,13 @@ void BodySeries<Dim>::write(double time, long step) {
   frames_.add(
       time, step,
       [&](Hdf5File& file) {
-        for (const auto& body : bodies_) {
-          std::vector<double> distance;
+        const PosedBodies<Dim> posed(bodies_, time);
+        for (std::size_t b = 0; b < bodies_.size(); ++b) {
+          std::vector<double> distances;
           for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) {
-            distance.push_back(body.distance(grid_.cell_center(cell), time));
+            distances.push_back(posed.distance(b, grid_.cell_center(cell)));
           });
-          write_with_unit(file, "/" + body.name, "m", scalar, distance);
+          write_with_unit(file, "/" + bodies_[b].name, "m", scalar, distances);
         }
       },
       [&](const Frame& frame) {

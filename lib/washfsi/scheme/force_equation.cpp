@@ -68,7 +68,7 @@ ClothEquation<Dim> ForceEquation<Dim>::of_velocities(const Step& step, double sh
     blocks_are_old_ = false;
   };
   equation.product = [=, this](const Points<Dim>& direction) {
-    return direction + step.dt * step.dt * step.mobility.times(product<Dim>(stiffness_, direction));
+    return direction + step.dt * step.dt * step.mobility.times(product_(stiffness_, direction));
   };
   if (step.is_packed) equation.correction = [this](const Points<Dim>& rest) { return blocks_.solve(rest); };
   equation.free_part = [=](const Points<Dim>& from, const Points<Dim>& way) {
@@ -96,7 +96,7 @@ ClothEquation<Dim> ForceEquation<Dim>::of_forces(const Step& step, double share)
   equation.round_off = 10 * step.all.round_off(step.start);
   equation.potential = [=, this](const Points<Dim>& change) { return potential(step, share, change); };
   equation.product = [=, this](const Points<Dim>& direction) {
-    return direction + step.dt * step.dt * product<Dim>(stiffness_, step.mobility.times(direction));
+    return direction + step.dt * step.dt * product_(stiffness_, step.mobility.times(direction));
   };
   equation.slope = [=](const Points<Dim>& residual, const Points<Dim>& direction) {
     return step.dt * dot(step.all.comm(), step.mobility.times(residual), direction);

@@ -54,7 +54,8 @@ class ForceEquation {
   std::vector<double> diagonal(const Step& step) const;
 
   ClothSolver<Dim>& solver_;
-  petsc::Matrix stiffness_;    ///< K where it was assembled last
+  petsc::Matrix stiffness_;  ///< K where it was assembled last
+  MatrixProduct<Dim> product_;
   std::vector<long> pattern_;  ///< of it
   MarkerBlocks<Dim> blocks_;   ///< where the first solution was begun
   bool blocks_are_old_ = true;

@@ -6,7 +6,6 @@
 #include <numeric>
 #include <utility>
 
-#include "washfsi/coupling/marker_vectors.hpp"
 #include "washfsi/scheme/coupling_operations.hpp"
 #include "washfsi/support/collective.hpp"
 #include "washfsi/support/errors.hpp"
@@ -49,7 +48,7 @@ ClothEquation<Dim> ImplicitClothAlone<Dim>::equation(System<Dim>& system, double
     scale_and_shift<Dim>(std::vector<double>(diagonal.size(), 1.0), diagonal, matrix);
     jacobian_ = matrix;
   };
-  equation.product = [this](const Points<Dim>& direction) { return product<Dim>(jacobian_, direction); };
+  equation.product = [this](const Points<Dim>& direction) { return product_(jacobian_, direction); };
   equation.round_off = 10 * all.round_off(start);
   equation.potential = [=, &all, &start, &before](const Points<Dim>& velocities) {
     double sum = 0;

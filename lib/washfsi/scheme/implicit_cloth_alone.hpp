@@ -9,6 +9,7 @@
 // It damps by itself; -..._damping is not used.
 #pragma once
 
+#include "washfsi/coupling/marker_vectors.hpp"
 #include "washfsi/scheme/cloth_solver.hpp"
 #include "washfsi/scheme/coupling_scheme.hpp"
 
@@ -30,6 +31,7 @@ class ImplicitClothAlone : public CouplingScheme<Dim> {
   CouplingOptions options_;
   ClothSolver<Dim> solver_;
   Mat jacobian_ = nullptr;  ///< the solver's matrix, where it was assembled last
+  MatrixProduct<Dim> product_;
 };
 
 }  // namespace washfsi

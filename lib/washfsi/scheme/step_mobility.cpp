@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "washfsi/coupling/marker_vectors.hpp"
 #include "washfsi/coupling/own_rows.hpp"
 #include "washfsi/support/collective.hpp"
 
@@ -34,14 +33,14 @@ void StepMobility<Dim>::find(const Model<Dim>& model, const Points<Dim>& places,
 
 template <int Dim>
 Points<Dim> StepMobility<Dim>::times(const Points<Dim>& forces) const {
-  Points<Dim> result = by_faces_ ? faces_.times(forces) : product<Dim>(matrix_, forces);
-  for (const Mat part : parts_) result += product<Dim>(part, forces);
+  Points<Dim> result = by_faces_ ? faces_.times(forces) : matrix_.times(forces);
+  for (const Mat part : parts_) result += product_(part, forces);
   return result;
 }
 
 template <int Dim>
 Eigen::MatrixXd StepMobility<Dim>::block(const std::vector<std::size_t>& markers) const {
-  Eigen::MatrixXd block = by_faces_ ? faces_.block(markers) : own_block<Dim>(matrix_, markers);
+  Eigen::MatrixXd block = by_faces_ ? faces_.block(markers) : matrix_.block(markers);
   for (const Mat part : parts_) block += own_block<Dim>(part, markers);
   return block;
 }

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include "washfsi/coupling/face_mobility.hpp"
+#include "washfsi/coupling/marker_vectors.hpp"
 #include "washfsi/coupling/mobility.hpp"
 #include "washfsi/scheme/model.hpp"
 
@@ -34,6 +35,7 @@ class StepMobility {
   FaceMobility<Dim> faces_;
   bool by_faces_ = false;
   std::vector<petsc::Matrix> parts_;
+  MatrixProduct<Dim> product_;
   std::vector<double> row_sums_;  ///< of each of this rank's markers
 };
 
