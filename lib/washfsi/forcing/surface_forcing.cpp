@@ -314,8 +314,8 @@ void SurfaceForcing<Dim>::add_forces(const Points<Dim>& more, Vec velocity) {
 }
 
 template <int Dim>
-void SurfaceForcing<Dim>::push(Vec velocity, double relaxation) {
-  add_forces(relaxation * approximate_forces(of_all_ranks(slips(velocity)), none_of_bodies()), velocity);
+void SurfaceForcing<Dim>::push(Vec velocity) {
+  add_forces(approximate_forces(of_all_ranks(slips(velocity)), none_of_bodies()), velocity);
 }
 
 template <int Dim>

@@ -44,7 +44,7 @@ class SurfaceForcing : public WallForces {
   Vec limits_advection() const { return limits_advection_ ? static_cast<Vec>(nearness_) : nullptr; }
   void begin_trial(const TimeStep& step, Vec density) override;
   void add_held(Vec force) override;
-  void push(Vec velocity, double relaxation) override;
+  void push(Vec velocity) override;
   bool push_unheld(Vec velocity, double relaxation) override;
   bool hold(const Project& project, Vec velocity) override;
   void accept() override;
