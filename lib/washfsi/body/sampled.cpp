@@ -42,8 +42,6 @@ Sampled<Dim>::Sampled(const Lattice<Dim>& lattice, std::vector<double> values)
   Index<Dim> last = lattice.count;
   for (int d = 0; d < Dim; ++d) {
     stride_[d] = stride;
-    for (std::size_t corner = 0; corner < corners; ++corner)
-      if ((corner >> d & 1U) != 0) offsets_[corner] += stride;
     stride *= lattice.count[d];
     --last[d];
   }
@@ -53,8 +51,8 @@ Sampled<Dim>::Sampled(const Lattice<Dim>& lattice, std::vector<double> values)
 template <int Dim>
 double Sampled<Dim>::distance(const Point<Dim>& place) const {
   const Point<Dim> inside = place.cwiseMax(lattice_.lower).cwiseMin(upper_);
-  const double there = interpolate(inside);
-  return inside == place ? there : std::hypot((place - inside).norm(), std::max(there, 0.0));
+  const double there = interpolate(inside), beyond = (place - inside).norm();
+  return beyond == 0 ? there : std::hypot(beyond, std::max(there, 0.0));
 }
 
 template <int Dim>
@@ -67,14 +65,17 @@ double Sampled<Dim>::interpolate(const Point<Dim>& place) const {
     part[d] = position - static_cast<double>(cell);
     base += cell * stride_[d];
   }
-  std::array<double, corners> weights{1};
-  for (int d = 0; d < Dim; ++d)
-    for (std::size_t corner = 0, upper = std::size_t{1} << d; corner < std::size_t{1} << d; ++corner, ++upper) {
-      weights[upper] = weights[corner] * part[d];
-      weights[corner] *= 1 - part[d];
-    }
   double sum = 0;
-  for (std::size_t corner = 0; corner < corners; ++corner) sum += weights[corner] * values_[base + offsets_[corner]];
+  for (unsigned corner = 0; corner < 1U << Dim; ++corner) {
+    double weight = 1;
+    PetscInt offset = base;
+    for (int d = 0; d < Dim; ++d) {
+      const bool upper = (corner >> d & 1U) != 0;
+      weight *= upper ? part[d] : 1 - part[d];
+      if (upper) offset += stride_[d];
+    }
+    sum += weight * values_[offset];
+  }
   return sum;
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
-
 #include <mpi.h>
 
 #include "washfsi/body/shape.hpp"
@@ -41,13 +39,11 @@ class Sampled : public Shape<Dim> {
   static std::unique_ptr<Sampled> of(MPI_Comm comm, const Shape<Dim>& shape, const Lattice<Dim>& lattice);
 
  private:
-  static constexpr std::size_t corners = std::size_t{1} << Dim;
   double interpolate(const Point<Dim>& place) const;
 
   Lattice<Dim> lattice_;
   Point<Dim> upper_;
   Index<Dim> stride_{};
-  std::array<PetscInt, corners> offsets_{};  ///< of a cell's corners from its first
   std::vector<double> values_;
 };
 

@@ -106,15 +106,12 @@ Values Cloths<Dim>::gathered(const Values& values, MPI_Datatype type) const {
 
 template <int Dim>
 void Cloths<Dim>::build_halo(const petsc::Layout& layout) {
-  std::vector<PetscSFNode> sources;
-  for (const Patch& patch : patches_)
-    for (const PetscInt marker : patch.markers) {
-      PetscMPIInt rank = 0;
-      PetscInt index = 0;
-      WASH_PETSC(PetscLayoutFindOwnerIndex(layout, marker, &rank, &index));
-      sources.push_back({rank, index});
-    }
-  halo_ = petsc::star_forest(comm_, owned(), sources);
+  std::vector<PetscInt> markers;
+  for (const Patch& patch : patches_) markers.insert(markers.end(), patch.markers.begin(), patch.markers.end());
+  WASH_PETSC(PetscSFCreate(comm_, halo_.put()));
+  WASH_PETSC(PetscSFSetGraphLayout(halo_, layout, static_cast<PetscInt>(markers.size()), nullptr, PETSC_COPY_VALUES,
+                                   markers.data()));
+  WASH_PETSC(PetscSFSetUp(halo_));
 }
 
 template <int Dim>

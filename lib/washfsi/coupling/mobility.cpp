@@ -6,7 +6,6 @@
 
 #include "washfsi/coupling/overlap.hpp"
 #include "washfsi/geometry/near_search.hpp"
-#include "washfsi/support/collective.hpp"
 
 namespace washfsi {
 
@@ -70,7 +69,7 @@ void MobilityMatrix<Dim>::assemble(const Points<Dim>& positions, PetscInt first,
 template <int Dim>
 void MobilityMatrix<Dim>::fill(const std::vector<std::vector<Entry>>& rows, std::size_t begin,
                                const std::vector<double>& scales, double own_share) {
-  const std::vector<std::size_t> others = others_in(rows, begin, scales.size());
+  const std::vector<PetscInt> others = others_in(rows, begin, scales.size());
   std::vector<std::size_t> column_of(scales.size());
   for (std::size_t n = 0; n < others.size(); ++n) column_of[others[n]] = n;
   own_ = others_ = {};
@@ -86,33 +85,32 @@ void MobilityMatrix<Dim>::fill(const std::vector<std::vector<Entry>>& rows, std:
     own_.end_row();
     others_.end_row();
   }
-  find_others(others, begin);
+  find_others(others);
 }
 
 // The markers of other ranks, in ascending order.
 template <int Dim>
-std::vector<std::size_t> MobilityMatrix<Dim>::others_in(const std::vector<std::vector<Entry>>& rows, std::size_t begin,
-                                                        std::size_t all) {
+std::vector<PetscInt> MobilityMatrix<Dim>::others_in(const std::vector<std::vector<Entry>>& rows, std::size_t begin,
+                                                     std::size_t all) {
   std::vector<char> is_met(all, 0);
   for (const auto& row : rows)
     for (const Entry& entry : row) is_met[entry.other] = 1;
-  std::vector<std::size_t> others;
+  std::vector<PetscInt> others;
   for (std::size_t marker = 0; marker < all; ++marker)
-    if (is_met[marker] && (marker < begin || marker >= begin + rows.size())) others.push_back(marker);
+    if (is_met[marker] && (marker < begin || marker >= begin + rows.size()))
+      others.push_back(static_cast<PetscInt>(marker));
   return others;
 }
 
 template <int Dim>
-void MobilityMatrix<Dim>::find_others(const std::vector<std::size_t>& others, std::size_t begin) {
-  std::vector<unsigned long long> firsts(static_cast<std::size_t>(ranks_of(grid_.comm())));  // of each rank's markers
-  const unsigned long long first = begin;
-  MPI_Allgather(&first, 1, MPI_UNSIGNED_LONG_LONG, firsts.data(), 1, MPI_UNSIGNED_LONG_LONG, grid_.comm());
-  std::vector<PetscSFNode> sources;
-  for (const std::size_t marker : others) {
-    const auto rank = std::upper_bound(firsts.begin(), firsts.end(), marker) - firsts.begin() - 1;
-    sources.push_back({static_cast<PetscInt>(rank), static_cast<PetscInt>(marker - firsts[rank])});
-  }
-  from_others_ = petsc::star_forest(grid_.comm(), own_.starts.size() - 1, sources);
+void MobilityMatrix<Dim>::find_others(const std::vector<PetscInt>& others) {
+  petsc::Layout markers;
+  const auto own = static_cast<PetscInt>(own_.starts.size()) - 1;
+  WASH_PETSC(PetscLayoutCreateFromSizes(grid_.comm(), own, PETSC_DETERMINE, 1, markers.put()));
+  WASH_PETSC(PetscSFCreate(grid_.comm(), from_others_.put()));
+  WASH_PETSC(PetscSFSetGraphLayout(from_others_, markers, static_cast<PetscInt>(others.size()), nullptr,
+                                   PETSC_COPY_VALUES, others.data()));
+  WASH_PETSC(PetscSFSetUp(from_others_));
 }
 
 template <int Dim>

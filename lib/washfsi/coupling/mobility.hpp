@@ -51,9 +51,9 @@ class MobilityMatrix {
   };
   void fill(const std::vector<std::vector<Entry>>& rows, std::size_t begin, const std::vector<double>& scales,
             double own_share);
-  static std::vector<std::size_t> others_in(const std::vector<std::vector<Entry>>& rows, std::size_t begin,
-                                            std::size_t all);
-  void find_others(const std::vector<std::size_t>& others, std::size_t begin);
+  static std::vector<PetscInt> others_in(const std::vector<std::vector<Entry>>& rows, std::size_t begin,
+                                         std::size_t all);
+  void find_others(const std::vector<PetscInt>& others);
   void add_of_own(const Points<Dim>& forces, Points<Dim>& result) const;
 
   const Grid<Dim>& grid_;
