@@ -30,6 +30,21 @@ TEST(SurfaceMarkers, ThatRanksLayTogetherAreThoseOfEachAlone) {
                   surface_markers<3>(plate, region, layout(PETSC_COMM_SELF)));
 }
 
+// Ranks take parts by turns, of one surface or of several.
+TEST(SurfaceMarkers, OfSeveralSurfacesAreThoseOfEachAlone) {
+  const auto region = Bounds<3>::round(Point<3>::Zero(), Point<3>::Constant(1));
+  const auto elsewhere = Bounds<3>::round(Point<3>::Constant(9), Point<3>::Constant(1));
+  const Sphere<3> ball(0.45);
+  const Cuboid<3> plate(Point<3>(0.05, 0.8, 0.7));
+  const MarkerLayout<3> together = layout(PETSC_COMM_WORLD);
+  const auto found =
+      surface_markers<3>({{&ball, region, together}, {&ball, elsewhere, together}, {&plate, region, together}});
+  ASSERT_EQ(found.size(), 3u);
+  expect_the_same(found[0], surface_markers<3>(ball, region, layout(PETSC_COMM_SELF)));
+  EXPECT_EQ(found[1].size(), 0u);
+  expect_the_same(found[2], surface_markers<3>(plate, region, layout(PETSC_COMM_SELF)));
+}
+
 // Of which there may be none.
 TEST(SurfaceMarkers, OfNothingAreNoneOnAllRanks) {
   const auto elsewhere = Bounds<3>::round(Point<3>::Constant(9), Point<3>::Constant(1));

@@ -106,7 +106,8 @@ double mean_about(Value&& value) {
   Points<2> values(patches.size());
   for (std::size_t n = 0; n < round.size(); ++n) values[round[n].second] = Point<2>(value(n), 0);
   double squares = 0;
-  for (const auto& mean : OverlapInverse<2>(patches, layout).means_about(values)) squares += mean.squaredNorm();
+  for (const auto& mean : OverlapInverse<2>(patches, layout).means_about(values, {0, values.size()}))
+    squares += mean.squaredNorm();
   return std::sqrt(squares / static_cast<double>(patches.size()));
 }
 

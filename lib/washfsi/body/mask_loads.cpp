@@ -1,24 +1,67 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What the water does to the bodies on the faces of the grid.
+#include <array>
+#include <vector>
+
 #include "washfsi/body/mask.hpp"
 
 namespace washfsi {
+
+namespace {
+
+/// Sums forces on faces body by body. Arms are counted in cells from the grid's lower corner until all is summed.
+template <int Dim>
+class FaceForces {
+ public:
+  explicit FaceForces(std::size_t bodies) : sums_(bodies) {}
+
+  void add(std::size_t body, const Index<Dim>& face, int axis, double force) {
+    Sum& sum = sums_[body][axis];
+    sum.force += force;
+    for (int d = 0; d < Dim; ++d) sum.moments[d] += static_cast<double>(face[d]) * force;
+  }
+
+  // Adds them about the bodies' centres.
+  void add_to(Loads<Dim>& loads, const Grid<Dim>& grid,
+              const std::vector<typename RigidMotion<Dim>::State>& motions) const {
+    for (std::size_t b = 0; b < sums_.size(); ++b)
+      for (int axis = 0; axis < Dim; ++axis) {
+        const auto& [force, moments] = sums_[b][axis];
+        const Point<Dim> arm = grid.face_center(Index<Dim>{}, axis) - motions[b].center;
+        const Point<Dim> leverage = force * arm + grid.spacing().cwiseProduct(moments);
+        loads[b].force[axis] += force;
+        loads[b].torque += cross<Dim>(leverage, Point<Dim>::Unit(axis));
+      }
+  }
+
+ private:
+  struct Sum {
+    double force = 0;
+    Point<Dim> moments = Point<Dim>::Zero();  ///< over cells' widths
+  };
+  std::vector<std::array<Sum, Dim>> sums_;
+};
+
+}  // namespace
 
 template <int Dim>
 void Mask<Dim>::add_constraint_force(Vec constraint_force, Vec density, double time, Loads<Dim>& loads) const {
   const ConstFaceView<Dim> f(grid_.face_dm(), constraint_force), rho(grid_.face_dm(), density);
   const ConstFaceView<Dim> holder(grid_.face_dm(), body_), fraction(grid_.face_dm(), fluid_share());
   const auto motions = motions_at(bodies_, time);
+  std::vector<char> move;
+  for (const auto& body : bodies_) move.push_back(body.motion.at_rest() ? 0 : 1);
+  FaceForces<Dim> forces(bodies_.size());
   grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
     if (holder(face, c) < 0) return;
     const auto b = static_cast<std::size_t>(holder(face, c));
-    const Point<Dim> place = grid_.face_center(face, c);
-    const auto& motion = motions[b];
-    const bool accelerates = fraction(face, c) < 1 && !bodies_[b].motion.at_rest();
-    const double inertia = accelerates ? (1 - fraction(face, c)) * rho(face, c) * motion.acceleration_at(place)[c] : 0;
-    loads[b].add(place - motion.center, c, grid_.cell_volume() * (inertia - f(face, c)));
+    double force = -f(face, c);
+    if (move[b] && fraction(face, c) < 1)
+      force += (1 - fraction(face, c)) * rho(face, c) * motions[b].acceleration_at(grid_.face_center(face, c))[c];
+    forces.add(b, face, c, grid_.cell_volume() * force);
   });
+  forces.add_to(loads, grid_, motions);
 }
 
 template <int Dim>
@@ -27,15 +70,14 @@ Loads<Dim> Mask<Dim>::inner_momentum(Vec velocity, Vec density, double time) con
   const ConstFaceView<Dim> u(grid_.face_dm(), velocity), rho(grid_.face_dm(), density);
   const ConstFaceView<Dim> holder(grid_.face_dm(), body_), fraction(grid_.face_dm(), fluid_share());
   const ConstFaceView<Dim> solid(grid_.face_dm(), solid_velocity_);
-  const auto motions = motions_at(bodies_, time);
+  FaceForces<Dim> sums(bodies_.size());
   grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
     if (holder(face, c) < 0 || fraction(face, c) == 1) return;
-    const auto b = static_cast<std::size_t>(holder(face, c));
-    const Point<Dim> place = grid_.face_center(face, c);
     const double speed = u(face, c) - solid(face, c);
     const double inside = grid_.cell_volume() * (1 - fraction(face, c)) * rho(face, c);
-    momenta[b].add(place - motions[b].center, c, inside * speed);
+    sums.add(static_cast<std::size_t>(holder(face, c)), face, c, inside * speed);
   });
+  sums.add_to(momenta, grid_, motions_at(bodies_, time));
   return ordered_sum<Dim>(grid_.comm(), momenta);
 }
 

@@ -56,8 +56,13 @@ template <int Dim>
 void Transfer<Dim>::find_beside_sides() {
   beside_sides_.clear();
   reached_sides_ = {};
-  for (std::size_t m = 0; m < here_.size(); ++m)
-    if (interpolate_stencils()[m].find_reached(grid_.cells(), reached_sides_)) beside_sides_.push_back(m);
+  for (std::size_t m = 0; m < here_.size(); ++m) {
+    typename Boundary<Dim>::SideSet reached{};
+    if (!interpolate_stencils()[m].find_reached(grid_.cells(), reached)) continue;
+    beside_sides_.push_back({m, reached});
+    for (int d = 0; d < Dim; ++d)
+      for (int end = 0; end < 2; ++end) reached_sides_[d][end] = reached_sides_[d][end] || reached[d][end];
+  }
 }
 
 template <int Dim>
@@ -107,11 +112,13 @@ Points<Dim> Transfer<Dim>::interpolate(Vec local_velocity) const {
 }
 
 template <int Dim>
-Points<Dim> Transfer<Dim>::interpolate_from_sides(Vec local_velocity) const {
+Points<Dim> Transfer<Dim>::interpolate_from_sides(Vec local_velocity, const std::optional<SideName>& side) const {
   const petsc::LogPart part("interpolate");
   const ConstFaceView<Dim> u(grid_.wide_face_dm(), local_velocity);
   Points<Dim> velocities(interpolate_stencils().size(), Point<Dim>::Zero());
-  for (const std::size_t m : beside_sides_) velocities[m] = interpolate_stencils()[m].mean(u);
+  for (const auto& [m, reached] : beside_sides_)
+    if (!side || reached[side->axis][side->end == End::upper ? 1 : 0])
+      velocities[m] = interpolate_stencils()[m].mean(u);
   return exchange_.to_owners(velocities);
 }
 

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "washfsi/coupling/face_stencil.hpp"
 #include "washfsi/coupling/marker_exchange.hpp"
@@ -45,8 +46,9 @@ class Transfer {
 
   /// U = J u for a local velocity whose ghosts are filled. Collective.
   Points<Dim> interpolate(Vec local_velocity) const;
-  /// The same for one that is zero but in the sides of the box and beyond them: only markers near them are looked at.
-  Points<Dim> interpolate_from_sides(Vec local_velocity) const;
+  /// The same for one that is zero but in the sides of the box and beyond them, or of one side if it is named: only
+  /// markers near them are looked at.
+  Points<Dim> interpolate_from_sides(Vec local_velocity, const std::optional<SideName>& side = {}) const;
   /// The sides that markers in this rank's cells reach.
   const typename Boundary<Dim>::SideSet& reached_sides() const { return reached_sides_; }
 
@@ -65,7 +67,12 @@ class Transfer {
   Points<Dim> here_;  ///< places of the markers in this rank's cells, folded into the box
   /// Of the markers in this rank's cells. The second is empty if both deltas are the same.
   std::vector<FaceStencil<Dim>> spread_stencils_, interpolate_stencils_;
-  std::vector<std::size_t> beside_sides_;  ///< numbers of the markers whose stencils reach sides
+  /// A marker whose stencil reaches sides.
+  struct BesideSides {
+    std::size_t number;
+    typename Boundary<Dim>::SideSet reached;
+  };
+  std::vector<BesideSides> beside_sides_;
   typename Boundary<Dim>::SideSet reached_sides_{};
 };
 

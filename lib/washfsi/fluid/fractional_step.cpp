@@ -264,7 +264,8 @@ void FractionalStep<Dim>::solve_pressure(Vec phi) {
     const GhostedVelocity<Dim> local(boundary_, grid_.face_dm(), intermediate_, step_.end());
     find_divergence(local);
   }
-  const double tolerance = pressure_tolerance_ * largest_speed() / grid_.spacing().minCoeff();
+  const double tolerance =
+      poisson_.is_direct() ? 0 : pressure_tolerance_ * largest_speed() / grid_.spacing().minCoeff();
   counts_.pressure += static_cast<double>(poisson_.solve(minus_divergence_, tolerance, phi));
   poisson_.correct(phi, intermediate_);
   WASH_PETSC(VecAXPY(pressure_, density_ / step_.dt, phi));  // p += q

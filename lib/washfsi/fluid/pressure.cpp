@@ -172,7 +172,7 @@ void PressureSolver<Dim>::set_density(Vec density, Vec fluid_fraction) {
   WASH_PETSC(VecMin(density, nullptr, &least));
   WASH_PETSC(VecMax(density, nullptr, &most));
   is_uniform_ = !fluid_fraction && least == reference_density_ && most == reference_density_;
-  if (is_uniform_ && solves_directly_) return;
+  if (is_direct()) return;
   const bool nearly_uniform = find_ratio(density, fluid_fraction);
   if (!assembled_) return;
   // Where the density varies little, the preconditioner of the uniform one serves; otherwise it follows each step.
@@ -275,7 +275,7 @@ template <int Dim>
 PetscInt PressureSolver<Dim>::solve(Vec minus_divergence, double tolerance, Vec phi) {
   const double volume = grid_.cell_volume();
   WASH_PETSC(VecScale(minus_divergence, volume));
-  if (solves_directly_ && is_uniform_) {
+  if (is_direct()) {
     solve_directly(minus_divergence, phi);
     return 1;
   }

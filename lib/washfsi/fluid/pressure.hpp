@@ -23,6 +23,9 @@ class PressureSolver {
   /// equation is that of (4.2-9), H/rho in place of 1/rho, H not below 1e-2. Collective.
   void set_density(Vec density, Vec fluid_fraction = nullptr);
 
+  /// Whether `solve` is exact and needs no tolerance.
+  bool is_direct() const { return solves_directly_ && is_uniform_; }
+
   /// Solves to a residual whose norm is below `tolerance` [1/s]; `phi` holds a guess, then the solution;
   /// `minus_divergence` is used up.
   /// Returns the iterations. Collective. Errors: DivergedError.

@@ -9,14 +9,14 @@ namespace washfsi {
 
 namespace {
 
-// First layer of a part of n layers; of the part after the last, n.
+// First layer of a part of n layers; of the part after the last, n. As DMDA cuts, so that slabs stay where they are.
 PetscInt start_of(PetscInt n, int part, int parts) {
-  return n * part / parts;
+  return n / parts * part + std::min<PetscInt>(part, n % parts);
 }
 
 int part_of(PetscInt n, PetscInt layer, int parts) {
   int part = static_cast<int>(layer * parts / n);
-  while (start_of(n, part + 1, parts) <= layer) ++part;
+  while (start_of(n, part, parts) > layer) --part;
   return part;
 }
 

@@ -38,10 +38,14 @@ BodyMarkers<Dim>::BodyMarkers(const Grid<Dim>& grid, const std::vector<Body<Dim>
     : grid_(grid),
       bodies_(bodies),
       depth_(layout.cell.minCoeff() * layout.moments.retraction(std::numeric_limits<double>::max())) {
+  std::vector<Surface<Dim>> surfaces;
+  for (const Body<Dim>& body : bodies) {
+    layout.inside = InnerWater::of(body, grid, layout.inner_water_slides);
+    surfaces.push_back({body.shape.get(), region(body), layout});
+  }
+  by_body_ = surface_markers<Dim>(surfaces);
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    layout.inside = InnerWater::of(bodies[b], grid, layout.inner_water_slides);
-    by_body_.push_back(surface_markers<Dim>(*bodies[b].shape, region(bodies[b]), layout));
-    const MarkerPatches<Dim>& patches = by_body_.back();
+    const MarkerPatches<Dim>& patches = by_body_[b];
     for (std::size_t p = 0; p < patches.size(); ++p) starts_.push_back(arms_.size() + patches.starts[p]);
     arms_.insert(arms_.end(), patches.markers.begin(), patches.markers.end());
     body_of_.insert(body_of_.end(), patches.size(), b);

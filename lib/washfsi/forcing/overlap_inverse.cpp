@@ -97,14 +97,29 @@ OverlapInverse<Dim>::~OverlapInverse() = default;
 template <int Dim>
 OverlapInverse<Dim>::OverlapInverse(OverlapInverse&&) noexcept = default;
 
+namespace {
+
+Eigen::Index first(PatchRange range) {
+  return static_cast<Eigen::Index>(range.begin);
+}
+
+Eigen::Index count(PatchRange range) {
+  return static_cast<Eigen::Index>(range.end - range.begin);
+}
+
+}  // namespace
+
 template <int Dim>
-Points<Dim> OverlapInverse<Dim>::operator()(const Points<Dim>& velocities) const {
-  return Factor::points(factor_->cholesky.solve(Factor::values(velocities)));
+Points<Dim> OverlapInverse<Dim>::operator()(const Points<Dim>& velocities, PatchRange wanted) const {
+  const typename Factor::Values forces = factor_->cholesky.solve(Factor::values(velocities));
+  return Factor::points(forces.middleRows(first(wanted), count(wanted)));
 }
 
 template <int Dim>
-Points<Dim> OverlapInverse<Dim>::means_about(const Points<Dim>& values) const {
-  return Factor::points(factor_->sums.asDiagonal().inverse() * (factor_->overlaps * Factor::values(values)));
+Points<Dim> OverlapInverse<Dim>::means_about(const Points<Dim>& values, PatchRange wanted) const {
+  const auto columns = factor_->overlaps.middleCols(first(wanted), count(wanted));  // which are rows too
+  const typename Factor::Values sums = columns.transpose() * Factor::values(values);
+  return Factor::points(factor_->sums.segment(first(wanted), count(wanted)).asDiagonal().inverse() * sums);
 }
 
 template class OverlapInverse<2>;

@@ -8,6 +8,11 @@
 
 namespace washfsi {
 
+/// Some patches of a body, up to one before the end.
+struct PatchRange {
+  std::size_t begin, end;
+};
+
 /// An approximate inverse of J S over a body's patches: what one unit of force on a patch moves at another without
 /// pressure, the mean overlap of their markers' deltas. Deltas hardly feel where they lie on the grid, so that it is
 /// taken as a function of the difference of two places and made once for all, in the body's frame. Its smallest
@@ -19,10 +24,10 @@ class OverlapInverse {
   ~OverlapInverse();
   OverlapInverse(OverlapInverse&&) noexcept;
 
-  /// Forces that move the patches by these velocities, both per unit of overlap.
-  Points<Dim> operator()(const Points<Dim>& velocities) const;
-  /// The mean about each patch of values of the patches, weighed by their overlap with it.
-  Points<Dim> means_about(const Points<Dim>& values) const;
+  /// Forces on some of the patches, where those on all move them by these velocities, both per unit of overlap.
+  Points<Dim> operator()(const Points<Dim>& velocities, PatchRange wanted) const;
+  /// The mean about some of the patches of values of all, weighed by their overlap with it.
+  Points<Dim> means_about(const Points<Dim>& values, PatchRange wanted) const;
 
  private:
   struct Factor;

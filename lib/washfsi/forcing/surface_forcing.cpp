@@ -218,8 +218,10 @@ void SurfaceForcing<Dim>::accelerate(const Points<Dim>& forces, Vec velocity) co
   const petsc::GlobalVector pushed(grid_.face_dm());
   WASH_PETSC(VecZeroEntries(pushed));
   (void)transfer_.spread(shared_out(forces), pushed);
-  WASH_PETSC(VecPointwiseDivide(pushed, pushed, fluid_density_));
-  WASH_PETSC(VecAXPY(velocity, step_.dt, pushed));
+  const FaceView<Dim> u(grid_.face_dm(), velocity);
+  const ConstFaceView<Dim> f(grid_.face_dm(), pushed), rho(grid_.face_dm(), fluid_density_);
+  grid_.for_each_inner_face(
+      [&](const Index<Dim>& face, auto c) { u(face, c) += step_.dt * f(face, c) / rho(face, c); });
 }
 
 // U - J u
@@ -232,8 +234,9 @@ Points<Dim> SurfaceForcing<Dim>::slips(Vec velocity) const {
 
 template <int Dim>
 std::vector<bool> SurfaceForcing<Dim>::are_held(const Points<Dim>& slips, double most) const {
-  const Points<Dim> felt = body_by_body(
-      slips, [this](std::size_t b, const Points<Dim>& of_body) { return inverses_[b].means_about(of_body); });
+  const Points<Dim> felt = body_by_body(slips, [this](std::size_t b, const Points<Dim>& of_body, PatchRange own) {
+    return inverses_[b].means_about(of_body, own);
+  });
   std::vector<double> sums(2 * bodies_.size(), 0.0);  // of the squares; of patches that act
   for (std::size_t p = 0; p < felt.size(); ++p) {
     if (shares_[p] == 0) continue;
@@ -284,10 +287,11 @@ Points<Dim> SurfaceForcing<Dim>::body_by_body(const Points<Dim>& all, const Find
   for (std::size_t b = 0; b < inverses_.size(); ++b) {
     const std::size_t count = markers_.of_body(b).size();
     const auto start = all.begin() + static_cast<std::ptrdiff_t>(first);
-    if (first < end_ && first + count > begin_) {
-      const Points<Dim> of_body = find(b, Points<Dim>(start, start + static_cast<std::ptrdiff_t>(count)));
-      for (std::size_t m = std::max(first, begin_); m < std::min(first + count, end_); ++m)
-        found.push_back(of_body[m - first]);
+    const std::size_t begin = std::max(first, begin_), end = std::min(first + count, end_);
+    if (begin < end) {
+      const Points<Dim> of_body(start, start + static_cast<std::ptrdiff_t>(count)),
+          of_own = find(b, of_body, PatchRange{begin - first, end - first});
+      found.insert(found.end(), of_own.begin(), of_own.end());
     }
     first += count;
   }
@@ -297,8 +301,8 @@ Points<Dim> SurfaceForcing<Dim>::body_by_body(const Points<Dim>& all, const Find
 template <int Dim>
 Points<Dim> SurfaceForcing<Dim>::approximate_forces(const Points<Dim>& velocities,
                                                     const std::vector<bool>& but_for) const {
-  Points<Dim> forces = body_by_body(velocities, [&](std::size_t b, const Points<Dim>& of_body) {
-    return but_for[b] ? Points<Dim>(of_body.size(), Point<Dim>::Zero()) : inverses_[b](of_body);
+  Points<Dim> forces = body_by_body(velocities, [&](std::size_t b, const Points<Dim>& of_body, PatchRange own) {
+    return but_for[b] ? Points<Dim>(own.end - own.begin, Point<Dim>::Zero()) : inverses_[b](of_body, own);
   });
   const double scale = density_ * grid_.cell_volume() / step_.dt;
   for (std::size_t p = 0; p < forces.size(); ++p)

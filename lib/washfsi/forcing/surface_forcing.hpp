@@ -97,7 +97,7 @@ class SurfaceForcing : public WallForces {
   std::vector<bool> none_of_bodies() const { return std::vector<bool>(bodies_.size(), false); }
   void accelerate(const Points<Dim>& forces, Vec velocity) const;
   void add_forces(const Points<Dim>& more, Vec velocity);
-  /// Of this rank's patches what find(body, values of its patches) finds from those of all patches.
+  /// Of this rank's patches what find(body, values of its patches, range of own) finds of own from all.
   template <class Find>
   Points<Dim> body_by_body(const Points<Dim>& all, const Find& find) const;
   /// Of each body whether what deltas see of the slips of all patches is at most so much on its own, rms [m/s].

@@ -15,7 +15,7 @@ Points<Dim> SurfaceForcing<Dim>::kept_by_sides(const std::optional<SideName>& op
   Points<Dim> kept = shared_out(forces_);
   const petsc::LocalVector local(grid_.wide_face_dm());
   boundary_.fill_from_sides(local, time_, transfer_.reached_sides(), open);
-  const Points<Dim> parts = transfer_.interpolate_from_sides(local);
+  const Points<Dim> parts = transfer_.interpolate_from_sides(local, open);
   for (std::size_t m = 0; m < kept.size(); ++m) kept[m] = kept[m].cwiseProduct(parts[m]);
   return kept;
 }

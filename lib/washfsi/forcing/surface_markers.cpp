@@ -155,21 +155,36 @@ MarkerPatches<Dim> patches_of_sheets(const Shape<Dim>& shape, const Bounds<Dim>&
   return gathered<Dim>(places, count, width * layout.cell, sheet_markers);
 }
 
+// The places of each part on faces, and in corners and thin parts. What is between places of one part cannot be shared
+// out, so that ranks take parts by turns.
 template <int Dim>
-MarkerPatches<Dim> markers_of_part(const Shape<Dim>& shape, const Bounds<Dim>& region,
-                                   const MarkerLayout<Dim>& layout) {
-  const SeedCells<Dim> seeds(region, layout.cell / seeds_a_cell<Dim>);
-  const Sinker<Dim> sinker(shape, layout);
-  const auto candidates =
-      candidates_of<Dim>(shape, layout, seeds, [&](const Point<Dim>& seed) { return sinker.sink(seed); });
-  const auto markers = spread_evenly<Dim>(candidates, marker_spacing * layout.cell);
+std::vector<std::vector<Candidate<Dim>>> places_of(const std::vector<Surface<Dim>>& parts) {
+  std::vector<std::vector<Candidate<Dim>>> places;
+  for (const auto& [shape, region, layout] : parts) {
+    const SeedCells<Dim> seeds(region, layout.cell / seeds_a_cell<Dim>);
+    const Sinker<Dim> sinker(*shape, layout);
+    places.push_back(
+        candidates_of<Dim>(*shape, layout, seeds, [&](const Point<Dim>& seed) { return sinker.sink(seed); }));
+  }
+  for (std::size_t n = 0; n < parts.size(); ++n) {
+    const MarkerLayout<Dim>& layout = parts[n].layout;
+    const bool is_mine = static_cast<int>(n) % ranks_of(layout.comm) == rank_of(layout.comm);
+    places[n] = is_mine ? spread_evenly<Dim>(places[n], marker_spacing * layout.cell) : std::vector<Candidate<Dim>>();
+  }
+  for (std::size_t n = 0; n < parts.size(); ++n) places[n] = of_all_ranks<Dim>(parts[n].layout.comm, places[n]);
+  return places;
+}
+
+template <int Dim>
+MarkerPatches<Dim> patches_of(const std::vector<Candidate<Dim>>& markers, const Surface<Dim>& part) {
+  const auto& [shape, region, layout] = part;
   const auto on_faces = behind_faces<Dim>(markers);
   const bool has_sheets = on_faces.size() < markers.size();
   const double width = layout.spacing * (has_sheets ? 1 : wider_on_solids);
   const auto most = on_faces.size();
   MarkerPatches<Dim> patches =
       gathered<Dim>(on_faces, patch_count<Dim>(most, marker_spacing, width), width * layout.cell, most);
-  if (has_sheets) patches.append(patches_of_sheets<Dim>(shape, region, layout));
+  if (has_sheets) patches.append(patches_of_sheets<Dim>(*shape, region, layout));
   return patches;
 }
 
@@ -183,13 +198,33 @@ Bounds<Dim> seen_from(const Pose<Dim>& pose, const Bounds<Dim>& region) {
   return Bounds<Dim>::round(pose.in_body_frame(middle), turned);
 }
 
-/// Puts the markers of a body's parts together.
+/// Puts the markers of a body's parts together. Each part is laid in its own frame, so that equal parts have equal
+/// markers however the body is turned.
 template <int Dim>
 class Assembly {
  public:
-  using Part = typename Shape<Dim>::Part;
-  Assembly(const std::vector<Part>& parts, const MarkerLayout<Dim>& layout) : parts_(parts), layout_(layout) {}
+  // Adds those of the parts that are no copies of each other to a list.
+  Assembly(const Surface<Dim>& surface, std::vector<Surface<Dim>>& distinct_parts) : layout_(surface.layout) {
+    surface.shape->add_parts({}, parts_);
+    std::map<const Shape<Dim>*, std::size_t> numbers;
+    for (const auto& [part, pose] : parts_) {
+      const Bounds<Dim> seen = seen_from(pose, surface.region);
+      const auto [known, is_new] = numbers.emplace(part, distinct_parts.size());
+      number_of_.push_back(known->second);
+      if (is_new)
+        distinct_parts.push_back({part, seen, layout_});
+      else
+        distinct_parts[known->second].region.include(seen);
+    }
+  }
 
+  // Of the markers of each of the list.
+  MarkerPatches<Dim> of(const std::vector<MarkerPatches<Dim>>& laid) {
+    for (std::size_t part = 0; part < parts_.size(); ++part) add(part, laid[number_of_[part]]);
+    return distinct_patches();
+  }
+
+ private:
   void add(std::size_t part, const MarkerPatches<Dim>& patches) {
     for (std::size_t p = 0; p < patches.size(); ++p) {
       for (std::size_t m = patches.starts[p]; m < patches.starts[p + 1]; ++m) {
@@ -202,7 +237,7 @@ class Assembly {
   }
 
   // Without those that hold what lies within another part, and those too near to one of a part before.
-  MarkerPatches<Dim> patches() const {
+  MarkerPatches<Dim> distinct_patches() const {
     MarkerPatches<Dim> result;
     const std::vector<Bounds<Dim>> bounds = bounds_of(places_);
     const NearSearch<Dim> search(bounds, layout_.cell, hull(bounds));
@@ -220,7 +255,6 @@ class Assembly {
     return result;
   }
 
- private:
   bool is_hidden(std::size_t m) const {
     const double depth = 0.2 * layout_.cell.minCoeff();  // so that thin sheets that cross both stay
     for (std::size_t part = 0; part < parts_.size(); ++part)
@@ -237,35 +271,28 @@ class Assembly {
     return false;
   }
 
-  const std::vector<Part>& parts_;
-  const MarkerLayout<Dim>& layout_;
+  MarkerLayout<Dim> layout_;
+  std::vector<typename Shape<Dim>::Part> parts_;
+  std::vector<std::size_t> number_of_;  ///< of each part in the list
   Points<Dim> places_, feet_;
   std::vector<std::size_t> part_of_, ends_;  ///< of each marker; of each patch
 };
 
 }  // namespace
 
-// Each part in its own frame, so that equal parts have equal markers however a body is turned.
 template <int Dim>
-MarkerPatches<Dim> surface_markers(const Shape<Dim>& shape, const Bounds<Dim>& region,
-                                   const MarkerLayout<Dim>& layout) {
-  std::vector<typename Shape<Dim>::Part> parts;
-  shape.add_parts({}, parts);
-  std::map<const Shape<Dim>*, Bounds<Dim>> regions;
-  for (const auto& [part, pose] : parts) {
-    const Bounds<Dim> seen = seen_from(pose, region);
-    const auto [place, is_new] = regions.emplace(part, seen);
-    if (!is_new) place->second.include(seen);
-  }
-  std::map<const Shape<Dim>*, MarkerPatches<Dim>> laid;
-  for (const auto& [part, pose] : parts)  // in the same order on all ranks
-    if (!laid.contains(part)) laid.emplace(part, markers_of_part(*part, regions.at(part), layout));
-  Assembly<Dim> assembly(parts, layout);
-  for (std::size_t n = 0; n < parts.size(); ++n) assembly.add(n, laid.at(parts[n].shape));
-  return assembly.patches();
+std::vector<MarkerPatches<Dim>> surface_markers(const std::vector<Surface<Dim>>& surfaces) {
+  std::vector<Surface<Dim>> parts;
+  std::vector<Assembly<Dim>> assemblies;
+  for (const auto& surface : surfaces) assemblies.emplace_back(surface, parts);
+  const auto places = places_of<Dim>(parts);
+  std::vector<MarkerPatches<Dim>> laid, result;
+  for (std::size_t n = 0; n < parts.size(); ++n) laid.push_back(patches_of<Dim>(places[n], parts[n]));
+  for (auto& assembly : assemblies) result.push_back(assembly.of(laid));
+  return result;
 }
 
-template MarkerPatches<2> surface_markers<2>(const Shape<2>&, const Bounds<2>&, const MarkerLayout<2>&);
-template MarkerPatches<3> surface_markers<3>(const Shape<3>&, const Bounds<3>&, const MarkerLayout<3>&);
+template std::vector<MarkerPatches<2>> surface_markers<2>(const std::vector<Surface<2>>&);
+template std::vector<MarkerPatches<3>> surface_markers<3>(const std::vector<Surface<3>>&);
 
 }  // namespace washfsi

@@ -143,20 +143,6 @@ Box<Dim> Grid<Dim>::inner_faces(int axis) const {
 }
 
 template <int Dim>
-Point<Dim> Grid<Dim>::cell_center(const Index<Dim>& cell) const {
-  Point<Dim> center;
-  for (int d = 0; d < Dim; ++d) center[d] = shape_.lower[d] + (static_cast<double>(cell[d]) + 0.5) * spacing_[d];
-  return center;
-}
-
-template <int Dim>
-Point<Dim> Grid<Dim>::face_center(const Index<Dim>& face, int axis) const {
-  Point<Dim> center = cell_center(face);
-  center[axis] -= 0.5 * spacing_[axis];
-  return center;
-}
-
-template <int Dim>
 Point<Dim> Grid<Dim>::folded(Point<Dim> point) const {
   for (int d = 0; d < Dim; ++d) {
     if (!periodic(d)) continue;

@@ -81,8 +81,16 @@ class Grid {
     }
   }
 
-  Point<Dim> cell_center(const Index<Dim>& cell) const;
-  Point<Dim> face_center(const Index<Dim>& face, int axis) const;
+  Point<Dim> cell_center(const Index<Dim>& cell) const {
+    Point<Dim> center;
+    for (int d = 0; d < Dim; ++d) center[d] = shape_.lower[d] + (static_cast<double>(cell[d]) + 0.5) * spacing_[d];
+    return center;
+  }
+  Point<Dim> face_center(const Index<Dim>& face, int axis) const {
+    Point<Dim> center = cell_center(face);
+    center[axis] -= 0.5 * spacing_[axis];
+    return center;
+  }
   /// A point, or its image in the box along periodic directions.
   Point<Dim> folded(Point<Dim> point) const;
   /// The cell that holds a point; periodic images are folded into the box.

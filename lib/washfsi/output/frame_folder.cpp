@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 
 #include "washfsi/support/collective.hpp"
 #include "washfsi/support/errors.hpp"
@@ -129,6 +130,7 @@ void FrameFolder::write_index() const {
   });
 }
 
+// NAME.xdmf, which the next frame writes anew: it need not reach the disk with each frame either.
 void FrameFolder::describe_all(const std::function<std::string(const Frame&)>& describe, Parts parts) const {
   const std::string type = parts == Parts::one ? "Uniform" : "Collection\" CollectionType=\"Spatial";
   std::string text = "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n<Domain>\n<Grid Name=\"" + name_ +
@@ -137,7 +139,14 @@ void FrameFolder::describe_all(const std::function<std::string(const Frame&)>& d
     text += "<Grid Name=\"" + name_ + "\" GridType=\"" + type + "\">\n<Time Value=\"" + to_text(frame.time) + "\"/>\n" +
             describe(frame) + "</Grid>\n";
   text += "</Grid>\n</Domain>\n</Xdmf>\n";
-  write_text_file(comm_, path(".xdmf"), text);
+  on_first_rank<FileError>(comm_, [&] {
+    const std::string temporary = path(".xdmf.part");
+    std::ofstream file(temporary);
+    file << text;
+    file.close();
+    if (!file) throw FileError(path(".xdmf") + ": cannot be written (is the disk full?)");
+    std::filesystem::rename(temporary, path(".xdmf"));
+  });
 }
 
 std::string FrameFolder::item(const std::string& place, const std::vector<hsize_t>& shape,

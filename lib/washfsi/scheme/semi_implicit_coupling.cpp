@@ -61,15 +61,20 @@ void SemiImplicitCoupling<Dim>::weigh(const System<Dim>& system, double dt) {
 }
 
 template <int Dim>
+void SemiImplicitCoupling<Dim>::find_known_water(const System<Dim>& system) {
+  if (weights_.end == 1) return;
+  const FractionalStep<Dim>& fluid = system.model.fluid;
+  if (!known_water_) known_water_ = system.model.grid.face_vector();
+  WASH_PETSC(VecAXPBYPCZ(known_water_, weights_.start, weights_.before, 0, fluid.velocity(), fluid.velocity_before()));
+}
+
+template <int Dim>
 Points<Dim> SemiImplicitCoupling<Dim>::water_velocities(const System<Dim>& system, double dt) const {
   const auto& [model, state, step] = system;
   const FractionalStep<Dim>& fluid = model.fluid;
   if (weights_.end == 1) return marker_velocities(model, fluid.next_velocity(), state.clock.time + dt);
   const petsc::GlobalVector mean(model.grid.face_dm());
-  WASH_PETSC(VecCopy(fluid.next_velocity(), mean));
-  WASH_PETSC(VecScale(mean, weights_.end));
-  WASH_PETSC(VecAXPY(mean, weights_.start, fluid.velocity()));
-  WASH_PETSC(VecAXPY(mean, weights_.before, fluid.velocity_before()));
+  WASH_PETSC(VecWAXPY(mean, weights_.end, fluid.next_velocity(), known_water_));
   return marker_velocities(model, mean, state.clock.time + 0.5 * dt);
 }
 
@@ -217,6 +222,7 @@ void SemiImplicitCoupling<Dim>::take(System<Dim>& system, double dt) {
   auto& [model, state, step] = system;
   const double start = state.clock.time, end = start + dt;
   weigh(system, dt);
+  find_known_water(system);
   begin_step(system, state.positions, start, 0);
   const Points<Dim> at_start = model.forces.of_places(state.positions);
   step.end_share = weights_.end;

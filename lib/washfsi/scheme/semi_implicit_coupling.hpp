@@ -51,6 +51,7 @@ class SemiImplicitCoupling : public CouplingScheme<Dim> {
  private:
   void take(System<Dim>& system, double dt) override;
   void weigh(const System<Dim>& system, double dt);
+  void find_known_water(const System<Dim>& system);
   /// The water's mean velocity at the markers; with what seeps through them, theirs.
   Points<Dim> water_velocities(const System<Dim>& system, double dt) const;
   Points<Dim> reached_velocities(const System<Dim>& system, double dt) const;
@@ -68,6 +69,8 @@ class SemiImplicitCoupling : public CouplingScheme<Dim> {
 
   CouplingOptions options_;
   StepWeights weights_;
+  petsc::Vector
+      known_water_;  ///< what the step's start and those before have in the mean velocity; null in first order
   ClothSolver<Dim> solver_;
   ForceEquation<Dim> force_equation_;
   StepMobility<Dim> mobility_;  ///< M, D of the step under way
