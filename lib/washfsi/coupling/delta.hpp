@@ -100,21 +100,24 @@ inline double regularised_delta(DeltaKernel kernel, double distance, double widt
                                          : bao_delta(distance);
 }
 
-/// The grid points that one marker reaches along one axis, with their weights.
-struct AxisStencil {
-  static constexpr int most = 8;  ///< points within a half width of 4 cells
+/// The grid points that one marker reaches along one axis, with their weights; so many at most.
+template <int Most>
+struct AxisStencilOf {
+  static constexpr int most = Most;
   PetscInt first = 0;
   int count = 0;
   std::array<double, most> weight{};
 };
+using AxisStencil = AxisStencilOf<8>;        ///< of a half width of 4 cells
+using NarrowAxisStencil = AxisStencilOf<4>;  ///< of one of 2 cells
 
 /// Calls use(count) with what is the usual count of points as a constant, so that loops over them are unrolled.
 template <class Use>
-void with_count(const AxisStencil& stencil, const Use& use) {
-  if (stencil.count == 4)
+void with_count(int count, const Use& use) {
+  if (count == 4)
     use(std::integral_constant<int, 4>{});
   else
-    use(stencil.count);
+    use(count);
 }
 
 /// The delta along one axis, with what does not depend on the marker worked out once.
@@ -122,6 +125,8 @@ class AxisDelta {
  public:
   AxisDelta(DeltaKernel kernel, double width)
       : kernel_(kernel), width_(width), turn_(std::numbers::pi / width), cos_(std::cos(turn_)), sin_(std::sin(turn_)) {}
+
+  double width() const { return width_; }
 
   /// `coordinate`: of the marker, in cells from the first grid point of the axis.
   AxisStencil stencil(double coordinate) const {

@@ -134,7 +134,7 @@ void FaceMobility<Dim>::spread(const Points<Dim>& values) const {
   for (int c = 0; c < Dim; ++c) {
     const Faces field(faces_.data(), box_, c);
     for (std::size_t m = 0; m < stencils_.size(); ++m)
-      with_count(stencils_[m].along(0, c), [&](auto count) {
+      with_count(stencils_[m].along(0, c).count, [&](auto count) {
         const auto x = scaled(stencils_[m].along(0, c), values[m][c]);
         stencils_[m].visit_rows(c, field, [&](double* row, double weight) {
           for (int i = 0; i < count; ++i) row[i] += weight * x[i];
@@ -149,7 +149,7 @@ Points<Dim> FaceMobility<Dim>::interpolate() const {
   for (int c = 0; c < Dim; ++c) {
     const Faces field(faces_.data(), box_, c);
     for (std::size_t m = 0; m < stencils_.size(); ++m)
-      with_count(stencils_[m].along(0, c), [&](auto count) {
+      with_count(stencils_[m].along(0, c).count, [&](auto count) {
         Weights sums{};  // of all rows, for each face along x
         stencils_[m].visit_rows(c, field, [&](const double* row, double weight) {
           for (int i = 0; i < count; ++i) sums[i] += weight * row[i];

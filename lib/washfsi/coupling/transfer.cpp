@@ -13,7 +13,14 @@ namespace washfsi {
 
 template <int Dim>
 Transfer<Dim>::Transfer(const Grid<Dim>& grid, const Boundary<Dim>& boundary, const DeltaOptions& delta)
-    : grid_(grid), boundary_(boundary), delta_(delta), exchange_(grid) {}
+    : grid_(grid),
+      boundary_(boundary),
+      delta_(delta),
+      exchange_(grid),
+      spread_stencils_(AxisDelta(delta.kernel, delta.spread_width)) {
+  if (delta.interpolate_width != delta.spread_width)
+    interpolate_stencils_.emplace(AxisDelta(delta.kernel, delta.interpolate_width));
+}
 
 template <int Dim>
 void Transfer<Dim>::check_inside(const Points<Dim>& positions) const {
@@ -42,27 +49,28 @@ void Transfer<Dim>::locate(const Points<Dim>& positions) {
 // Those of markers at rest, of which a drum may have most, are kept.
 template <int Dim>
 void Transfer<Dim>::find_stencils(const Points<Dim>& before) {
-  const auto fill = [&](std::vector<FaceStencil<Dim>>& stencils, double width) {
-    const AxisDelta delta(delta_.kernel, width);
+  const auto fill = [&](FaceStencils<Dim>& stencils) {
     stencils.resize(here_.size());
     for (std::size_t m = 0; m < here_.size(); ++m)
-      if (m >= before.size() || here_[m] != before[m]) stencils[m] = FaceStencil<Dim>(grid_, delta, here_[m]);
+      if (m >= before.size() || here_[m] != before[m]) stencils.set(m, grid_, here_[m]);
   };
-  fill(spread_stencils_, delta_.spread_width);
-  if (delta_.interpolate_width != delta_.spread_width) fill(interpolate_stencils_, delta_.interpolate_width);
+  fill(spread_stencils_);
+  if (interpolate_stencils_) fill(*interpolate_stencils_);
 }
 
 template <int Dim>
 void Transfer<Dim>::find_beside_sides() {
   beside_sides_.clear();
   reached_sides_ = {};
-  for (std::size_t m = 0; m < here_.size(); ++m) {
-    typename Boundary<Dim>::SideSet reached{};
-    if (!interpolate_stencils()[m].find_reached(grid_.cells(), reached)) continue;
-    beside_sides_.push_back({m, reached});
-    for (int d = 0; d < Dim; ++d)
-      for (int end = 0; end < 2; ++end) reached_sides_[d][end] = reached_sides_[d][end] || reached[d][end];
-  }
+  interpolate_stencils().visit([&](const auto& stencils) {
+    for (std::size_t m = 0; m < stencils.size(); ++m) {
+      typename Boundary<Dim>::SideSet reached{};
+      if (!stencils[m].find_reached(grid_.cells(), reached)) continue;
+      beside_sides_.push_back({m, reached});
+      for (int d = 0; d < Dim; ++d)
+        for (int end = 0; end < 2; ++end) reached_sides_[d][end] = reached_sides_[d][end] || reached[d][end];
+    }
+  });
 }
 
 template <int Dim>
@@ -70,9 +78,11 @@ void Transfer<Dim>::add_to_local(const Points<Dim>& values, Vec local) const {
   WASH_PETSC(VecZeroEntries(local));
   const FaceView<Dim> field(grid_.wide_face_dm(), local);
   const double per_volume = 1 / grid_.cell_volume();
-  for (std::size_t m = 0; m < spread_stencils_.size(); ++m)
-    if (!values[m].isZero(0))
-      for_each_component<Dim>([&](auto c) { spread_stencils_[m].add(c, per_volume * values[m][c], field); });
+  spread_stencils_.visit([&](const auto& stencils) {
+    for (std::size_t m = 0; m < stencils.size(); ++m)
+      if (!values[m].isZero(0))
+        for_each_component<Dim>([&](auto c) { stencils[m].add(c, per_volume * values[m][c], field); });
+  });
 }
 
 template <int Dim>
@@ -107,7 +117,9 @@ Points<Dim> Transfer<Dim>::interpolate(Vec local_velocity) const {
   const petsc::LogPart part("interpolate");
   const ConstFaceView<Dim> u(grid_.wide_face_dm(), local_velocity);
   Points<Dim> velocities;
-  for (const FaceStencil<Dim>& stencil : interpolate_stencils()) velocities.push_back(stencil.mean(u));
+  interpolate_stencils().visit([&](const auto& stencils) {
+    for (const auto& stencil : stencils) velocities.push_back(stencil.mean(u));
+  });
   return exchange_.to_owners(velocities);
 }
 
@@ -115,10 +127,11 @@ template <int Dim>
 Points<Dim> Transfer<Dim>::interpolate_from_sides(Vec local_velocity, const std::optional<SideName>& side) const {
   const petsc::LogPart part("interpolate");
   const ConstFaceView<Dim> u(grid_.wide_face_dm(), local_velocity);
-  Points<Dim> velocities(interpolate_stencils().size(), Point<Dim>::Zero());
-  for (const auto& [m, reached] : beside_sides_)
-    if (!side || reached[side->axis][side->end == End::upper ? 1 : 0])
-      velocities[m] = interpolate_stencils()[m].mean(u);
+  Points<Dim> velocities(here_.size(), Point<Dim>::Zero());
+  interpolate_stencils().visit([&](const auto& stencils) {
+    for (const auto& [m, reached] : beside_sides_)
+      if (!side || reached[side->axis][side->end == End::upper ? 1 : 0]) velocities[m] = stencils[m].mean(u);
+  });
   return exchange_.to_owners(velocities);
 }
 

@@ -10,7 +10,7 @@
 #include <array>
 #include <optional>
 
-#include "washfsi/coupling/face_stencil.hpp"
+#include "washfsi/coupling/face_stencils.hpp"
 #include "washfsi/coupling/marker_exchange.hpp"
 #include "washfsi/grid/boundary.hpp"
 
@@ -54,8 +54,8 @@ class Transfer {
 
  private:
   void find_stencils(const Points<Dim>& before);
-  const std::vector<FaceStencil<Dim>>& interpolate_stencils() const {
-    return interpolate_stencils_.empty() ? spread_stencils_ : interpolate_stencils_;
+  const FaceStencils<Dim>& interpolate_stencils() const {
+    return interpolate_stencils_ ? *interpolate_stencils_ : spread_stencils_;
   }
   void find_beside_sides();
   void add_to_local(const Points<Dim>& values, Vec local) const;
@@ -64,9 +64,9 @@ class Transfer {
   const Boundary<Dim>& boundary_;
   DeltaOptions delta_;
   MarkerExchange<Dim> exchange_;
-  Points<Dim> here_;  ///< places of the markers in this rank's cells, folded into the box
-  /// Of the markers in this rank's cells. The second is empty if both deltas are the same.
-  std::vector<FaceStencil<Dim>> spread_stencils_, interpolate_stencils_;
+  Points<Dim> here_;                   ///< places of the markers in this rank's cells, folded into the box
+  FaceStencils<Dim> spread_stencils_;  ///< of the markers in this rank's cells
+  std::optional<FaceStencils<Dim>> interpolate_stencils_;  ///< if their delta is another
   /// A marker whose stencil reaches sides.
   struct BesideSides {
     std::size_t number;
