@@ -140,7 +140,7 @@ void expect_adjoint() {
         view(face, c) = std::sin(9.1 * tank.grid.face_center(face, c).sum() + c);
       });
   }
-  (void)tank.transfer.spread(forces, f);
+  tank.transfer.spread(forces, f);
   double on_grid = 0, on_cloth = 0;
   WASH_PETSC(VecDot(u, f, &on_grid));
   const petsc::LocalVector local(tank.grid.wide_face_dm(), u);
@@ -166,14 +166,14 @@ void expect_forces_balance() {
   const Points<Dim> forces = random_points<Dim>(40, 23);
   Tank<Dim> tank(inside);
   const petsc::Vector f = tank.grid.face_vector();
-  const Point<Dim> reaction = tank.transfer.spread(tank.mine(forces), f);
+  const Point<Dim> reaction = tank.transfer.spread_with_reaction(tank.mine(forces), f);
   EXPECT_LE((tank.integral(f) - total<Dim>(forces)).norm(), 1e-12 * 40);
   EXPECT_LE(reaction.norm(), 1e-12);
 
   for (auto& place : inside) place[1] = 0.1 * tank.grid.spacing()[1];  // a tenth of a cell from the wall
   Tank<Dim> near(inside);
   WASH_PETSC(VecZeroEntries(f));
-  const Point<Dim> held = near.transfer.spread(near.mine(forces), f);
+  const Point<Dim> held = near.transfer.spread_with_reaction(near.mine(forces), f);
   EXPECT_LE((near.integral(f) + held - total<Dim>(forces)).norm(), 1e-12 * 40);
   EXPECT_GT(held.norm(), 0.1 * total<Dim>(forces).norm());
 }
@@ -246,7 +246,7 @@ void expect_matrix_is_spread_and_interpolate(PetscInt periodic_cells) {
 
   const Points<Dim> forces = tank.mine(random_points<Dim>(60, 22));
   const petsc::Vector acceleration = tank.grid.face_vector();
-  (void)tank.transfer.spread(forces, acceleration);
+  tank.transfer.spread(forces, acceleration);
   WASH_PETSC(VecPointwiseDivide(acceleration, acceleration, density));
   const petsc::LocalVector local(tank.grid.wide_face_dm(), acceleration);
   tank.boundary.fill_homogeneous(local);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "washfsi/coupling/overlap.hpp"
 #include "washfsi/support/collective.hpp"
@@ -26,22 +27,24 @@ Weights scaled(const AxisStencil& stencil, double factor) {
 
 template <int Dim>
 struct FaceMobility<Dim>::Faces {
-  double* first;
+  double* values;
   Index<Dim> lower, strides;
+  PetscInt first;
 
-  Faces(double* values, const Box<Dim>& box, int component) : first(values), lower(box.lower) {
+  Faces(double* of_all, const Box<Dim>& box, int component) : values(of_all), lower(box.lower) {
     PetscInt stride = 1;
     for (int d = 0; d < Dim; ++d) {
       strides[d] = stride;
       stride *= box.upper[d] - box.lower[d];
     }
-    first += component * stride;
+    first = component * stride;
   }
-  double& operator()(const Index<Dim>& index, int /*component*/ = 0) const {
-    PetscInt offset = 0;
-    for (int d = 0; d < Dim; ++d) offset += (index[d] - lower[d]) * strides[d];
-    return first[offset];
+  PetscInt number(const Index<Dim>& index) const {
+    PetscInt number = first;
+    for (int d = 0; d < Dim; ++d) number += (index[d] - lower[d]) * strides[d];
+    return number;
   }
+  double& operator()(const Index<Dim>& index, int /*component*/ = 0) const { return values[number(index)]; }
   PetscInt stride(int axis) const { return strides[axis]; }
 };
 
@@ -84,32 +87,53 @@ bool FaceMobility<Dim>::is_faster(const Points<Dim>& all_positions) const {
   return pairs_within_reach(all_positions) > pairs_per_point * (points + cells);
 }
 
-// All stencils of all ranks; across periodic sides also the images of what is beyond them.
+// All stencils; across periodic sides also the images of what is beyond them.
 template <int Dim>
 void FaceMobility<Dim>::enclose() {
-  std::array<PetscInt, 2 * Dim> ends;  // -lower, upper
-  ends.fill(std::numeric_limits<int>::min());
-  for (const auto& stencil : stencils_)
-    for (int d = 0; d < Dim; ++d)
+  box_ = {};
+  for (int d = 0; d < Dim && !stencils_.empty(); ++d) {
+    PetscInt lower = std::numeric_limits<PetscInt>::max(), upper = std::numeric_limits<PetscInt>::lowest();
+    for (const auto& stencil : stencils_)
       for (const int component : {d, (d + 1) % Dim}) {
         const AxisStencil& along = stencil.along(d, component);
-        ends[2 * d] = std::max(ends[2 * d], -along.first);
-        ends[2 * d + 1] = std::max(ends[2 * d + 1], along.first + along.count);
+        lower = std::min(lower, along.first);
+        upper = std::max(upper, along.first + along.count);
       }
-  MPI_Allreduce(MPI_IN_PLACE, ends.data(), 2 * Dim, MPIU_INT, MPI_MAX, grid_.comm());
-  for (int d = 0; d < Dim; ++d) {
-    box_.lower[d] = -ends[2 * d];
-    box_.upper[d] = ends[2 * d + 1];
-    if (!grid_.periodic(d)) continue;
-    box_.lower[d] = std::min<PetscInt>(box_.lower[d], 0);
-    box_.upper[d] = std::max(box_.upper[d], grid_.cells()[d]);
+    if (grid_.periodic(d)) {
+      lower = std::min<PetscInt>(lower, 0);
+      upper = std::max(upper, grid_.cells()[d]);
+    }
+    box_.lower[d] = lower;
+    box_.upper[d] = upper;
   }
   faces_.resize(Dim * box_.count());
+  std::vector<Box<Dim>> boxes(static_cast<std::size_t>(ranks_of(grid_.comm())));
+  MPI_Allgather(&box_, sizeof(box_), MPI_BYTE, boxes.data(), sizeof(box_), MPI_BYTE, grid_.comm());
+  find_shared(boxes);
 }
 
-// Faces beyond a periodic side and their images within get the sum of both.
 template <int Dim>
-void FaceMobility<Dim>::add_images() const {
+void FaceMobility<Dim>::find_shared(const std::vector<Box<Dim>>& boxes) {
+  std::vector<PetscSFNode> sources;
+  shared_.clear();
+  for (std::size_t rank = 0; rank < boxes.size(); ++rank) {
+    if (static_cast<int>(rank) == rank_of(grid_.comm())) continue;
+    for (int component = 0; component < Dim; ++component) {
+      const Faces here(nullptr, box_, component), there(nullptr, boxes[rank], component);
+      for_each(box_.common(boxes[rank]), [&](const Index<Dim>& face) {
+        shared_.push_back(static_cast<std::size_t>(here.number(face)));
+        sources.push_back({static_cast<PetscInt>(rank), there.number(face)});
+      });
+    }
+  }
+  others_ = petsc::star_forest(grid_.comm(), faces_.size(), sources);
+  values_of_others_.resize(shared_.size());
+}
+
+// Calls visit(outside, image) for the faces beyond periodic sides and their images within.
+template <int Dim>
+template <class Visit>
+void FaceMobility<Dim>::visit_images(const Visit& visit) const {
   for (int axis = 0; axis < Dim; ++axis) {
     if (!grid_.periodic(axis)) continue;
     const PetscInt cells = grid_.cells()[axis];
@@ -118,14 +142,20 @@ void FaceMobility<Dim>::add_images() const {
       Box<Dim> below = box_, above = box_;
       below.upper[axis] = 0;
       above.lower[axis] = cells;
-      const auto visit_outside = [&](auto visit) {
-        for_each(below, [&](const Index<Dim>& i) { visit(field(i), field(shifted<Dim>(i, axis, cells))); });
-        for_each(above, [&](const Index<Dim>& i) { visit(field(i), field(shifted<Dim>(i, axis, -cells))); });
-      };
-      visit_outside([](const double& outside, double& image) { image += outside; });
-      visit_outside([](double& outside, const double& image) { outside = image; });
+      for_each(below, [&](const Index<Dim>& i) { visit(field(i), field(shifted<Dim>(i, axis, cells))); });
+      for_each(above, [&](const Index<Dim>& i) { visit(field(i), field(shifted<Dim>(i, axis, -cells))); });
     }
   }
+}
+
+// What markers of other ranks give to these faces, and what is given to images.
+template <int Dim>
+void FaceMobility<Dim>::add_others() const {
+  visit_images([](double& outside, double& image) { image += std::exchange(outside, 0.0); });
+  WASH_PETSC(PetscSFBcastBegin(others_, MPI_DOUBLE, faces_.data(), values_of_others_.data(), MPI_REPLACE));
+  WASH_PETSC(PetscSFBcastEnd(others_, MPI_DOUBLE, faces_.data(), values_of_others_.data(), MPI_REPLACE));
+  for (std::size_t n = 0; n < shared_.size(); ++n) faces_[shared_[n]] += values_of_others_[n];
+  visit_images([](double& outside, const double& image) { outside = image; });
 }
 
 template <int Dim>
@@ -164,9 +194,7 @@ Points<Dim> FaceMobility<Dim>::interpolate() const {
 template <int Dim>
 Points<Dim> FaceMobility<Dim>::overlaps(const Points<Dim>& values) const {
   spread(values);
-  if (ranks_of(grid_.comm()) > 1)
-    MPI_Allreduce(MPI_IN_PLACE, faces_.data(), static_cast<int>(faces_.size()), MPI_DOUBLE, MPI_SUM, grid_.comm());
-  add_images();
+  add_others();
   return interpolate();
 }
 

@@ -8,8 +8,8 @@
 namespace washfsi {
 
 /// The same mobility as that of `MobilityMatrix`, never formed: forces are spread to faces, and velocities interpolated
-/// from them. Where many markers are within each other's deltas, that costs much less than their pairs. Every rank sees
-/// all faces that are within the deltas.
+/// from them. Where many markers are within each other's deltas, that costs much less than their pairs. A rank has the
+/// box of the faces that its own markers reach, and gets from others what theirs have in it.
 template <int Dim>
 class FaceMobility {
  public:
@@ -32,8 +32,11 @@ class FaceMobility {
   struct Faces;
   double pairs_within_reach(const Points<Dim>& positions) const;
   void enclose();
+  void find_shared(const std::vector<Box<Dim>>& boxes);
   void spread(const Points<Dim>& values) const;
-  void add_images() const;
+  template <class Visit>
+  void visit_images(const Visit& visit) const;
+  void add_others() const;
   Points<Dim> interpolate() const;
   Points<Dim> overlaps(const Points<Dim>& values) const;
 
@@ -42,8 +45,11 @@ class FaceMobility {
   std::vector<FaceStencil<Dim>> stencils_;
   std::vector<double> scales_;         ///< of each marker: by their roots the overlap of two becomes an entry
   Points<Dim> own_;                    ///< what each marker has beside it
-  Box<Dim> box_{};                     ///< of all faces within the deltas
+  Box<Dim> box_{};                     ///< of all faces within the deltas of this rank's markers
   mutable std::vector<double> faces_;  ///< their values during a product, component by component
+  petsc::StarForest others_;           ///< from the faces of other ranks to those that are this rank's too
+  std::vector<std::size_t> shared_;    ///< numbers of the latter
+  mutable std::vector<double> values_of_others_;
 };
 
 extern template class FaceMobility<2>;

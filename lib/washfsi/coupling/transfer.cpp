@@ -85,14 +85,26 @@ void Transfer<Dim>::add_to_local(const Points<Dim>& values, Vec local) const {
   });
 }
 
+// Returns the reaction of the walls of this rank.
 template <int Dim>
-Point<Dim> Transfer<Dim>::spread(const Points<Dim>& forces, Vec force) const {
+Point<Dim> Transfer<Dim>::spread_of_rank(const Points<Dim>& forces, Vec force) const {
   const petsc::LogPart part("spread");
   const petsc::LocalVector local(grid_.wide_face_dm());
   add_to_local(exchange_.to_cells(forces), local);
-  const Point<Dim> kept = grid_.cell_volume() * boundary_.fold(local);
+  Point<Dim> kept = grid_.cell_volume() * boundary_.fold(local);
   WASH_PETSC(DMLocalToGlobal(grid_.wide_face_dm(), local, ADD_VALUES, force));
-  const std::vector<double> reaction = ordered_sum(grid_.comm(), std::vector<double>(kept.data(), kept.data() + Dim));
+  return kept;
+}
+
+template <int Dim>
+void Transfer<Dim>::spread(const Points<Dim>& forces, Vec force) const {
+  (void)spread_of_rank(forces, force);
+}
+
+template <int Dim>
+Point<Dim> Transfer<Dim>::spread_with_reaction(const Points<Dim>& forces, Vec force) const {
+  const Point<Dim> mine = spread_of_rank(forces, force);
+  const std::vector<double> reaction = ordered_sum(grid_.comm(), std::vector<double>(mine.data(), mine.data() + Dim));
   return Point<Dim>(reaction.data());
 }
 
@@ -156,7 +168,7 @@ std::vector<double> row_sum_mobility(const Transfer<Dim>& transfer, const Grid<D
   for (const double weight : weights) forces.push_back(Point<Dim>::Constant(weight));
   const petsc::GlobalVector acceleration(grid.face_dm());
   WASH_PETSC(VecZeroEntries(acceleration));
-  (void)transfer.spread(forces, acceleration);
+  transfer.spread(forces, acceleration);
   WASH_PETSC(VecPointwiseDivide(acceleration, acceleration, density));
   if (fluid_fraction) WASH_PETSC(VecPointwiseMult(acceleration, acceleration, fluid_fraction));
   const petsc::LocalVector local(grid.wide_face_dm(), acceleration);

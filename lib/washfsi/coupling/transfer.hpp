@@ -30,9 +30,10 @@ class Transfer {
   /// Errors: DivergedError if a marker has left the box.
   void locate(const Points<Dim>& positions);
 
-  /// force += S F with nodal forces F [N; per unit depth in the plane]; a face vector [N/m3]. Returns the walls'
-  /// reaction [N], summed over all ranks. Collective.
-  Point<Dim> spread(const Points<Dim>& forces, Vec force) const;
+  /// force += S F with nodal forces F [N; per unit depth in the plane]; a face vector [N/m3]. Collective.
+  void spread(const Points<Dim>& forces, Vec force) const;
+  /// The same; returns the walls' reaction [N], summed over all ranks.
+  Point<Dim> spread_with_reaction(const Points<Dim>& forces, Vec force) const;
 
   /// density += S m with nodal masses m [kg], for each component's faces; mass beyond walls is folded back. Collective.
   void spread_mass(const std::vector<double>& masses, Vec density) const;
@@ -59,6 +60,7 @@ class Transfer {
   }
   void find_beside_sides();
   void add_to_local(const Points<Dim>& values, Vec local) const;
+  Point<Dim> spread_of_rank(const Points<Dim>& forces, Vec force) const;
 
   const Grid<Dim>& grid_;
   const Boundary<Dim>& boundary_;

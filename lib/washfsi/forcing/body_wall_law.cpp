@@ -140,7 +140,7 @@ void BodyWallLaw<Dim>::observe(const StepFlow& flow, const PureLiquid& liquid) {
   forces_ = turned(std::move(forces_), true);
   slips_ = turned(std::move(slips_), true);
   WASH_PETSC(VecZeroEntries(friction_));
-  (void)transfer_.spread(forces_, friction_);
+  transfer_.spread(forces_, friction_);
   const double spacing = grid_.spacing().minCoeff();
   inner_viscosity_ = flow.last_step > 0 ? inner_number * liquid.density * spacing * spacing / flow.last_step : 0;
   begun_ = observes_ = true;

@@ -10,7 +10,7 @@ void find_edge_nearness(const Grid<Dim>& grid, const Transfer<Dim>& transfer, co
   Points<Dim> weights;
   for (const bool at_edge : at_edges) weights.push_back(Point<Dim>::Constant(at_edge ? grid.cell_volume() / whole : 0));
   WASH_PETSC(VecZeroEntries(nearness));
-  (void)transfer.spread(weights, nearness);
+  transfer.spread(weights, nearness);
   const petsc::GlobalVector ones(grid.face_dm());
   WASH_PETSC(VecSet(ones, 1));
   WASH_PETSC(VecPointwiseMin(nearness, nearness, ones));

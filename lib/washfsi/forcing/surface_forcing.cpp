@@ -208,7 +208,7 @@ void SurfaceForcing<Dim>::accept() {
 
 template <int Dim>
 void SurfaceForcing<Dim>::add_held(Vec force) {
-  (void)transfer_.spread(shared_out(forces_), force);
+  transfer_.spread(shared_out(forces_), force);
   if (law_) law_->add_friction(force);
 }
 
@@ -217,7 +217,7 @@ template <int Dim>
 void SurfaceForcing<Dim>::accelerate(const Points<Dim>& forces, Vec velocity) const {
   const petsc::GlobalVector pushed(grid_.face_dm());
   WASH_PETSC(VecZeroEntries(pushed));
-  (void)transfer_.spread(shared_out(forces), pushed);
+  transfer_.spread(shared_out(forces), pushed);
   const FaceView<Dim> u(grid_.face_dm(), velocity);
   const ConstFaceView<Dim> f(grid_.face_dm(), pushed), rho(grid_.face_dm(), fluid_density_);
   grid_.for_each_inner_face(

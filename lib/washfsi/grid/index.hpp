@@ -30,6 +30,15 @@ struct Box {
     for (int d = 0; d < Dim; ++d) count *= static_cast<std::size_t>(std::max<PetscInt>(upper[d] - lower[d], 0));
     return count;
   }
+  /// What lies in both.
+  Box common(const Box& other) const {
+    Box result;
+    for (int d = 0; d < Dim; ++d) {
+      result.lower[d] = std::max(lower[d], other.lower[d]);
+      result.upper[d] = std::min(upper[d], other.upper[d]);
+    }
+    return result;
+  }
 };
 
 template <int Dim>

@@ -49,7 +49,7 @@ void spread_cloth(System<Dim>& system, const Points<Dim>& forces) {
   auto& [model, state, step] = system;
   WASH_PETSC(VecZeroEntries(step.force));
   step.given = forces;
-  step.wall_reaction = model.transfer.spread(forces, step.force);
+  step.wall_reaction = model.transfer.spread_with_reaction(forces, step.force);
 }
 
 template <int Dim>

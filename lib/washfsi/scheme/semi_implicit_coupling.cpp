@@ -198,7 +198,7 @@ void SemiImplicitCoupling<Dim>::sweep(System<Dim>& system, double dt, Points<Dim
     const Points<Dim> moved = model.forces.of_places(step.pushed_at);
     const Points<Dim> gained = weights_.end * (moved - forces);
     WASH_PETSC(VecZeroEntries(increment));
-    step.wall_reaction += model.transfer.spread(gained, increment);
+    step.wall_reaction += model.transfer.spread_with_reaction(gained, increment);
     step.given += gained;
     model.fluid.add_force(increment);
     model.fluid.hold_walls();
