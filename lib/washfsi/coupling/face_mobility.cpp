@@ -14,11 +14,10 @@ namespace washfsi {
 
 namespace {
 
-using Weights = std::array<double, AxisStencil::most>;
-
 // A copy, which no face can be an alias of.
-Weights scaled(const AxisStencil& stencil, double factor) {
-  Weights weights;
+template <int Most>
+std::array<double, Most> scaled(const AxisStencilOf<Most>& stencil, double factor) {
+  std::array<double, Most> weights;
   for (std::size_t i = 0; i < weights.size(); ++i) weights[i] = factor * stencil.weight[i];
   return weights;
 }
@@ -89,13 +88,14 @@ bool FaceMobility<Dim>::is_faster(const Points<Dim>& all_positions) const {
 
 // All stencils; across periodic sides also the images of what is beyond them.
 template <int Dim>
-void FaceMobility<Dim>::enclose() {
+template <class Stencils>
+void FaceMobility<Dim>::enclose(const Stencils& stencils) {
   box_ = {};
-  for (int d = 0; d < Dim && !stencils_.empty(); ++d) {
+  for (int d = 0; d < Dim && !stencils.empty(); ++d) {
     PetscInt lower = std::numeric_limits<PetscInt>::max(), upper = std::numeric_limits<PetscInt>::lowest();
-    for (const auto& stencil : stencils_)
+    for (const auto& stencil : stencils)
       for (const int component : {d, (d + 1) % Dim}) {
-        const AxisStencil& along = stencil.along(d, component);
+        const auto& along = stencil.along(d, component);
         lower = std::min(lower, along.first);
         upper = std::max(upper, along.first + along.count);
       }
@@ -159,14 +159,15 @@ void FaceMobility<Dim>::add_others() const {
 }
 
 template <int Dim>
-void FaceMobility<Dim>::spread(const Points<Dim>& values) const {
+template <class Stencils>
+void FaceMobility<Dim>::spread(const Stencils& stencils, const Points<Dim>& values) const {
   std::fill(faces_.begin(), faces_.end(), 0.0);
   for (int c = 0; c < Dim; ++c) {
     const Faces field(faces_.data(), box_, c);
-    for (std::size_t m = 0; m < stencils_.size(); ++m)
-      with_count(stencils_[m].along(0, c).count, [&](auto count) {
-        const auto x = scaled(stencils_[m].along(0, c), values[m][c]);
-        stencils_[m].visit_rows(c, field, [&](double* row, double weight) {
+    for (std::size_t m = 0; m < stencils.size(); ++m)
+      with_count(stencils[m].along(0, c).count, [&](auto count) {
+        const auto x = scaled(stencils[m].along(0, c), values[m][c]);
+        stencils[m].visit_rows(c, field, [&](double* row, double weight) {
           for (int i = 0; i < count; ++i) row[i] += weight * x[i];
         });
       });
@@ -174,18 +175,20 @@ void FaceMobility<Dim>::spread(const Points<Dim>& values) const {
 }
 
 template <int Dim>
-Points<Dim> FaceMobility<Dim>::interpolate() const {
-  Points<Dim> result(stencils_.size());
+template <class Stencils>
+Points<Dim> FaceMobility<Dim>::interpolate(const Stencils& stencils) const {
+  Points<Dim> result(stencils.size());
   for (int c = 0; c < Dim; ++c) {
     const Faces field(faces_.data(), box_, c);
-    for (std::size_t m = 0; m < stencils_.size(); ++m)
-      with_count(stencils_[m].along(0, c).count, [&](auto count) {
-        Weights sums{};  // of all rows, for each face along x
-        stencils_[m].visit_rows(c, field, [&](const double* row, double weight) {
+    for (std::size_t m = 0; m < stencils.size(); ++m)
+      with_count(stencils[m].along(0, c).count, [&](auto count) {
+        const auto& x = stencils[m].along(0, c).weight;
+        std::decay_t<decltype(x)> sums{};  // of all rows, for each face along x
+        stencils[m].visit_rows(c, field, [&](const double* row, double weight) {
           for (int i = 0; i < count; ++i) sums[i] += weight * row[i];
         });
         result[m][c] = 0;
-        for (int i = 0; i < count; ++i) result[m][c] += stencils_[m].along(0, c).weight[i] * sums[i];
+        for (int i = 0; i < count; ++i) result[m][c] += x[i] * sums[i];
       });
   }
   return result;
@@ -193,24 +196,28 @@ Points<Dim> FaceMobility<Dim>::interpolate() const {
 
 template <int Dim>
 Points<Dim> FaceMobility<Dim>::overlaps(const Points<Dim>& values) const {
-  spread(values);
-  add_others();
-  return interpolate();
+  Points<Dim> result;
+  stencils_.visit([&](const auto& stencils) {
+    spread(stencils, values);
+    add_others();
+    result = interpolate(stencils);
+  });
+  return result;
 }
 
 template <int Dim>
 void FaceMobility<Dim>::locate(const Points<Dim>& positions, const std::vector<double>& row_sums, double own_share) {
-  const AxisDelta delta(delta_.kernel, delta_.spread_width);
-  stencils_.clear();
-  for (const auto& position : positions) stencils_.emplace_back(grid_, delta, grid_.folded(position));
-  enclose();
+  stencils_ = FaceStencils<Dim>({delta_.kernel, delta_.spread_width}, grid_, positions);
+  stencils_.visit([&](const auto& stencils) { enclose(stencils); });
   scales_.clear();
   const Points<Dim> sums = overlaps(Points<Dim>(positions.size(), Point<Dim>::Ones()));
   own_.clear();
-  for (std::size_t m = 0; m < sums.size(); ++m) {
-    scales_.push_back(row_sums[m] / sums[m].maxCoeff());
-    own_.push_back(own_share * scales_[m] * overlap(grid_, stencils_[m], stencils_[m]));
-  }
+  stencils_.visit([&](const auto& stencils) {
+    for (std::size_t m = 0; m < sums.size(); ++m) {
+      scales_.push_back(row_sums[m] / sums[m].maxCoeff());
+      own_.push_back(own_share * scales_[m] * overlap(grid_, stencils[m], stencils[m]));
+    }
+  });
 }
 
 template <int Dim>
@@ -230,10 +237,15 @@ template <int Dim>
 Eigen::MatrixXd FaceMobility<Dim>::block(const std::vector<std::size_t>& markers) const {
   const auto size = static_cast<int>(Dim * markers.size());
   Eigen::MatrixXd block = Eigen::MatrixXd::Zero(size, size);
+  const auto overlap_of = [&](std::size_t a, std::size_t b) {
+    Point<Dim> result;
+    stencils_.visit([&](const auto& stencils) { result = overlap(grid_, stencils[a], stencils[b]); });
+    return result;
+  };
   for (std::size_t i = 0; i < markers.size(); ++i)
     for (std::size_t j = 0; j <= i; ++j) {
       const std::size_t a = markers[i], b = markers[j];
-      Point<Dim> entry = std::sqrt(scales_[a] * scales_[b]) * overlap(grid_, stencils_[a], stencils_[b]);
+      Point<Dim> entry = std::sqrt(scales_[a] * scales_[b]) * overlap_of(a, b);
       if (a == b) entry += own_[a];
       for (int c = 0; c < Dim; ++c) {
         const auto row = static_cast<int>(Dim * i) + c, column = static_cast<int>(Dim * j) + c;

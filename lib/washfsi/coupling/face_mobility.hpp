@@ -14,7 +14,8 @@ template <int Dim>
 class FaceMobility {
  public:
   /// Both deltas must have the same width.
-  FaceMobility(const Grid<Dim>& grid, const DeltaOptions& delta) : grid_(grid), delta_(delta) {}
+  FaceMobility(const Grid<Dim>& grid, const DeltaOptions& delta)
+      : grid_(grid), delta_(delta), stencils_(AxisDelta(delta.kernel, delta.spread_width)) {}
 
   /// Whether these markers, of all ranks, have so many pairs within reach that the product is the faster one, by an
   /// estimate. No communication.
@@ -31,18 +32,21 @@ class FaceMobility {
   /// The faces of one component, as `FaceStencil` visits them.
   struct Faces;
   double pairs_within_reach(const Points<Dim>& positions) const;
-  void enclose();
+  template <class Stencils>
+  void enclose(const Stencils& stencils);
   void find_shared(const std::vector<Box<Dim>>& boxes);
-  void spread(const Points<Dim>& values) const;
+  template <class Stencils>
+  void spread(const Stencils& stencils, const Points<Dim>& values) const;
   template <class Visit>
   void visit_images(const Visit& visit) const;
   void add_others() const;
-  Points<Dim> interpolate() const;
+  template <class Stencils>
+  Points<Dim> interpolate(const Stencils& stencils) const;
   Points<Dim> overlaps(const Points<Dim>& values) const;
 
   const Grid<Dim>& grid_;
   DeltaOptions delta_;
-  std::vector<FaceStencil<Dim>> stencils_;
+  FaceStencils<Dim> stencils_;
   std::vector<double> scales_;         ///< of each marker: by their roots the overlap of two becomes an entry
   Points<Dim> own_;                    ///< what each marker has beside it
   Box<Dim> box_{};                     ///< of all faces within the deltas of this rank's markers

@@ -13,6 +13,11 @@ template <int Dim>
 class FaceStencils {
  public:
   explicit FaceStencils(const AxisDelta& delta) : delta_(delta), are_narrow_(delta.width() <= 2) {}
+  /// Those of markers in these places, folded into the box.
+  FaceStencils(const AxisDelta& delta, const Grid<Dim>& grid, const Points<Dim>& positions) : FaceStencils(delta) {
+    resize(positions.size());
+    for (std::size_t m = 0; m < positions.size(); ++m) set(m, grid, grid.folded(positions[m]));
+  }
 
   void resize(std::size_t markers) {
     if (are_narrow_)

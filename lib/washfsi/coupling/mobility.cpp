@@ -9,17 +9,17 @@
 
 namespace washfsi {
 
+// Calls use(spread, interpolate), which are the same if both deltas are.
 template <int Dim>
-std::vector<typename MobilityMatrix<Dim>::Stencils> MobilityMatrix<Dim>::stencils_at(
-    const Points<Dim>& positions) const {
-  const AxisDelta spread(delta_.kernel, delta_.spread_width), interpolate(delta_.kernel, delta_.interpolate_width);
-  std::vector<Stencils> stencils;
-  stencils.reserve(positions.size());
-  for (const auto& position : positions) {
-    const FaceStencil<Dim> stencil(grid_, spread, position);
-    stencils.push_back({stencil, is_symmetric() ? stencil : FaceStencil<Dim>(grid_, interpolate, position)});
+template <class Use>
+void MobilityMatrix<Dim>::with_stencils(const Points<Dim>& positions, const Use& use) const {
+  const FaceStencils<Dim> spread({delta_.kernel, delta_.spread_width}, grid_, positions);
+  if (is_symmetric()) {
+    spread.visit([&](const auto& of_both) { use(of_both, of_both); });
+    return;
   }
-  return stencils;
+  const FaceStencils<Dim> interpolate({delta_.kernel, delta_.interpolate_width}, grid_, positions);
+  spread.visit([&](const auto& s) { interpolate.visit([&](const auto& i) { use(s, i); }); });
 }
 
 // The overlaps of this rank's markers with others, in ascending order, so that sums do not depend on how they are
@@ -35,17 +35,18 @@ std::vector<std::vector<typename MobilityMatrix<Dim>::Entry>> MobilityMatrix<Dim
   for (std::size_t marker = 0; marker < positions.size(); ++marker) places.push_back(round(marker, Point<Dim>::Zero()));
   for (std::size_t marker = first; marker < first + count; ++marker) reached.push_back(round(marker, reach));
   const NearSearch<Dim> search(std::move(places), reach, hull(reached), periods_of<Dim>(grid_));
-  const std::vector<Stencils> stencils = stencils_at(positions);
   std::vector<std::vector<Entry>> rows(count);
-  for (std::size_t marker = first; marker < first + count; ++marker)
-    search.visit_near(reached[marker - first], [&](std::size_t other) {
-      const bool mirrored = is_symmetric() && other >= first && other < first + count && other != marker;
-      if (mirrored && other < marker) return;
-      const Point<Dim> value = overlap(grid_, stencils[marker].interpolate, stencils[other].spread);
-      if (value == Point<Dim>::Zero()) return;
-      rows[marker - first].push_back({other, value});
-      if (mirrored) rows[other - first].push_back({marker, value});
-    });
+  with_stencils(positions, [&](const auto& spread, const auto& interpolate) {
+    for (std::size_t marker = first; marker < first + count; ++marker)
+      search.visit_near(reached[marker - first], [&](std::size_t other) {
+        const bool mirrored = is_symmetric() && other >= first && other < first + count && other != marker;
+        if (mirrored && other < marker) return;
+        const Point<Dim> value = overlap(grid_, interpolate[marker], spread[other]);
+        if (value == Point<Dim>::Zero()) return;
+        rows[marker - first].push_back({other, value});
+        if (mirrored) rows[other - first].push_back({marker, value});
+      });
+  });
   for (auto& row : rows)
     std::sort(row.begin(), row.end(), [](const Entry& a, const Entry& b) { return a.other < b.other; });
   return rows;

@@ -27,16 +27,14 @@ class MobilityMatrix {
   Eigen::MatrixXd block(const std::vector<std::size_t>& markers) const;
 
  private:
-  struct Stencils {
-    FaceStencil<Dim> spread, interpolate;
-  };
   struct Entry {
     std::size_t other;
     Point<Dim> value;
   };
   bool is_symmetric() const { return delta_.spread_width == delta_.interpolate_width; }
   std::vector<std::vector<Entry>> overlaps(const Points<Dim>& positions, std::size_t first, std::size_t count) const;
-  std::vector<Stencils> stencils_at(const Points<Dim>& positions) const;
+  template <class Use>
+  void with_stencils(const Points<Dim>& positions, const Use& use) const;
   /// A sparse matrix between this rank's markers and some others; by coordinate, as none is between two of them.
   struct Rows {
     std::vector<std::size_t> starts{0};  ///< of the markers' entries, and their end

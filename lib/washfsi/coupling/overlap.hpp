@@ -11,8 +11,8 @@
 namespace washfsi {
 
 /// Sum of the products of two markers' weights along one axis, with all periodic images.
-template <int Dim>
-double axis_overlap(const Grid<Dim>& grid, int axis, const AxisStencil& a, const AxisStencil& b) {
+template <int Dim, class A, class B>
+double axis_overlap(const Grid<Dim>& grid, int axis, const A& a, const B& b) {
   const auto with_shift = [&](PetscInt shift) {
     double sum = 0;
     for (PetscInt i = std::max<PetscInt>(0, shift); i < std::min<PetscInt>(a.count, b.count + shift); ++i)
@@ -28,12 +28,12 @@ double axis_overlap(const Grid<Dim>& grid, int axis, const AxisStencil& a, const
 }
 
 /// J S of one marker on another, for each component, per cell volume.
-template <int Dim>
-Point<Dim> overlap(const Grid<Dim>& grid, const FaceStencil<Dim>& moved, const FaceStencil<Dim>& pushed) {
+template <int Dim, class A, class B>
+Point<Dim> overlap(const Grid<Dim>& grid, const FaceStencil<Dim, A>& moved, const FaceStencil<Dim, B>& pushed) {
   Point<Dim> result = Point<Dim>::Ones();
   for (int d = 0; d < Dim; ++d) {
     const auto along = [&](int component) {
-      return axis_overlap(grid, d, moved.along(d, component), pushed.along(d, component));
+      return axis_overlap<Dim>(grid, d, moved.along(d, component), pushed.along(d, component));
     };
     const double normal = along(d), between = along((d + 1) % Dim);
     for (int c = 0; c < Dim; ++c) result[c] *= c == d ? normal : between;
