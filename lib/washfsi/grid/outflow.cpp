@@ -19,10 +19,8 @@ bool empty(const Box<Dim>& box) {
 
 template <int Dim>
 OutflowLayer<Dim>::OutflowLayer(const Grid<Dim>& grid, int axis, End end)
-    : grid_(grid), axis_(axis), end_(end), owned_(all_cells()), kept_(owned_) {
+    : grid_(grid), axis_(axis), end_(end), owned_(all_cells().common(grid.owned())), kept_(all_cells()) {
   for (int d = 0; d < Dim; ++d) {
-    owned_.lower[d] = std::max(owned_.lower[d], grid.owned().lower[d]);
-    owned_.upper[d] = std::min(owned_.upper[d], grid.owned().upper[d]);
     const bool wraps = grid.periodic(d);
     kept_.lower[d] = wraps ? grid.local().lower[d] : std::max(kept_.lower[d], grid.local().lower[d]);
     kept_.upper[d] = wraps ? grid.local().upper[d] : std::min(kept_.upper[d], grid.local().upper[d]);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 
 #include "washfsi/support/collective.hpp"
 #include "washfsi/support/errors.hpp"
@@ -139,14 +138,7 @@ void FrameFolder::describe_all(const std::function<std::string(const Frame&)>& d
     text += "<Grid Name=\"" + name_ + "\" GridType=\"" + type + "\">\n<Time Value=\"" + to_text(frame.time) + "\"/>\n" +
             describe(frame) + "</Grid>\n";
   text += "</Grid>\n</Domain>\n</Xdmf>\n";
-  on_first_rank<FileError>(comm_, [&] {
-    const std::string temporary = path(".xdmf.part");
-    std::ofstream file(temporary);
-    file << text;
-    file.close();
-    if (!file) throw FileError(path(".xdmf") + ": cannot be written (is the disk full?)");
-    std::filesystem::rename(temporary, path(".xdmf"));
-  });
+  write_text_file(comm_, path(".xdmf"), text, Reach::system);
 }
 
 std::string FrameFolder::item(const std::string& place, const std::vector<hsize_t>& shape,

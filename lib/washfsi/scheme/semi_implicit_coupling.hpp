@@ -69,8 +69,7 @@ class SemiImplicitCoupling : public CouplingScheme<Dim> {
 
   CouplingOptions options_;
   StepWeights weights_;
-  petsc::Vector
-      known_water_;  ///< what the step's start and those before have in the mean velocity; null in first order
+  petsc::Vector known_water_;  ///< what is known of the mean velocity before the step; null in first order
   ClothSolver<Dim> solver_;
   ForceEquation<Dim> force_equation_;
   StepMobility<Dim> mobility_;  ///< M, D of the step under way

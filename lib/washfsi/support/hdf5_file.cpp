@@ -280,14 +280,16 @@ void remove_parts(const std::string& folder) {
       std::filesystem::remove(entry.path(), ignored);  // the latter Open MPI's, of the former
 }
 
-void write_text_file(MPI_Comm comm, const std::string& path, const std::string& text) {
+void write_text_file(MPI_Comm comm, const std::string& path, const std::string& text, Reach reach) {
   bool written = true;
   if (rank_of(comm) == 0) {
     const std::string temporary = path + ".part";
     std::ofstream file(temporary);
     file << text;
     file.close();
-    written = file && commit_file(temporary, path);
+    std::error_code error;
+    if (file && reach == Reach::system) std::filesystem::rename(temporary, path, error);
+    written = file && (reach == Reach::disk ? commit_file(temporary, path) : !error);
   }
   if (any_rank(comm, !written)) throw FileError(path + ": cannot be written");
 }

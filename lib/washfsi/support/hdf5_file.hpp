@@ -73,7 +73,10 @@ bool commit_file(const std::string& temporary, const std::string& path, const st
 /// Removes what killed runs left half written in a folder. On rank 0.
 void remove_parts(const std::string& folder);
 
+/// How far a file has come when it is written: to the disk, or to the operating system, where it outlives the process.
+enum class Reach { disk, system };
+
 /// Writes a text file on rank 0, completely or not at all. Collective. Errors: FileError on all ranks.
-void write_text_file(MPI_Comm comm, const std::string& path, const std::string& text);
+void write_text_file(MPI_Comm comm, const std::string& path, const std::string& text, Reach reach = Reach::disk);
 
 }  // namespace washfsi
