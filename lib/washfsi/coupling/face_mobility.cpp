@@ -233,28 +233,6 @@ Points<Dim> FaceMobility<Dim>::times(const Points<Dim>& values) const {
   return result;
 }
 
-template <int Dim>
-Eigen::MatrixXd FaceMobility<Dim>::block(const std::vector<std::size_t>& markers) const {
-  const auto size = static_cast<int>(Dim * markers.size());
-  Eigen::MatrixXd block = Eigen::MatrixXd::Zero(size, size);
-  const auto overlap_of = [&](std::size_t a, std::size_t b) {
-    Point<Dim> result;
-    stencils_.visit([&](const auto& stencils) { result = overlap(grid_, stencils[a], stencils[b]); });
-    return result;
-  };
-  for (std::size_t i = 0; i < markers.size(); ++i)
-    for (std::size_t j = 0; j <= i; ++j) {
-      const std::size_t a = markers[i], b = markers[j];
-      Point<Dim> entry = std::sqrt(scales_[a] * scales_[b]) * overlap_of(a, b);
-      if (a == b) entry += own_[a];
-      for (int c = 0; c < Dim; ++c) {
-        const auto row = static_cast<int>(Dim * i) + c, column = static_cast<int>(Dim * j) + c;
-        block(row, column) = block(column, row) = entry[c];
-      }
-    }
-  return block;
-}
-
 template class FaceMobility<2>;
 template class FaceMobility<3>;
 

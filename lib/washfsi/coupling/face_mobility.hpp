@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
-
 #include "washfsi/coupling/transfer.hpp"
 
 namespace washfsi {
@@ -25,8 +23,6 @@ class FaceMobility {
   void locate(const Points<Dim>& positions, const std::vector<double>& row_sums, double own_share);
   /// Collective.
   Points<Dim> times(const Points<Dim>& values) const;
-  /// The entries between the coordinates of some of this rank's markers, numbered as on this rank. No communication.
-  Eigen::MatrixXd block(const std::vector<std::size_t>& markers) const;
 
  private:
   /// The faces of one component, as `FaceStencil` visits them.

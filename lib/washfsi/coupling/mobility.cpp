@@ -142,23 +142,6 @@ void MobilityMatrix<Dim>::add_of_own(const Points<Dim>& forces, Points<Dim>& res
   }
 }
 
-template <int Dim>
-Eigen::MatrixXd MobilityMatrix<Dim>::block(const std::vector<std::size_t>& markers) const {
-  std::vector<int> numbers(own_.starts.size() - 1, -1);
-  for (std::size_t i = 0; i < markers.size(); ++i) numbers[markers[i]] = static_cast<int>(i);
-  const auto size = static_cast<int>(Dim * markers.size());
-  Eigen::MatrixXd block = Eigen::MatrixXd::Zero(size, size);
-  for (std::size_t i = 0; i < markers.size(); ++i)
-    for (std::size_t k = own_.starts[markers[i]]; k < own_.starts[markers[i] + 1]; ++k) {
-      const int row = static_cast<int>(Dim * i), column = Dim * numbers[static_cast<std::size_t>(own_.columns[k])];
-      for (int c = 0; column >= 0 && c < Dim; ++c) {
-        block(row + c, column + c) = own_.values[k][c];
-        if (is_symmetric()) block(column + c, row + c) = own_.values[k][c];
-      }
-    }
-  return block;
-}
-
 template class MobilityMatrix<2>;
 template class MobilityMatrix<3>;
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
-
 #include "washfsi/coupling/transfer.hpp"
 
 namespace washfsi {
@@ -23,8 +21,6 @@ class MobilityMatrix {
 
   /// Its product with forces on this rank's markers. Collective.
   Points<Dim> times(const Points<Dim>& forces) const;
-  /// What is between all coordinates of some of this rank's markers, numbered as on this rank. No communication.
-  Eigen::MatrixXd block(const std::vector<std::size_t>& markers) const;
 
  private:
   struct Entry {

@@ -22,8 +22,6 @@ struct ClothEquation {
   /// The Jacobian, where the matrix was assembled last, times a direction: if the matrix only preconditions; else that
   /// is found by differences of the residual.
   std::function<Points<Dim>(const Points<Dim>& direction)> product = {};
-  /// What the preconditioner adds, for what the assembled matrix leaves of a residual; where that was assembled last.
-  std::function<Points<Dim>(const Points<Dim>& rest)> correction = {};
   /// How fast the potential grows along a direction; if there is none, as the residual, its gradient, has it.
   std::function<double(const Points<Dim>& residual, const Points<Dim>& direction)> slope = {};
   /// The part of a way that can be gone without coming to what limits the motion, from 0 to 1; if there is none, all.

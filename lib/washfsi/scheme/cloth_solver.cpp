@@ -58,31 +58,6 @@ void ClothSolver<Dim>::create_matrix_free_jacobian() {
   }
 }
 
-// If the preconditioner has several parts: a new matrix does not reach them by itself. Shells are the correction.
-template <int Dim>
-void ClothSolver<Dim>::set_up_parts() {
-  KSP linear = nullptr;
-  PC all = nullptr;
-  WASH_PETSC(SNESGetKSP(solver_, &linear));
-  WASH_PETSC(KSPGetPC(linear, &all));
-  PetscBool is_composite = PETSC_FALSE, is_shell = PETSC_FALSE, is_filled = PETSC_FALSE;
-  WASH_PETSC(MatAssembled(matrix_, &is_filled));
-  WASH_PETSC(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(all), PCCOMPOSITE, &is_composite));
-  PetscInt count = 0;
-  if (is_composite) WASH_PETSC(PCCompositeGetNumberPC(all, &count));
-  for (PetscInt n = 0; n < count; ++n) {
-    PC part = nullptr;
-    WASH_PETSC(PCCompositeGetPC(all, n, &part));
-    WASH_PETSC(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(part), PCSHELL, &is_shell));
-    if (is_shell) {
-      WASH_PETSC(PCShellSetContext(part, this));
-      WASH_PETSC(PCShellSetApply(part, &ClothSolver::correct));
-    }
-    WASH_PETSC(PCSetOperators(part, matrix_, matrix_));
-    if (is_filled) WASH_PETSC(PCSetUp(part));  // reads its options
-  }
-}
-
 // At once, so that all options are read, and wrong ones found, before the first step.
 template <int Dim>
 void ClothSolver<Dim>::set_up_linear_solver(const Points<Dim>& positions) {
@@ -92,7 +67,6 @@ void ClothSolver<Dim>::set_up_linear_solver(const Points<Dim>& positions) {
   KSP linear = nullptr;
   WASH_PETSC(SNESGetKSP(solver_, &linear));
   WASH_PETSC(KSPSetOperators(linear, matrix_, matrix_));
-  set_up_parts();
   WASH_PETSC(KSPSetUp(linear));
   KSPNormType norm = KSP_NORM_DEFAULT;
   WASH_PETSC(KSPGetNormType(linear, &norm));
@@ -141,19 +115,6 @@ PetscErrorCode ClothSolver<Dim>::multiply(Mat jacobian, Vec x, Vec y) {
 }
 
 template <int Dim>
-PetscErrorCode ClothSolver<Dim>::correct(PC preconditioner, Vec x, Vec y) {
-  return petsc::guarded([&] {
-    void* context = nullptr;
-    WASH_PETSC(PCShellGetContext(preconditioner, &context));
-    const auto* equation = static_cast<const ClothSolver*>(context)->equation_;
-    if (equation && equation->correction)
-      to_vector<Dim>(equation->correction(to_points<Dim>(x)), y);
-    else
-      WASH_PETSC(VecZeroEntries(y));
-  });
-}
-
-template <int Dim>
 PetscErrorCode ClothSolver<Dim>::linearise(SNES, Vec x, Mat jacobian, Mat matrix, void* context) {
   auto& self = *static_cast<ClothSolver*>(context);
   return petsc::guarded([&] {
@@ -191,7 +152,6 @@ void ClothSolver<Dim>::start(const ClothEquation<Dim>& equation, double toleranc
   forget_last_solve();
   if (any_rank(forces_.comm(), pattern_ != forces_.pattern())) {
     lay_out_matrix();
-    set_up_parts();
     if (plan_.searches_descent) search_.attach(solver_, matrix_);
     WASH_PETSC(SNESSetJacobian(solver_, matrix_free_ ? matrix_free_ : matrix_, matrix_, &ClothSolver::linearise, this));
   }

@@ -30,11 +30,9 @@ class ClothSolver {
   static PetscErrorCode test_convergence(SNES solver, PetscInt iteration, PetscReal unknown, PetscReal step,
                                          PetscReal residual, SNESConvergedReason* reason, void* self);
   static PetscErrorCode multiply(Mat jacobian, Vec x, Vec y);
-  static PetscErrorCode correct(PC preconditioner, Vec x, Vec y);
   static PetscErrorCode linearise(SNES solver, Vec x, Mat jacobian, Mat preconditioner, void* self);
   void lay_out_matrix();
   void create_matrix_free_jacobian();
-  void set_up_parts();
   void set_up_linear_solver(const Points<Dim>& positions);
   void start(const ClothEquation<Dim>& equation, double tolerance);
   void forget_last_solve();

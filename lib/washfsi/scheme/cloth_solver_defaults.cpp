@@ -9,13 +9,7 @@ namespace {
 // ranks. Sheets would fill its factors; as a preconditioner an incomplete one is as good.
 void set_preconditioner(const ClothSolverDefaults& defaults, bool only_preconditions, int dim) {
   if (petsc::option_given("cloth_", "-pc_type")) return;
-  if (only_preconditions && defaults.corrected && dim == 3) {
-    petsc::set_default_option("-cloth_pc_type", "composite");
-    petsc::set_default_option("-cloth_pc_composite_type", "multiplicative");
-    petsc::set_default_option("-cloth_pc_composite_pcs", "bjacobi,shell");
-    petsc::set_default_option("-cloth_pc_use_amat", "true");
-    petsc::set_default_option("-cloth_sub_0_sub_pc_type", "ilu");
-  } else if (only_preconditions && dim == 3) {
+  if (only_preconditions && dim == 3) {
     petsc::set_default_option("-cloth_pc_type", "bjacobi");
     petsc::set_default_option("-cloth_sub_pc_type", "ilu");
   } else {
@@ -30,7 +24,7 @@ void set_krylov_method(const ClothSolverDefaults& defaults, bool only_preconditi
   petsc::set_default_option("-cloth_ksp_type", only_preconditions ? "gmres" : "preonly");
   if (!only_preconditions) return;
   if (uses_product && !chosen) petsc::set_default_option("-cloth_ksp_pc_side", "right");
-  petsc::set_default_option("-cloth_ksp_rtol", defaults.approximate && !defaults.corrected ? "1e-3" : "1e-2");
+  petsc::set_default_option("-cloth_ksp_rtol", defaults.approximate ? "1e-3" : "1e-2");
   petsc::set_default_option("-cloth_ksp_gmres_restart", "200");  // stiff short waves that water hardly moves
 }
 

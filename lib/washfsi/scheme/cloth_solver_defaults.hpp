@@ -10,7 +10,6 @@ struct ClothSolverDefaults {
   SNESType type;   ///< newtonls: the matrix is the Jacobian; qn: it is where the quasi-Newton matrix starts from
   bool symmetric;  ///< whether the matrix is symmetric positive definite: Cholesky instead of LU
   bool approximate = false;  ///< newtonls: the matrix only preconditions the Jacobian, the equation's `product`
-  bool corrected = false;    ///< approximate: the equation has a `correction` of its preconditioner
 };
 
 /// How the equations are solved, with what the user has chosen.

@@ -46,12 +46,6 @@ std::vector<double> ForceEquation<Dim>::diagonal(const Step& step) const {
 }
 
 template <int Dim>
-void ForceEquation<Dim>::factorise(const Step& step, const Points<Dim>& places) {
-  const auto block = [&](const std::vector<std::size_t>& markers) { return step.mobility.block(markers); };
-  blocks_.factorise(places, stiffness_, block, step.dt * step.dt);
-}
-
-template <int Dim>
 Points<Dim> ForceEquation<Dim>::residual(const Step& step, double share, const Points<Dim>& all) const {
   return all - velocities(step, share, step.all.of_places(step.start + step.dt * all) - step.forces);
 }
@@ -61,16 +55,12 @@ ClothEquation<Dim> ForceEquation<Dim>::of_velocities(const Step& step, double sh
   ClothEquation<Dim> equation;
   equation.residual = [=, this](const Points<Dim>& all) { return residual(step, share, all); };
   equation.assemble = [=, this](const Points<Dim>& all, GeometricStiffness geometric, Mat matrix) {
-    const Points<Dim> places = step.start + step.dt * all;
-    set_stiffness(step, places, geometric, matrix);
+    set_stiffness(step, step.start + step.dt * all, geometric, matrix);
     scale_and_shift<Dim>(diagonal(step), std::vector<double>(all.size(), 1.0), matrix);
-    if (blocks_are_old_ && step.is_packed) factorise(step, places);
-    blocks_are_old_ = false;
   };
   equation.product = [=, this](const Points<Dim>& direction) {
     return direction + step.dt * step.dt * step.mobility.times(product_(stiffness_, direction));
   };
-  if (step.is_packed) equation.correction = [this](const Points<Dim>& rest) { return blocks_.solve(rest); };
   equation.free_part = [=](const Points<Dim>& from, const Points<Dim>& way) {
     return step.all.free_part(step.start + step.dt * from, step.dt * way);
   };
@@ -111,7 +101,6 @@ ClothEquation<Dim> ForceEquation<Dim>::of_forces(const Step& step, double share)
 template <int Dim>
 void ForceEquation<Dim>::solve_at(const Step& step, double share, Points<Dim>& all, double& iterations) {
   const Points<Dim> guess = all;
-  blocks_are_old_ = blocks_are_old_ || step.is_first;
   try {
     iterations += static_cast<double>(solver_.solve(of_velocities(step, share), step.tolerance, all));
   } catch (const DivergedError&) {
@@ -173,17 +162,6 @@ Points<Dim> ForceEquation<Dim>::solved_by_shares(const Step& step, double& itera
 }
 
 template <int Dim>
-bool is_packed(const Model<Dim>& model) {
-  constexpr double many = 3;
-  double cells_per_marker = 1 / static_cast<double>(std::max<PetscInt>(model.cloths.marker_count(), 1)), reached = 1;
-  for (int d = 0; d < Dim; ++d) {
-    cells_per_marker *= static_cast<double>(model.grid.cells()[d]);
-    reached *= 2 * model.transfer.delta().spread_width;
-  }
-  return Dim == 3 && model.forces.limit_motion() && reached > many * cells_per_marker;
-}
-
-template <int Dim>
 void check_symmetry(const Model<Dim>& model) {
   const DeltaOptions& delta = model.transfer.delta();
   if (model.forces.limit_motion() && delta.spread_width != delta.interpolate_width)
@@ -194,8 +172,6 @@ void check_symmetry(const Model<Dim>& model) {
 
 template void check_symmetry<2>(const Model<2>&);
 template void check_symmetry<3>(const Model<3>&);
-template bool is_packed<2>(const Model<2>&);
-template bool is_packed<3>(const Model<3>&);
 template class ForceEquation<2>;
 template class ForceEquation<3>;
 

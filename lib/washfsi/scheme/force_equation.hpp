@@ -3,7 +3,6 @@
 
 #include "washfsi/cloth/forces.hpp"
 #include "washfsi/scheme/cloth_solver.hpp"
-#include "washfsi/scheme/marker_blocks.hpp"
 #include "washfsi/scheme/step_mobility.hpp"
 
 namespace washfsi {
@@ -12,8 +11,7 @@ namespace washfsi {
 /// positive, and the water's velocity U before the forces change by y:
 ///   V = U + N y,     y = F(X + dt V) - F,     N = dt M
 /// Newton's steps,  (1 + dt N K) dV = -(V - U - N y(V)),  by GMRES with the preconditioner 1 + dt^2 D K, D the row sums
-/// of M, and for what that leaves the exact solution of groups of near markers (scheme/marker_blocks.hpp). They are
-/// shortened to what is free, and further until what is left of the equation, preconditioned, falls.
+/// of M. They are shortened to what is free, and further until what is left of the equation, preconditioned, falls.
 /// Where that fails, the equations are solved for y, since for V they have no potential without M^-1:
 ///   phi(y) = 1/2 y.N y + E(X + dt V)/dt + F.V     has the gradient  N (y - F(X + dt V) + F)
 /// and falls along Newton's steps,  (1 + dt K N) dy = -(y - ...).
@@ -30,8 +28,6 @@ class ForceEquation {
     const Points<Dim>& water_velocities;  ///< U [m/s]
     const Points<Dim>& forces;            ///< F, which the water has already [N]
     const StepMobility<Dim>& mobility;    ///< M, D [1/kg]
-    bool is_packed;                       ///< whether the preconditioner is corrected
-    bool is_first;                        ///< whether the correction is made anew: others of the step may use it
     double tolerance;                     ///< of the velocities' 2-norm [m/s]
   };
   /// V, from the best of the guesses. Adds the evaluations to `iterations`. Collective. Errors: DivergedError.
@@ -50,21 +46,13 @@ class ForceEquation {
   ClothEquation<Dim> of_forces(const Step& step, double share);
   double potential(const Step& step, double share, const Points<Dim>& change) const;
   void set_stiffness(const Step& step, const Points<Dim>& places, GeometricStiffness geometric, Mat matrix);
-  void factorise(const Step& step, const Points<Dim>& places);
   std::vector<double> diagonal(const Step& step) const;
 
   ClothSolver<Dim>& solver_;
   petsc::Matrix stiffness_;  ///< K where it was assembled last
   MatrixProduct<Dim> product_;
   std::vector<long> pattern_;  ///< of it
-  MarkerBlocks<Dim> blocks_;   ///< where the first solution was begun
-  bool blocks_are_old_ = true;
 };
-
-/// Whether so many markers move one water that their equations need a correction of the preconditioner: if they were
-/// evenly spread over the box, each would be within reach of as many others.
-template <int Dim>
-bool is_packed(const Model<Dim>& model);
 
 /// Stops unless the mobility's matrix is symmetric, where it has to be. Errors: InputError.
 template <int Dim>

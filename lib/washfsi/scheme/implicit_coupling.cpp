@@ -17,9 +17,8 @@ template <int Dim>
 ImplicitCoupling<Dim>::ImplicitCoupling(System<Dim>& system, const CouplingOptions& options)
     : options_(options),
       solver_(system.model.forces, system.state.positions,
-              system.model.forces.limit_motion()
-                  ? ClothSolverDefaults{SNESNEWTONLS, false, true, is_packed(system.model)}
-                  : ClothSolverDefaults{SNESQN, false}),
+              system.model.forces.limit_motion() ? ClothSolverDefaults{SNESNEWTONLS, false, true}
+                                                 : ClothSolverDefaults{SNESQN, false}),
       force_equation_(solver_),
       seepage_(system.model),
       mobility_(system.model) {
@@ -106,9 +105,8 @@ Points<Dim> ImplicitCoupling<Dim>::solve_by_sweeps(System<Dim>& system, double d
     mobility_.find(model, step.pushed_at, weight() * options_.mobility_factor, true);
     seepage_.add_to(mobility_, weight() / dt);
     const Points<Dim> forces = model.forces.of_places(step.pushed_at);
-    velocities = force_equation_.solve(
-        {model.forces, dt, state.positions, reached, forces, mobility_, is_packed(model), true, 0.1 * enough},
-        {velocities, reached}, step.cloth_iterations);
+    velocities = force_equation_.solve({model.forces, dt, state.positions, reached, forces, mobility_, 0.1 * enough},
+                                       {velocities, reached}, step.cloth_iterations);
   }
   throw DivergedError("cloth: its equations could not be solved in " + std::to_string(most_sweeps) +
                       " sweeps; a shorter step, or -coupling_mobility_factor above 1, may help");

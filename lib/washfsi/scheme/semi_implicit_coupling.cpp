@@ -17,6 +17,21 @@ namespace washfsi {
 
 namespace {
 
+constexpr double least_share = 0.75;  // of the mobility that any step is stable with
+
+// Whether so many markers move one water that most of their sweeps wait for what it resists in between: if they were
+// evenly spread over the box, each would be within reach of as many others.
+template <int Dim>
+bool is_packed(const Model<Dim>& model) {
+  constexpr double many = 3;
+  double cells_per_marker = 1 / static_cast<double>(std::max<PetscInt>(model.cloths.marker_count(), 1)), reached = 1;
+  for (int d = 0; d < Dim; ++d) {
+    cells_per_marker *= static_cast<double>(model.grid.cells()[d]);
+    reached *= 2 * model.transfer.delta().spread_width;
+  }
+  return Dim == 3 && model.forces.limit_motion() && reached > many * cells_per_marker;
+}
+
 // -m A of the last step, by the velocities at its ends.
 template <int Dim>
 Points<Dim> last_inertia(const System<Dim>& system) {
@@ -36,8 +51,7 @@ template <int Dim>
 SemiImplicitCoupling<Dim>::SemiImplicitCoupling(System<Dim>& system, const CouplingOptions& options)
     : options_(options),
       solver_(system.model.forces, system.state.positions,
-              {SNESNEWTONLS, options.mobility == Mobility::row_sums, options.mobility == Mobility::matrix,
-               is_packed(system.model)}),
+              {SNESNEWTONLS, options.mobility == Mobility::row_sums, options.mobility == Mobility::matrix}),
       force_equation_(solver_),
       mobility_(system.model),
       seepage_(system.model) {
@@ -99,12 +113,10 @@ template <int Dim>
 Points<Dim> SemiImplicitCoupling<Dim>::move_by_forces(System<Dim>& system, double dt,
                                                       const Points<Dim>& free_velocities, const Points<Dim>& forces,
                                                       double tolerance) {
-  const bool is_first = !change_.empty();
-  const typename ForceEquation<Dim>::Step step{system.model.forces,     dt,       system.state.positions,
-                                               free_velocities,         forces,   mobility_,
-                                               is_packed(system.model), is_first, tolerance};
+  const typename ForceEquation<Dim>::Step step{
+      system.model.forces, dt, system.state.positions, free_velocities, forces, mobility_, tolerance};
   std::vector<Points<Dim>> guesses{velocities_, free_velocities};
-  if (is_first) guesses.push_back(force_equation_.velocities(step, 1, change_));
+  if (!change_.empty()) guesses.push_back(force_equation_.velocities(step, 1, change_));
   change_.clear();
   return force_equation_.solve(step, guesses, system.step.cloth_iterations);
 }
@@ -207,6 +219,7 @@ void SemiImplicitCoupling<Dim>::sweep(System<Dim>& system, double dt, Points<Dim
     interpolated = reached_velocities(system, dt);
     step.cloth_slip = slip(model.grid.comm(), interpolated);
     if (step.cloth_slip <= options_.slip_tolerance) break;
+    if (is_packed(model)) mobility_.set_share(least_share);
   }
 }
 

@@ -19,7 +19,7 @@
 //                  the motion, see scheme/force_equation.hpp
 //   6. correction  f' = a H S [F(X^n + dt W) - F]: u += dt f'/rho, projected;  F = F(X^n + dt W)
 //   7. slip        |W - U| / |W| with the new u; above a tolerance 5 and 6 again with that U, a few times at most; of
-//                  packed loads with M as the change of U has shown it
+//                  packed loads with 3/4 of M, since what is left is mostly what the pressure resists
 //   8. markers     X^(n+1) = X^n + dt W;  V^(n+1) = W, or, order 2, extrapolated to the end
 // Backward Euler damps as a Kelvin-Voigt time between dt and 2 dt does; -..._damping is not used. Order 2 leaves smooth
 // motions and damps stiff ones by three a step: the modified Crank-Nicolson/Adams-Bashforth weights of Ascher, Ruuth

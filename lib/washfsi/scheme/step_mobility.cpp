@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "washfsi/coupling/own_rows.hpp"
 #include "washfsi/support/collective.hpp"
 
 namespace washfsi {
@@ -21,6 +20,7 @@ void StepMobility<Dim>::find(const Model<Dim>& model, const Points<Dim>& places,
   most = largest(model.grid.comm(), most);
   for (double& sum : row_sums_) sum = factor * std::max(sum, floor * most);
   parts_.clear();
+  share_ = 1;
   if (!with_matrix) return;
   const double share = model.forces.limit_motion() ? own_share : 0;
   const Points<Dim> all = model.cloths.of_all_ranks(places);
@@ -34,15 +34,9 @@ void StepMobility<Dim>::find(const Model<Dim>& model, const Points<Dim>& places,
 template <int Dim>
 Points<Dim> StepMobility<Dim>::times(const Points<Dim>& forces) const {
   Points<Dim> result = by_faces_ ? faces_.times(forces) : matrix_.times(forces);
+  if (share_ != 1) result = share_ * result;
   for (const Mat part : parts_) result += product_(part, forces);
   return result;
-}
-
-template <int Dim>
-Eigen::MatrixXd StepMobility<Dim>::block(const std::vector<std::size_t>& markers) const {
-  Eigen::MatrixXd block = by_faces_ ? faces_.block(markers) : matrix_.block(markers);
-  for (const Mat part : parts_) block += own_block<Dim>(part, markers);
-  return block;
 }
 
 template class StepMobility<2>;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
-
 #include "washfsi/coupling/face_mobility.hpp"
 #include "washfsi/coupling/marker_vectors.hpp"
 #include "washfsi/coupling/mobility.hpp"
@@ -23,17 +21,18 @@ class StepMobility {
   void find(const Model<Dim>& model, const Points<Dim>& places, double factor, bool with_matrix);
   /// Adds a symmetric matrix to M. No communication.
   void add(petsc::Matrix part) { parts_.push_back(std::move(part)); }
+  /// M, but for the matrices that were added, is this share of what was found; its row sums stay.
+  void set_share(double share) { share_ = share; }
 
   const std::vector<double>& row_sums() const { return row_sums_; }
   /// M f. Collective.
   Points<Dim> times(const Points<Dim>& forces) const;
-  /// M between some of this rank's markers, numbered as on this rank. No communication.
-  Eigen::MatrixXd block(const std::vector<std::size_t>& markers) const;
 
  private:
   MobilityMatrix<Dim> matrix_;
   FaceMobility<Dim> faces_;
   bool by_faces_ = false;
+  double share_ = 1;
   std::vector<petsc::Matrix> parts_;
   MatrixProduct<Dim> product_;
   std::vector<double> row_sums_;  ///< of each of this rank's markers
