@@ -26,8 +26,7 @@ CYCLES = 50 if FULL else 0.5
 STRIDE = 1000 if FULL else 100  # steps, at most between kills
 PERIOD = np.pi / 2  # of the agitator [s]
 CASE = ["-options_file", SOURCE / "inputs" / "wash.opts", "-grid_cells", "12,12,12", "-towel_count", 4, "-time_step", 4e-3,
-        "-time_end", CYCLES * PERIOD, "-output_interval", PERIOD / 2, "-checkpoint_interval", PERIOD / 8,
-        "-body_slip_tolerance", 5e-3]  # the water beyond the drum is thinner than a cell
+        "-time_end", CYCLES * PERIOD, "-output_interval", PERIOD / 2, "-checkpoint_interval", PERIOD / 8]
 KILLED = -signal.SIGKILL
 
 

@@ -24,9 +24,10 @@ class WallForces {
 
   /// force += the density [N/m3] of the forces of the step before. Collective.
   virtual void add_held(Vec force) = 0;
-  /// Removes most of the slip of a velocity on faces, as if there were no pressure. Collective.
-  virtual void push(Vec velocity) = 0;
-  /// The same, times `relaxation`, of the walls at which the slip is above its tolerance; false if it is at none.
+  /// Removes most of the slip of a velocity on faces, as if there were no pressure; that times `relaxation`.
+  /// Collective.
+  virtual void push(Vec velocity, double relaxation) = 0;
+  /// The same of the walls at which the slip is above its tolerance; false if it is at none.
   /// Collective.
   virtual bool push_unheld(Vec velocity, double relaxation) = 0;
   /// Adds to a velocity what, once projected, leaves a slip within its tolerance; false if there is nothing to add.

@@ -71,7 +71,7 @@ void SurfaceForcing<Dim>::create_solver() {
   WASH_PETSC(KSPCreate(grid_.comm(), solver_.put()));
   WASH_PETSC(KSPSetOptionsPrefix(solver_, "walls_"));
   WASH_PETSC(KSPSetOperators(solver_, matrix_, matrix_));
-  WASH_PETSC(KSPSetType(solver_, KSPCG));
+  WASH_PETSC(KSPSetType(solver_, KSPGCR));
   WASH_PETSC(KSPSetNormType(solver_, KSP_NORM_UNPRECONDITIONED));
   WASH_PETSC(KSPSetConvergenceTest(solver_, &SurfaceForcing::judge, this, nullptr));
   PC pc = nullptr;
@@ -318,8 +318,8 @@ void SurfaceForcing<Dim>::add_forces(const Points<Dim>& more, Vec velocity) {
 }
 
 template <int Dim>
-void SurfaceForcing<Dim>::push(Vec velocity) {
-  add_forces(approximate_forces(of_all_ranks(slips(velocity)), none_of_bodies()), velocity);
+void SurfaceForcing<Dim>::push(Vec velocity, double relaxation) {
+  add_forces(relaxation * approximate_forces(of_all_ranks(slips(velocity)), none_of_bodies()), velocity);
 }
 
 template <int Dim>

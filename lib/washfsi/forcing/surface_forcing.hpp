@@ -3,8 +3,9 @@
 // Direct forcing by markers on the bodies' surfaces: forces F that act through the delta hold the water at the markers
 // at the bodies' velocity U, and are solved for together with the pressure,
 //   J u = U,   div u = 0,   u = P [u* + dt S F / rho],
-// P the projection. S and J are adjoint, so that J P S is symmetric: conjugate gradients, PETSc prefix walls_,
-// preconditioned by the inverse overlap of the deltas. What is held is the mean slip over the reach of a delta; what
+// P the projection. S and J are adjoint, so that J P S is symmetric: conjugate residuals, PETSc prefix walls_,
+// preconditioned by the inverse overlap of the deltas, since the slip is to be least; conjugate gradients would go far
+// along what the water hardly answers. What is held is the mean slip over the reach of a delta; what
 // changes from patch to patch no force of theirs can move, and it goes to no purpose. Uhlmann, J. Comput. Phys. 209
 // (2005) 448; Taira and Colonius, J. Comput. Phys. 225 (2007) 2118. A step begins with the forces of the step before,
 // which turn with their body.
@@ -44,7 +45,7 @@ class SurfaceForcing : public WallForces {
   Vec limits_advection() const { return limits_advection_ ? static_cast<Vec>(nearness_) : nullptr; }
   void begin_trial(const TimeStep& step, Vec density) override;
   void add_held(Vec force) override;
-  void push(Vec velocity) override;
+  void push(Vec velocity, double relaxation) override;
   bool push_unheld(Vec velocity, double relaxation) override;
   bool hold(const Project& project, Vec velocity) override;
   void accept() override;
