@@ -19,12 +19,12 @@ void set_preconditioner(const ClothSolverDefaults& defaults, bool only_precondit
 }
 
 // With the preconditioner on the right the linear solver sees the residual itself, and can aim at it.
-void set_krylov_method(bool only_preconditions, bool uses_product) {
+void set_krylov_method(const ClothSolverDefaults& defaults, bool only_preconditions, bool uses_product) {
   const bool chosen = petsc::option_given("cloth_", "-ksp_type");
   petsc::set_default_option("-cloth_ksp_type", only_preconditions ? "gmres" : "preonly");
   if (!only_preconditions) return;
   if (uses_product && !chosen) petsc::set_default_option("-cloth_ksp_pc_side", "right");
-  petsc::set_default_option("-cloth_ksp_rtol", "1e-2");
+  petsc::set_default_option("-cloth_ksp_rtol", defaults.approximate ? "1e-3" : "1e-2");
   petsc::set_default_option("-cloth_ksp_gmres_restart", "200");  // stiff short waves that water hardly moves
 }
 
@@ -49,7 +49,7 @@ ClothSolverPlan set_cloth_solver_defaults(SNES solver, const ClothSolverDefaults
   if (!plan.solves_linearly) return plan;
   const bool only_preconditions = plan.newton && (defaults.approximate || type == SNESQN);
   set_preconditioner(defaults, only_preconditions, dim);
-  set_krylov_method(only_preconditions, plan.uses_product);
+  set_krylov_method(defaults, only_preconditions, plan.uses_product);
   plan.applies_matrix_free = petsc::option_value("cloth_", "-ksp_type", "") != KSPPREONLY;
   return plan;
 }

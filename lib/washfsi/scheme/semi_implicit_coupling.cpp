@@ -19,8 +19,8 @@ namespace {
 
 constexpr double least_share = 0.75;  // of the mobility that any step is stable with
 
-// Whether so many markers move one water that most of their sweeps wait for what it resists in between: if they were
-// evenly spread over the box, each would be within reach of as many others.
+// Whether so many markers move one water that the pressure resists much of what their mobility without it lets them do:
+// if they were evenly spread over the box, each would be within reach of as many others.
 template <int Dim>
 bool is_packed(const Model<Dim>& model) {
   constexpr double many = 3;
@@ -219,7 +219,7 @@ void SemiImplicitCoupling<Dim>::sweep(System<Dim>& system, double dt, Points<Dim
     interpolated = reached_velocities(system, dt);
     step.cloth_slip = slip(model.grid.comm(), interpolated);
     if (step.cloth_slip <= options_.slip_tolerance) break;
-    if (is_packed(model)) mobility_.set_share(least_share);
+    if (is_packed(model) && options_.mobility_factor >= 1) mobility_.set_share(least_share);
   }
 }
 
