@@ -196,8 +196,8 @@ void FractionalStep<Dim>::project() {
 }
 
 template <int Dim>
-void FractionalStep<Dim>::push_walls() {
-  if (fields_.walls) fields_.walls->push(intermediate_, 1);
+void FractionalStep<Dim>::push_walls(double relaxation) {
+  if (fields_.walls) fields_.walls->push(intermediate_, relaxation);
 }
 
 template <int Dim>
@@ -296,7 +296,7 @@ void FractionalStep<Dim>::add_force(Vec force) {
       if (fluid_fraction) held(face, c) -= (1 - H) * f(face, c);
     });
   }
-  if (fields_.walls) fields_.walls->push(intermediate_, first_relaxation);
+  push_walls(first_relaxation);
   if (projects_) project_again();
 }
 

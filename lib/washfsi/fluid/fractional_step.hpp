@@ -69,7 +69,7 @@ class FractionalStep {
   /// What falls on solids is kept by them. Collective.
   void add_force(Vec force);
   /// Before a last projection: takes most of the slip away from walls that hold the water by forces. Collective.
-  void push_walls();
+  void push_walls(double relaxation = 1);
   /// After it: takes away what slip is left beyond the tolerance, with further projections. Collective.
   void hold_walls();
   /// For schemes that try a step several times: keeps the pressure, and takes the kept one back after a trial.
