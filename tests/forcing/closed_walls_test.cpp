@@ -17,7 +17,7 @@ class Balls {
   explicit Balls(double radius_of_other = 0)
       : grid_(PETSC_COMM_WORLD, shape()),
         markers_(grid_, bodies(radius_of_other), {grid_.spacing(), 1, KernelMoments(DeltaKernel::yang, 2)}),
-        walls_(grid_, bodies_, markers_, begin(), end()) {
+        walls_(grid_, bodies_, markers_) {
     const PosedBodies<2> posed(bodies_, 0);
     for (std::size_t p = begin(); p < end(); ++p)
       for (std::size_t m = markers_.start(p); m < markers_.start(p + 1); ++m)
@@ -65,11 +65,8 @@ class Balls {
     }
     return bodies_;
   }
-  std::size_t begin() const { return part(rank_of(grid_.comm())); }
-  std::size_t end() const { return part(rank_of(grid_.comm()) + 1); }
-  std::size_t part(int rank) const {
-    return markers_.patches() * static_cast<std::size_t>(rank) / static_cast<std::size_t>(ranks_of(grid_.comm()));
-  }
+  std::size_t begin() const { return markers_.own().begin; }
+  std::size_t end() const { return markers_.own().end; }
 
   Grid<2> grid_;
   std::vector<Body<2>> bodies_;

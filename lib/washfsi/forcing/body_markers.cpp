@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "washfsi/support/collective.hpp"
+
 namespace washfsi {
 
 namespace {
@@ -46,14 +48,25 @@ BodyMarkers<Dim>::BodyMarkers(const Grid<Dim>& grid, const std::vector<Body<Dim>
   by_body_ = surface_markers<Dim>(surfaces);
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const MarkerPatches<Dim>& patches = by_body_[b];
+    firsts_.push_back(body_of_.size());
     for (std::size_t p = 0; p < patches.size(); ++p) starts_.push_back(arms_.size() + patches.starts[p]);
     arms_.insert(arms_.end(), patches.markers.begin(), patches.markers.end());
     body_of_.insert(body_of_.end(), patches.size(), b);
-    for (const auto& marker : patches.markers)
-      sharp_.push_back(fits_no_ball<Dim>(*bodies[b].shape, marker, layout.cell.maxCoeff()));
   }
   starts_.push_back(arms_.size());
-  seen_.assign(arms_.size() * bodies.size(), {Point<Dim>::Zero(), -depth_});
+  follow_own(layout);
+}
+
+template <int Dim>
+void BodyMarkers<Dim>::follow_own(const MarkerLayout<Dim>& layout) {
+  const auto rank = static_cast<std::size_t>(rank_of(grid_.comm())),
+             ranks = static_cast<std::size_t>(ranks_of(grid_.comm()));
+  own_ = {patches() * rank / ranks, patches() * (rank + 1) / ranks};
+  for (std::size_t p = own_.begin; p < own_.end; ++p)
+    for (std::size_t m = start(p); m < start(p + 1); ++m)
+      sharp_.push_back(fits_no_ball<Dim>(*bodies_[body_of_[p]].shape, arms_[m], layout.cell.maxCoeff()));
+  any_is_sharp_ = any_rank(grid_.comm(), std::find(sharp_.begin(), sharp_.end(), true) != sharp_.end());
+  seen_.assign(sharp_.size() * bodies_.size(), {Point<Dim>::Zero(), -depth_});
 }
 
 // A body at rest keeps its angle.
@@ -84,7 +97,7 @@ bool BodyMarkers<Dim>::is_covered(const PosedBodies<Dim>& posed, std::size_t bod
   for (std::size_t other = 0; other < posed.size(); ++other) {
     if (other == body) continue;
     const Point<Dim> now = posed.in_body_frame(other, place);
-    auto& [then, distance] = seen_[marker * posed.size() + other];
+    auto& [then, distance] = seen_[(marker - start(own_.begin)) * posed.size() + other];
     if ((now - then).norm() >= std::abs(distance + depth_)) {
       then = now;
       distance = bodies_[other].shape->distance(now);

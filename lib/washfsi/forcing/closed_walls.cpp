@@ -22,21 +22,17 @@ Point<Dim> way_out(const Shape<Dim>& shape, const Point<Dim>& middle, const Poin
 
 template <int Dim>
 ClosedWalls<Dim>::ClosedWalls(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies,
-                              const BodyMarkers<Dim>& markers, std::size_t begin, std::size_t end)
-    : grid_(grid), bodies_(bodies), are_thick_(bodies.size(), 1) {
-  std::size_t first = 0;
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const MarkerPatches<Dim>& patches = markers.of_body(b);
-    for (std::size_t p = 0; p < patches.size(); ++p) {
-      const Point<Dim> normal = way_out<Dim>(*bodies[b].shape, patches.middle(p), grid.spacing());
-      if (normal.isZero(0)) are_thick_[b] = 0;
-      if (first + p < begin || first + p >= end) continue;
-      body_of_.push_back(b);
-      sizes_.push_back(patches.starts[p + 1] - patches.starts[p]);
-      normals_.push_back(normal);
-    }
-    first += patches.size();
+                              const BodyMarkers<Dim>& markers)
+    : grid_(grid), bodies_(bodies), thin_patches_(bodies.size(), 0.0) {
+  for (std::size_t p = markers.own().begin; p < markers.own().end; ++p) {
+    const std::size_t b = markers.body_of(p);
+    const Point<Dim> normal = way_out<Dim>(*bodies[b].shape, markers.middle(p), grid.spacing());
+    if (normal.isZero(0)) thin_patches_[b] += 1;
+    body_of_.push_back(b);
+    sizes_.push_back(markers.start(p + 1) - markers.start(p));
+    normals_.push_back(normal);
   }
+  thin_patches_ = ordered_sum(grid.comm(), thin_patches_);
 }
 
 template <int Dim>
@@ -56,7 +52,7 @@ void ClosedWalls<Dim>::update(const std::vector<typename BodyMarkers<Dim>::State
   sums = ordered_sum(grid_.comm(), sums);
   squares_.clear();
   for (std::size_t b = 0; b < bodies_.size(); ++b)
-    squares_.push_back(are_thick_[b] && sums[2 * b + 1] == 0 ? sums[2 * b] : 0);
+    squares_.push_back(thin_patches_[b] == 0 && sums[2 * b + 1] == 0 ? sums[2 * b] : 0);
 }
 
 template <int Dim>

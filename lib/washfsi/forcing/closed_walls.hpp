@@ -13,9 +13,8 @@ namespace washfsi {
 template <int Dim>
 class ClosedWalls {
  public:
-  /// Of the patches from `begin` to `end`, this rank's. Bodies that are thinner than a cell somewhere are not closed.
-  ClosedWalls(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies, const BodyMarkers<Dim>& markers,
-              std::size_t begin, std::size_t end);
+  /// Bodies that are thinner than a cell somewhere are not closed. Collective.
+  ClosedWalls(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies, const BodyMarkers<Dim>& markers);
 
   /// Places them as the bodies are at `time`. A body is open while another covers a marker of it. The
   /// states are those of this rank's markers, patch by patch. Collective.
@@ -29,7 +28,7 @@ class ClosedWalls {
   const std::vector<Body<Dim>>& bodies_;
   std::vector<std::size_t> body_of_, sizes_;  ///< of this rank's patches; of these, in markers
   Points<Dim> normals_;                       ///< of these, out of the bodies, in their frames
-  std::vector<char> are_thick_;               ///< of the bodies
+  std::vector<double> thin_patches_;          ///< of the bodies, how many are thinner
   Points<Dim> areas_;                         ///< of the patches now, along the normal, in markers; 0 of open walls
   std::vector<double> squares_;               ///< of the bodies, the sum of these squared
 };

@@ -42,6 +42,13 @@ struct MarkerPatches {
   }
 };
 
+/// Some patches, up to one before the end.
+struct PatchRange {
+  std::size_t begin, end;
+
+  std::size_t size() const { return end - begin; }
+};
+
 /// Takes away the most crowded of some places, one after the other, until all are a spacing from each other: what is
 /// left lies more evenly than places taken in any order (Yuksel, Comput. Graph. Forum 34 (2015) 25). Then takes back
 /// what has room again, so that no gap is wider than two spacings. Corners are kept first, then edges.

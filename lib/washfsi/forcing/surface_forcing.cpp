@@ -44,17 +44,9 @@ SurfaceForcing<Dim>::SurfaceForcing(const Grid<Dim>& grid, const Boundary<Dim>& 
       density_(density),
       transfer_(grid, boundary, delta),
       markers_(grid, bodies, layout_for(grid, treatment)),
+      closed_(grid, bodies, markers_),
+      overlap_(markers_.by_body(), layout_for(grid, treatment), markers_.own()),
       limits_advection_(treatment.limits_advection) {
-  const MarkerLayout<Dim> layout = layout_for(grid, treatment);
-  for (std::size_t b = 0; b < bodies.size(); ++b) inverses_.emplace_back(markers_.of_body(b), layout);
-  const auto ranks = static_cast<std::size_t>(ranks_of(grid.comm()));
-  for (std::size_t rank = 0; rank <= ranks; ++rank)
-    starts_.push_back(static_cast<int>(Dim * (markers_.patches() * rank / ranks)));
-  for (std::size_t rank = 0; rank < ranks; ++rank) counts_.push_back(starts_[rank + 1] - starts_[rank]);
-  const auto rank = static_cast<std::size_t>(rank_of(grid.comm()));
-  begin_ = static_cast<std::size_t>(starts_[rank] / Dim);
-  end_ = static_cast<std::size_t>(starts_[rank + 1] / Dim);
-  closed_.emplace(grid, bodies, markers_, begin_, end_);
   forces_.assign(owned(), Point<Dim>::Zero());
   kept_ = forces_;
   create_solver();
@@ -98,7 +90,7 @@ PetscErrorCode SurfaceForcing<Dim>::precondition(PC pc, Vec x, Vec y) {
     void* self = nullptr;
     WASH_PETSC(PCShellGetContext(pc, &self));
     const auto& forcing = *static_cast<const SurfaceForcing*>(self);
-    to_vector<Dim>(forcing.approximate_forces(forcing.of_all_ranks(to_points<Dim>(x)), forcing.none_of_bodies()), y);
+    to_vector<Dim>(forcing.approximate_forces(to_points<Dim>(x)), y);
   });
 }
 
@@ -109,7 +101,7 @@ PetscErrorCode SurfaceForcing<Dim>::judge(KSP solver, PetscInt, PetscReal norm, 
     const auto& forcing = *static_cast<const SurfaceForcing*>(self);
     Vec residual = nullptr;
     WASH_PETSC(KSPBuildResidual(solver, nullptr, nullptr, &residual));
-    const std::vector<bool> held = forcing.are_held(forcing.of_all_ranks(to_points<Dim>(residual)), forcing.slip_left_);
+    const std::vector<bool> held = forcing.are_held(to_points<Dim>(residual), forcing.slip_left_);
     WASH_PETSC(VecDestroy(&residual));
     *reason = KSP_CONVERGED_ITERATING;
     if (!std::isfinite(norm)) *reason = KSP_DIVERGED_NANORINF;
@@ -124,7 +116,7 @@ void SurfaceForcing<Dim>::update(double time) {
   states_.clear();
   shares_.assign(owned(), 0.0);
   Points<Dim> places;
-  for (std::size_t p = begin_; p < end_; ++p) {
+  for (std::size_t p = begin(); p < own().end; ++p) {
     bool acts = false;
     for (std::size_t m = markers_.start(p); m < markers_.start(p + 1); ++m) {
       states_.push_back(markers_.at(posed, p, m));
@@ -132,14 +124,14 @@ void SurfaceForcing<Dim>::update(double time) {
       acts = acts || states_.back().acts;
     }
     // that of a whole patch, so that a part of one does not respond more than its overlap foresees
-    if (acts) shares_[p - begin_] = 1.0 / static_cast<double>(markers_.start(p + 1) - markers_.start(p));
+    if (acts) shares_[p - begin()] = 1.0 / static_cast<double>(markers_.start(p + 1) - markers_.start(p));
   }
   transfer_.locate(places);
   seen_.reset();
-  closed_->update(states_, time);
+  closed_.update(states_, time);
   if (!nearness_) return;
   std::vector<bool> at_edges(states_.size(), false);
-  for_each_acting([&](std::size_t, std::size_t m) { at_edges[m] = markers_.is_sharp(markers_.start(begin_) + m); });
+  for_each_acting([&](std::size_t, std::size_t m) { at_edges[m] = markers_.is_sharp(markers_.start(begin()) + m); });
   find_edge_nearness<Dim>(grid_, transfer_, at_edges, nearness_);
 }
 
@@ -148,13 +140,13 @@ void SurfaceForcing<Dim>::let_slide(const BodyWallLaw<Dim>& law) {
   if (law_ == &law) return;
   law_ = &law;
   const auto first = law.patch_normals().begin();
-  slide_normals_.assign(first + static_cast<std::ptrdiff_t>(begin_), first + static_cast<std::ptrdiff_t>(end_));
+  slide_normals_.assign(first + static_cast<std::ptrdiff_t>(begin()), first + static_cast<std::ptrdiff_t>(own().end));
 }
 
 // What of a patch's velocity or force is not free to slide.
 template <int Dim>
 Point<Dim> SurfaceForcing<Dim>::held(const Point<Dim>& value, std::size_t patch) const {
-  const double part = law_ ? law_->patch_slides()[begin_ + patch].part : 0;
+  const double part = law_ ? law_->patch_slides()[begin() + patch].part : 0;
   if (part == 0 || normals_.empty()) return value;
   return value - part * (value - value.dot(normals_[patch]) * normals_[patch]);
 }
@@ -180,14 +172,14 @@ Points<Dim> SurfaceForcing<Dim>::means(const Points<Dim>& of_markers) const {
 template <int Dim>
 Points<Dim> SurfaceForcing<Dim>::felt_means(const Points<Dim>& of_markers) const {
   Points<Dim> result = means(of_markers);
-  closed_->remove_from(result);
+  closed_.remove_from(result);
   return result;
 }
 
 template <int Dim>
 Points<Dim> SurfaceForcing<Dim>::turned(const Points<Dim>& values, bool into_space) const {
   return washfsi::turned<Dim>(values, bodies_, time_, into_space,
-                              [this](std::size_t p) { return markers_.body_of(begin_ + p); });
+                              [this](std::size_t p) { return markers_.body_of(begin() + p); });
 }
 
 template <int Dim>
@@ -202,7 +194,7 @@ template <int Dim>
 void SurfaceForcing<Dim>::accept() {
   Points<Dim> acting = forces_;  // what is not passed on must not return when it is
   for (std::size_t p = 0; p < acting.size(); ++p)
-    acting[p] = held(acting[p], p) / (1 + (law_ ? forgets * law_->patch_slides()[begin_ + p].passes : 0));
+    acting[p] = held(acting[p], p) / (1 + (law_ ? forgets * law_->patch_slides()[begin() + p].passes : 0));
   kept_ = turned(acting, false);
 }
 
@@ -234,13 +226,11 @@ Points<Dim> SurfaceForcing<Dim>::slips(Vec velocity) const {
 
 template <int Dim>
 std::vector<bool> SurfaceForcing<Dim>::are_held(const Points<Dim>& slips, double most) const {
-  const Points<Dim> felt = body_by_body(slips, [this](std::size_t b, const Points<Dim>& of_body, PatchRange own) {
-    return inverses_[b].means_about(of_body, own);
-  });
+  const Points<Dim> felt = overlap_.means_about(slips);
   std::vector<double> sums(2 * bodies_.size(), 0.0);  // of the squares; of patches that act
   for (std::size_t p = 0; p < felt.size(); ++p) {
     if (shares_[p] == 0) continue;
-    const std::size_t b = markers_.body_of(begin_ + p);
+    const std::size_t b = markers_.body_of(begin() + p);
     sums[2 * b] += felt[p].squaredNorm();
     sums[2 * b + 1] += 1;
   }
@@ -271,44 +261,20 @@ Points<Dim> SurfaceForcing<Dim>::response(const Points<Dim>& forces) const {
 }
 
 template <int Dim>
-Points<Dim> SurfaceForcing<Dim>::of_all_ranks(const Points<Dim>& values) const {
-  Points<Dim> all(markers_.patches());
-  MPI_Allgatherv(values.data(), static_cast<int>(Dim * values.size()), MPI_DOUBLE, all.data(), counts_.data(),
-                 starts_.data(), MPI_DOUBLE, grid_.comm());
-  return all;
-}
-
-template <int Dim>
-template <class Find>
-Points<Dim> SurfaceForcing<Dim>::body_by_body(const Points<Dim>& all, const Find& find) const {
-  const petsc::LogPart part("wall_forces");
-  Points<Dim> found;
-  std::size_t first = 0;
-  for (std::size_t b = 0; b < inverses_.size(); ++b) {
-    const std::size_t count = markers_.of_body(b).size();
-    const auto start = all.begin() + static_cast<std::ptrdiff_t>(first);
-    const std::size_t begin = std::max(first, begin_), end = std::min(first + count, end_);
-    if (begin < end) {
-      const Points<Dim> of_body(start, start + static_cast<std::ptrdiff_t>(count)),
-          of_own = find(b, of_body, PatchRange{begin - first, end - first});
-      found.insert(found.end(), of_own.begin(), of_own.end());
-    }
-    first += count;
-  }
-  return found;
-}
-
-template <int Dim>
-Points<Dim> SurfaceForcing<Dim>::approximate_forces(const Points<Dim>& velocities,
-                                                    const std::vector<bool>& but_for) const {
-  Points<Dim> forces = body_by_body(velocities, [&](std::size_t b, const Points<Dim>& of_body, PatchRange own) {
-    return but_for[b] ? Points<Dim>(own.end - own.begin, Point<Dim>::Zero()) : inverses_[b](of_body, own);
-  });
+Points<Dim> SurfaceForcing<Dim>::approximate_forces(const Points<Dim>& velocities) const {
+  Points<Dim> forces = overlap_(velocities);
   const double scale = density_ * grid_.cell_volume() / step_.dt;
   for (std::size_t p = 0; p < forces.size(); ++p)
     forces[p] = shares_[p] == 0 ? Point<Dim>(Point<Dim>::Zero()) : held(scale * forces[p], p);
-  closed_->remove_from(forces);
+  closed_.remove_from(forces);
   return forces;
+}
+
+template <int Dim>
+Points<Dim> SurfaceForcing<Dim>::without(const std::vector<bool>& bodies, Points<Dim> values) const {
+  for (std::size_t p = 0; p < values.size(); ++p)
+    if (bodies[markers_.body_of(begin() + p)]) values[p].setZero();
+  return values;
 }
 
 template <int Dim>
@@ -319,15 +285,15 @@ void SurfaceForcing<Dim>::add_forces(const Points<Dim>& more, Vec velocity) {
 
 template <int Dim>
 void SurfaceForcing<Dim>::push(Vec velocity, double relaxation) {
-  add_forces(relaxation * approximate_forces(of_all_ranks(slips(velocity)), none_of_bodies()), velocity);
+  add_forces(relaxation * approximate_forces(slips(velocity)), velocity);
 }
 
 template <int Dim>
 bool SurfaceForcing<Dim>::push_unheld(Vec velocity, double relaxation) {
-  const Points<Dim> left = of_all_ranks(slips(velocity));
+  const Points<Dim> left = slips(velocity);
   const std::vector<bool> held = are_held(left, tolerance(velocity));
   if (std::ranges::all_of(held, std::identity())) return false;
-  add_forces(relaxation * approximate_forces(left, held), velocity);
+  add_forces(relaxation * approximate_forces(without(held, left)), velocity);
   return true;
 }
 
@@ -335,7 +301,7 @@ template <int Dim>
 bool SurfaceForcing<Dim>::hold(const Project& project, Vec velocity) {
   const Points<Dim> left = slips(velocity);
   slip_left_ = tolerance(velocity);
-  if (std::ranges::all_of(are_held(of_all_ranks(left), slip_left_), std::identity())) return false;
+  if (std::ranges::all_of(are_held(left, slip_left_), std::identity())) return false;
   project_ = &project;
   to_vector<Dim>(left, right_);
   (void)solve_to(solver_, 0, right_, solution_, "walls");

@@ -69,8 +69,7 @@ class SurfaceForcing : public WallForces {
   /// What a restart needs: the forces of this rank's patches, in the bodies' frames, and which patches these are.
   Points<Dim>& kept() { return kept_; }
   const Points<Dim>& kept() const { return kept_; }
-  std::size_t begin() const { return begin_; }
-  std::size_t end() const { return end_; }
+  PatchRange own() const { return markers_.own(); }
   std::size_t markers_of(std::size_t body) const { return markers_.of_body(body).markers.size(); }
   const BodyMarkers<Dim>& markers() const { return markers_; }
   std::size_t patch_count() const { return markers_.patches(); }
@@ -85,23 +84,20 @@ class SurfaceForcing : public WallForces {
   void for_each_acting(Visit&& visit) const;
   Points<Dim> kept_by_sides(const std::optional<SideName>& open = {}) const;
   void create_solver();
-  std::size_t owned() const { return end_ - begin_; }
+  std::size_t begin() const { return own().begin; }
+  std::size_t owned() const { return own().size(); }
   Points<Dim> turned(const Points<Dim>& values, bool into_space) const;
   Points<Dim> shared_out(const Points<Dim>& of_patches) const;
   Points<Dim> means(const Points<Dim>& of_markers) const;
   Points<Dim> felt_means(const Points<Dim>& of_markers) const;
   Points<Dim> slips(Vec velocity) const;
   Points<Dim> response(const Points<Dim>& forces) const;
-  Points<Dim> of_all_ranks(const Points<Dim>& values) const;
-  /// On this rank's patches, by the velocities of all patches; none on some bodies.
-  Points<Dim> approximate_forces(const Points<Dim>& velocities, const std::vector<bool>& but_for) const;
-  std::vector<bool> none_of_bodies() const { return std::vector<bool>(bodies_.size(), false); }
+  /// Those that move the patches by so much, about.
+  Points<Dim> approximate_forces(const Points<Dim>& velocities) const;
+  Points<Dim> without(const std::vector<bool>& bodies, Points<Dim> values) const;
   void accelerate(const Points<Dim>& forces, Vec velocity) const;
   void add_forces(const Points<Dim>& more, Vec velocity);
-  /// Of this rank's patches what find(body, values of its patches, range of own) finds of own from all.
-  template <class Find>
-  Points<Dim> body_by_body(const Points<Dim>& all, const Find& find) const;
-  /// Of each body whether what deltas see of the slips of all patches is at most so much on its own, rms [m/s].
+  /// Of each body whether what deltas see of the slips of its patches is at most so much, rms [m/s].
   std::vector<bool> are_held(const Points<Dim>& slips, double most) const;
   double tolerance(Vec velocity) const;
 
@@ -111,11 +107,9 @@ class SurfaceForcing : public WallForces {
   double slip_tolerance_, density_;
   Transfer<Dim> transfer_;
   BodyMarkers<Dim> markers_;
-  std::optional<ClosedWalls<Dim>> closed_;                ///< made when `begin_` is known
-  std::vector<OverlapInverse<Dim>> inverses_;             ///< of each body
-  std::vector<int> counts_, starts_;                      ///< of each rank's patches, times Dim
-  std::size_t begin_ = 0, end_ = 0;                       ///< this rank's patches
-  std::vector<typename BodyMarkers<Dim>::State> states_;  ///< of their markers
+  ClosedWalls<Dim> closed_;
+  OverlapInverse<Dim> overlap_;
+  std::vector<typename BodyMarkers<Dim>::State> states_;  ///< of the markers of this rank's patches
   std::vector<double> shares_;                            ///< of each marker in its patch; 0 of patches that do not act
   Points<Dim> forces_;                                    ///< F of each patch [N; per unit depth in the plane]
   Points<Dim> kept_;                                      ///< F of the step before, in the bodies' frames
@@ -143,10 +137,10 @@ class SurfaceForcing : public WallForces {
 template <int Dim>
 template <class Visit>
 void SurfaceForcing<Dim>::for_each_acting(Visit&& visit) const {
-  const std::size_t first = markers_.start(begin_);
-  for (std::size_t p = begin_; p < end_; ++p)
+  const std::size_t first = markers_.start(begin());
+  for (std::size_t p = begin(); p < own().end; ++p)
     for (std::size_t m = markers_.start(p) - first; m < markers_.start(p + 1) - first; ++m)
-      if (states_[m].acts) visit(p - begin_, m);
+      if (states_[m].acts) visit(p - begin(), m);
 }
 
 extern template class SurfaceForcing<2>;

@@ -28,7 +28,7 @@ Loads<Dim> SurfaceForcing<Dim>::loads() const {
   const Points<Dim> kept = kept_by_sides();
   const auto motions = motions_at(bodies_, time_);
   for_each_acting([&](std::size_t p, std::size_t m) {
-    const std::size_t b = markers_.body_of(begin_ + p);
+    const std::size_t b = markers_.body_of(begin() + p);
     loads[b].add(states_[m].place - motions[b].center, kept[m] - given[m]);
   });
   return ordered_sum<Dim>(grid_.comm(), loads);
@@ -67,7 +67,7 @@ double SurfaceForcing<Dim>::lost_power(const Points<Dim>& before, const Points<D
   const auto motions = motions_at(bodies_, time_ - 0.5 * dt);
   double lost = 0;
   for_each_acting([&](std::size_t p, std::size_t m) {
-    const Point<Dim> own = motions[markers_.body_of(begin_ + p)].velocity_at(states_[m].place);
+    const Point<Dim> own = motions[markers_.body_of(begin() + p)].velocity_at(states_[m].place);
     lost += given[m].dot(own - 0.5 * (before[m] + after[m]));
   });
   return ordered_sum(grid_.comm(), lost);
@@ -77,7 +77,7 @@ template <int Dim>
 std::vector<double> SurfaceForcing<Dim>::slip_of_bodies(const Points<Dim>& water) const {
   std::vector<double> sums(2 * bodies_.size(), 0.0);
   for_each_acting([&](std::size_t p, std::size_t m) {
-    const std::size_t b = markers_.body_of(begin_ + p);
+    const std::size_t b = markers_.body_of(begin() + p);
     sums[2 * b] += held(states_[m].velocity - water[m], p).squaredNorm();
     ++sums[2 * b + 1];
   });

@@ -102,7 +102,7 @@ constexpr const char* wall_forces = "/walls/force";
 template <int Dim>
 Slab slab_of_patches(const SurfaceForcing<Dim>& walls) {
   const auto number = [](std::size_t n) { return static_cast<PetscInt>(n); };
-  return marker_slab(number(walls.patch_count()), number(walls.begin()), number(walls.end()), Dim);
+  return marker_slab(number(walls.patch_count()), number(walls.own().begin), number(walls.own().end), Dim);
 }
 
 template <int Dim>
