@@ -14,7 +14,7 @@ ARROWS = {
     "grid": {"support"},
     "fluid": {"grid"},
     "body": {"grid", "geometry"},
-    "cloth": {"support"},
+    "cloth": {"geometry"},
     "contact": {"body", "cloth"},
     "coupling": {"grid", "geometry", "cloth"},
     "machine": {"body", "cloth"},

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "support/random_points.hpp"
-#include "washfsi/support/collective.hpp"
 #include "washfsi/support/errors.hpp"
+#include "washfsi/support/of_all_ranks.hpp"
 
 namespace washfsi::test {
 namespace {
@@ -61,7 +61,7 @@ struct Stack {
   Points<Dim> forces(const Barrier<Dim>& barrier, const Points<Dim>& places) const {
     Points<Dim> result(cloths->owned(), Point<Dim>::Zero());
     barrier.add_force(own(places), {}, result);
-    return cloths->of_all_ranks(result);
+    return of_all_ranks(PETSC_COMM_WORLD, result);
   }
   double energy(const Barrier<Dim>& barrier, const Points<Dim>& places) const {
     std::vector<double> result(1, 0.0);
@@ -188,7 +188,7 @@ TYPED_TEST(BarrierTest, StiffnessIsNearlyExactAlongTheNormal) {
   for (std::size_t m = of_cloth; m < 2 * of_cloth; ++m) direction[m] = Point<Dim>::Unit(Dim - 1);
   Points<Dim> rates(stack.cloths->owned(), Point<Dim>::Zero());
   barrier->add_force_rates(stack.own(stack.all), stack.own(direction), rates);
-  const Points<Dim> all_rates = stack.cloths->of_all_ranks(rates);
+  const Points<Dim> all_rates = of_all_ranks(PETSC_COMM_WORLD, rates);
   constexpr double e = 1e-7;
   const Points<Dim> more = stack.forces(*barrier, stack.all + e * direction),
                     less = stack.forces(*barrier, stack.all - e * direction);
@@ -282,7 +282,7 @@ TYPED_TEST(BarrierTest, FrictionsStiffnessBecomesItsHessian) {
       Points<Dim> with(stack.cloths->owned(), Point<Dim>::Zero()), without = with;
       barrier->add_force_rates(stack.own(moved), stack.own(direction), with);
       smooth->add_force_rates(stack.own(moved), stack.own(direction), without);
-      return stack.cloths->of_all_ranks(with - without);
+      return of_all_ranks(PETSC_COMM_WORLD, with - without);
     };
     const auto dot = [](const Points<Dim>& a, const Points<Dim>& b) {
       double sum = 0;

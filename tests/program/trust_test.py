@@ -142,14 +142,6 @@ class Trust(ProgramTest):
         self.assert_found(self.findings(*SHEET, "-cloths", "towel,shirt", *same), "distance of cloths", "fail",
                           "place them apart")
 
-    def test_markers_that_each_rank_holds(self):
-        large = ["-grid_cells", "16,16,16", "-fluid", "none", "-cloths", "towel", "-towel_size", 0.2, "-towel_center", "0.5,0.5,0.5",
-                 "-coupling_scheme", "explicit", "-contact", "none", "-time_step", 1e-6, "-time_end", 1, "-check", "-towel_markers"]
-        name = "markers on each rank"
-        self.assert_found(self.findings(*large, 320, ranks=2), name, "warn", "all 1.02e+05, on 2 ranks")
-        self.assertNotIn(name, self.findings(*large, 320))
-        self.assertNotIn(name, self.findings(*large, 100, ranks=2))
-
     def test_intervals_beyond_the_run(self):
         found = self.findings(*SHEET, "-checkpoint_interval", 100)
         self.assert_found(found, "checkpoint interval", "warn", "nothing is kept")

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "support/fibre_in_water.hpp"
+#include "washfsi/support/of_all_ranks.hpp"
 
 namespace washfsi::test {
 namespace {
@@ -40,7 +41,7 @@ struct Ring {
 };
 
 Ring ring(const System<2>& system) {
-  const Points<2> places = system.model.cloths.of_all_ranks(system.state.positions);
+  const Points<2> places = of_all_ranks(PETSC_COMM_WORLD, system.state.positions);
   Ring result{0, 0};
   for (std::size_t k = 0; k < places.size(); ++k) {
     const Point<2>&here = places[k], &next = places[(k + 1) % places.size()];

@@ -3,6 +3,7 @@
 
 #include "support/fibre_in_water.hpp"
 #include "washfsi/scheme/step_error.hpp"
+#include "washfsi/support/of_all_ranks.hpp"
 
 namespace washfsi::test {
 namespace {
@@ -53,7 +54,7 @@ Points<2> places_after(const std::string& name, double time, int steps) {
   disturb(*system, 1e-3);
   const auto scheme = make_coupling_scheme<2>(coupling(name), *system);
   for (int n = 0; n < steps; ++n) scheme->advance(*system, time / steps);
-  return system->model.cloths.of_all_ranks(system->state.positions);
+  return of_all_ranks(PETSC_COMM_WORLD, system->state.positions);
 }
 
 double difference(const Points<2>& a, const Points<2>& b) {

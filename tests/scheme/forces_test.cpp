@@ -3,7 +3,7 @@
 
 #include "support/fibre_in_water.hpp"
 #include "washfsi/coupling/marker_vectors.hpp"
-#include "washfsi/support/collective.hpp"
+#include "washfsi/support/of_all_ranks.hpp"
 
 namespace washfsi::test {
 namespace {
@@ -19,15 +19,15 @@ class ChangingSpring : public MarkerForce<2> {
   std::string origin() const override { return "a test"; }
   void begin_step(const StepStart<2>& start) override { changed_ = start.time > change_; }
   void add_force(const Points<2>& positions, const Points<2>&, Points<2>& forces) const override {
-    const Points<2> all = cloths_.of_all_ranks(positions);
+    const Points<2> all = of_all_ranks(PETSC_COMM_WORLD, positions);
     add_to_ends(-stiffness_ * (all[ends()[1]] - all[ends()[0]]), forces);
   }
   void add_energy(const Points<2>& positions, std::span<double> of_groups) const override {
-    const Points<2> all = cloths_.of_all_ranks(positions);
+    const Points<2> all = of_all_ranks(PETSC_COMM_WORLD, positions);
     if (cloths_.begin() == 0) of_groups[0] += 0.5 * stiffness_ * (all[ends()[1]] - all[ends()[0]]).squaredNorm();
   }
   void add_force_rates(const Points<2>&, const Points<2>& direction, Points<2>& rates) const override {
-    const Points<2> all = cloths_.of_all_ranks(direction);
+    const Points<2> all = of_all_ranks(PETSC_COMM_WORLD, direction);
     add_to_ends(-stiffness_ * (all[ends()[1]] - all[ends()[0]]), rates);
   }
   void visit_stiffness(const Points<2>&, GeometricStiffness, const AddMarkerBlock<2>& add) const override {
@@ -123,7 +123,7 @@ Points<2> places_with(const std::string& scheme, Mobility mobility, int steps) {
   options.tolerance = 1e-9;
   const auto coupling = make_coupling_scheme<2>(options, *system);
   for (int n = 0; n < steps; ++n) coupling->advance(*system, 2 * change / steps);
-  return system->model.cloths.of_all_ranks(system->state.positions);
+  return of_all_ranks(PETSC_COMM_WORLD, system->state.positions);
 }
 
 // The spring pulls its ends by some millimetres; the couplings may differ by what their first order leaves.

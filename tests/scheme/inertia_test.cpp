@@ -5,7 +5,7 @@
 
 #include "support/fibre_in_water.hpp"
 #include "washfsi/measure/carried_mass.hpp"
-#include "washfsi/support/collective.hpp"
+#include "washfsi/support/of_all_ranks.hpp"
 
 namespace washfsi::test {
 namespace {
@@ -97,7 +97,7 @@ Points<2> places_after(const std::string& name, double time, int steps, bool var
   const auto scheme = make_coupling_scheme<2>(options, *system);
   for (int n = 0; n < steps; ++n)
     scheme->advance(*system, time / steps * (!varying ? 1 : n % 4 < 2 ? 2.0 / 3 : 4.0 / 3));
-  return system->model.cloths.of_all_ranks(system->state.positions);
+  return of_all_ranks(PETSC_COMM_WORLD, system->state.positions);
 }
 
 double difference(const Points<2>& a, const Points<2>& b) {
@@ -162,7 +162,7 @@ Points<2> displacements(const std::string& name, int finer, const Start& how) {
   for (int n = 0; n < 40; ++n) scheme->advance(*system, 1e-3);
   Points<2> moved = positions - start;
   for (Point<2>& d : moved) d = (how.turn.transpose() * d).eval();
-  return system->model.cloths.of_all_ranks(moved);
+  return of_all_ranks(PETSC_COMM_WORLD, moved);
 }
 
 class EveryOrder : public testing::TestWithParam<std::string> {};
@@ -235,7 +235,7 @@ std::vector<double> stretch_over_a_period(const std::string& scheme_name, int st
   const auto scheme = make_coupling_scheme<2>(coupling(scheme_name), *system);
   std::vector<double> stretch;
   for (int n = 0; n <= steps; ++n) {
-    const Points<2> all = system->model.cloths.of_all_ranks(x);
+    const Points<2> all = of_all_ranks(PETSC_COMM_WORLD, x);
     stretch.push_back((all.back() - all.front())[0] - 0.19);
     scheme->advance(*system, 2 * std::numbers::pi / w / steps);
   }

@@ -92,19 +92,6 @@ std::vector<std::array<PetscInt, 4>> Cloths<Dim>::quads(const Piece& piece) cons
 }
 
 template <int Dim>
-template <class Values>
-Values Cloths<Dim>::gathered(const Values& values, MPI_Datatype type) const {
-  const auto ranks = static_cast<std::size_t>(ranks_of(comm_));
-  std::vector<int> counts(ranks), starts(ranks, 0);
-  const int mine = static_cast<int>(values.size());
-  MPI_Allgather(&mine, 1, MPI_INT, counts.data(), 1, MPI_INT, comm_);
-  std::exclusive_scan(counts.begin(), counts.end(), starts.begin(), 0);
-  Values all(static_cast<std::size_t>(total_));
-  MPI_Allgatherv(values.data(), mine, type, all.data(), counts.data(), starts.data(), type, comm_);
-  return all;
-}
-
-template <int Dim>
 void Cloths<Dim>::build_halo(const petsc::Layout& layout) {
   std::vector<PetscInt> markers;
   for (const Patch& patch : patches_) markers.insert(markers.end(), patch.markers.begin(), patch.markers.end());
@@ -115,11 +102,22 @@ void Cloths<Dim>::build_halo(const petsc::Layout& layout) {
 }
 
 template <int Dim>
-Points<Dim> Cloths<Dim>::with_halo(const Points<Dim>& values) const {
-  Points<Dim> result(halo_count_);
-  WASH_PETSC(PetscSFBcastBegin(halo_, point_type_, values.data(), result.data(), MPI_REPLACE));
-  WASH_PETSC(PetscSFBcastEnd(halo_, point_type_, values.data(), result.data(), MPI_REPLACE));
+template <class Values>
+Values Cloths<Dim>::halo_of(const Values& values, MPI_Datatype type) const {
+  Values result(halo_count_);
+  WASH_PETSC(PetscSFBcastBegin(halo_, type, values.data(), result.data(), MPI_REPLACE));
+  WASH_PETSC(PetscSFBcastEnd(halo_, type, values.data(), result.data(), MPI_REPLACE));
   return result;
+}
+
+template <int Dim>
+Points<Dim> Cloths<Dim>::with_halo(const Points<Dim>& values) const {
+  return halo_of(values, point_type_);
+}
+
+template <int Dim>
+std::vector<double> Cloths<Dim>::with_halo(const std::vector<double>& values) const {
+  return halo_of(values, MPI_DOUBLE);
 }
 
 template <int Dim>
@@ -168,10 +166,6 @@ std::vector<double> Cloths<Dim>::largest_stretches(const Points<Dim>& positions)
 
 template class PointType<2>;
 template class PointType<3>;
-template Points<2> Cloths<2>::gathered(const Points<2>&, MPI_Datatype) const;
-template Points<3> Cloths<3>::gathered(const Points<3>&, MPI_Datatype) const;
-template std::vector<double> Cloths<2>::gathered(const std::vector<double>&, MPI_Datatype) const;
-template std::vector<double> Cloths<3>::gathered(const std::vector<double>&, MPI_Datatype) const;
 template class Cloths<2>;
 template class Cloths<3>;
 

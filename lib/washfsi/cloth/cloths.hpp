@@ -57,9 +57,6 @@ class Cloths {
   PetscInt number_of(std::size_t marker) const { return begin_ + static_cast<PetscInt>(marker); }
   /// The quads of a piece, each as its four markers in the order round it; a fibre has none.
   std::vector<std::array<PetscInt, 4>> quads(const Piece& piece) const;
-  /// Values of all markers of all ranks, in marker order. Collective.
-  Points<Dim> of_all_ranks(const Points<Dim>& values) const { return gathered(values, point_type_); }
-  std::vector<double> of_all_ranks(const std::vector<double>& values) const { return gathered(values, MPI_DOUBLE); }
   /// Undeformed area that each of this rank's markers stands for [m2; m in the plane].
   const std::vector<double>& marker_areas() const { return marker_areas_; }
   /// That area over the one of a marker inside its cloth: below 1 on the edges of a nodal lattice.
@@ -72,6 +69,7 @@ class Cloths {
   const ClothGroup<Dim>& group_of(const Patch& patch) const { return groups_[pieces_[patch.piece].group]; }
   /// This rank's values and those of the other markers that it sees. Collective.
   Points<Dim> with_halo(const Points<Dim>& values) const;
+  std::vector<double> with_halo(const std::vector<double>& values) const;
   /// Those of a patch among them.
   std::span<const Point<Dim>> seen(const Points<Dim>& with_halo, const Patch& patch) const;
   /// Lets add(patch, sums of its markers, zero at first) work on some patches; adds what this rank's markers get.
@@ -98,7 +96,7 @@ class Cloths {
   Patch patch_of(std::size_t number, PetscInt own_first, PetscInt own_end) const;
   void build_halo(const petsc::Layout& layout);
   template <class Values>
-  Values gathered(const Values& values, MPI_Datatype type) const;
+  Values halo_of(const Values& values, MPI_Datatype type) const;
   template <class Find>
   auto values_by_patch(const Find& find) const;
 

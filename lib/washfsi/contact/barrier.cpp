@@ -28,11 +28,9 @@ template <int Dim>
 Barrier<Dim>::Barrier(const BarrierOptions& options, const Surroundings<Dim>& surroundings)
     : options_(options),
       around_(surroundings),
-      facets_(surroundings.cloths),
       distance_(barrier_distance(options, surroundings.cloths)),
       spacing_(least_spacing(surroundings.cloths)),
-      begin_(static_cast<std::size_t>(surroundings.cloths.begin())),
-      search_(facets_, periods_of<Dim>(surroundings.grid), begin_, begin_ + surroundings.cloths.owned()) {
+      search_(surroundings.cloths, periods_of<Dim>(surroundings.grid)) {
   lay_out();
 }
 
@@ -40,21 +38,21 @@ Barrier<Dim>::Barrier(const BarrierOptions& options, const Surroundings<Dim>& su
 // looks round anew, so that what is laid out does not depend on what was before: a restarted run has the same matrix.
 template <int Dim>
 void Barrier<Dim>::begin_step(const StepStart<Dim>& start) {
-  const Points<Dim> all = around_.cloths.of_all_ranks(start.positions);
   if (start.dt == 0) {
-    if (!covers(all) || farthest_from_places(all) > distance_) {  // then the nearest images may be others now
-      reaches_.assign(all.size(), least_reach());
-      look_round(all);
+    // then the nearest images may be others now
+    if (!covers(start.positions) || farthest_from_places(start.positions) > distance_) {
+      reaches_.assign(start.positions.size(), least_reach());
+      look_round(start.positions);
     }
-    return begin_explicit_friction(all, start);
+    return begin_explicit_friction(known(start.positions), start);
   }
   constexpr double to_spare = 1.3;
-  const Points<Dim> velocities = around_.cloths.of_all_ranks(start.velocities);
   reaches_.clear();
-  for (const auto& velocity : velocities)
+  for (const auto& velocity : start.velocities)
     reaches_.push_back(std::max(least_reach(), to_spare * start.dt * velocity.norm()));
-  look_round(all);
+  look_round(start.positions);
   lay_out();
+  const Points<Dim> all = known(start.positions);
   friction_.begin(rubbing_pairs(all), all, start.dt, start.share);
   seen_.clear();
 }
@@ -74,15 +72,16 @@ template <int Dim>
 void Barrier<Dim>::begin_explicit_friction(const Points<Dim>& all, const StepStart<Dim>& start) {
   seen_.clear();
   if (start.held.dt == 0 || options_.friction == 0) return friction_.begin({}, all, 0);
-  friction_.begin_explicit(rubbing_pairs(all), all, around_.cloths.of_all_ranks(start.velocities),
-                           around_.cloths.of_all_ranks(start.held.mobilities), start.held.dt);
+  friction_.begin_explicit(rubbing_pairs(all), search_.known(), all, known(start.velocities),
+                           search_.known().values(start.held.mobilities), start.held.dt);
 }
 
 template <int Dim>
-void Barrier<Dim>::look_round(const Points<Dim>& all) {
+void Barrier<Dim>::look_round(const Points<Dim>& positions, Before before) {
   const petsc::LogPart part("contact_search");
-  places_ = all;
-  pairs_ = search_.find(all, reaches_, distance_);
+  has_looked_ = true;
+  places_ = positions;
+  pairs_ = search_.find(positions, reaches_, distance_, before);
   touches_.clear();
   seen_.clear();
 }
@@ -91,14 +90,14 @@ void Barrier<Dim>::look_round(const Points<Dim>& all) {
 // out but for their diagonal ones: the matrix stays positive.
 template <int Dim>
 void Barrier<Dim>::lay_out() {
-  const std::size_t rows = around_.cloths.owned();
-  std::vector<std::vector<std::size_t>> columns(rows);
-  for (std::size_t m = 0; m < rows; ++m) columns[m].push_back(begin_ + m);
+  const std::vector<std::size_t>& numbers = search_.known().numbers();
+  std::vector<std::vector<std::size_t>> columns(around_.cloths.owned());
+  for (std::size_t m = 0; m < columns.size(); ++m) columns[m].push_back(numbers[search_.known().begin() + m]);
   for (const auto& pair : pairs_) {
     if (pair.start >= ahead * distance_) continue;
-    for (const std::size_t row : pair.markers)
-      if (owns(row))
-        columns[row - begin_].insert(columns[row - begin_].end(), pair.markers.begin(), pair.markers.end());
+    visit_own(pair, [&](std::size_t, std::size_t row) {
+      for (const std::size_t marker : pair.markers) columns[row].push_back(numbers[marker]);
+    });
   }
   const std::vector<std::size_t> before = std::move(columns_);
   columns_.clear();
@@ -112,33 +111,35 @@ void Barrier<Dim>::lay_out() {
 }
 
 template <int Dim>
-bool Barrier<Dim>::covers(const Points<Dim>& all) const {
-  if (places_.size() != all.size()) return false;
-  for (std::size_t m = 0; m < all.size(); ++m)
-    if (!((all[m] - places_[m]).squaredNorm() <= reaches_[m] * reaches_[m])) return false;
-  return true;
+bool Barrier<Dim>::covers(const Points<Dim>& positions) const {
+  bool leaves = !has_looked_;
+  for (std::size_t m = 0; m < positions.size() && !leaves; ++m)
+    leaves = !((positions[m] - places_[m]).squaredNorm() <= reaches_[m] * reaches_[m]);
+  return !any_rank(around_.cloths.comm(), leaves);
 }
 
 template <int Dim>
-double Barrier<Dim>::farthest_from_places(const Points<Dim>& all) const {
+double Barrier<Dim>::farthest_from_places(const Points<Dim>& positions) const {
   double farthest = 0;
-  for (std::size_t m = 0; m < all.size(); ++m) farthest = std::max(farthest, (all[m] - places_[m]).norm());
-  return farthest;
+  for (std::size_t m = 0; m < positions.size(); ++m) farthest = std::max(farthest, (positions[m] - places_[m]).norm());
+  return largest(around_.cloths.comm(), farthest);
 }
 
 // Widens the reach of the markers that leave it on a way; before it has looked round, about the way's start.
 template <int Dim>
-void Barrier<Dim>::cover(const Points<Dim>& from, const Points<Dim>& motions) {
-  const Points<Dim> all = from + motions;
-  if (covers(all)) return;
+void Barrier<Dim>::cover(const Points<Dim>& from, const Points<Dim>& motion) {
+  const Points<Dim> positions = from + motion;
+  if (covers(positions)) return;
   constexpr double to_spare = 1.5;
-  if (places_.empty()) {
+  if (!has_looked_) {
     places_ = from;
     reaches_.assign(from.size(), least_reach());
   }
-  for (std::size_t m = 0; m < all.size(); ++m)
-    reaches_[m] = std::max(reaches_[m], to_spare * (all[m] - places_[m]).norm());
-  look_round(Points<Dim>(places_));
+  for (std::size_t m = 0; m < positions.size(); ++m)
+    reaches_[m] = std::max(reaches_[m], to_spare * (positions[m] - places_[m]).norm());
+  const std::vector<std::size_t> before = search_.known().numbers();
+  look_round(Points<Dim>(places_), Before::keep);
+  friction_.renumber([&](std::size_t marker) { return search_.known().place_of(before[marker]); });
 }
 
 template <int Dim>
@@ -175,7 +176,7 @@ std::vector<typename Barrier<Dim>::Touch> Barrier<Dim>::touches_at(const Points<
 template <int Dim>
 const std::vector<typename Barrier<Dim>::Touch>& Barrier<Dim>::touches(const Points<Dim>& positions) const {
   if (!any_rank(around_.cloths.comm(), seen_ != positions)) return touches_;
-  const Points<Dim> all = around_.cloths.of_all_ranks(positions);
+  const Points<Dim> all = known(positions);
   touches_ = touches_at(all);
   friction_.look_at(all);
   seen_ = positions;
@@ -186,8 +187,9 @@ const std::vector<typename Barrier<Dim>::Touch>& Barrier<Dim>::touches(const Poi
 template <int Dim>
 template <class Visit>
 void Barrier<Dim>::visit_own(const FacetPair<Dim>& pair, const Visit& visit) const {
+  const NearMarkers<Dim>& known = search_.known();
   for (std::size_t i = 0; i < pair.markers.size(); ++i)
-    if (owns(pair.markers[i])) visit(i, pair.markers[i] - begin_);
+    if (known.owns(pair.markers[i])) visit(i, pair.markers[i] - known.begin());
 }
 
 template <int Dim>
@@ -202,20 +204,18 @@ void Barrier<Dim>::add_force(const Points<Dim>& positions, const Points<Dim>&, P
 // Of a pair by the rank of its first marker.
 template <int Dim>
 void Barrier<Dim>::add_energy(const Points<Dim>& positions, std::span<double> of_groups) const {
-  for (const Touch& touch : touches(positions)) {
-    const std::size_t first = touch.pair->markers[0];
-    if (owns(first)) of_groups[around_.cloths.group_number(first - begin_)] += touch.energy;
-  }
-  friction_.visit([&](const auto& pair, const auto&, const auto& rub) {
-    const std::size_t first = pair.markers[0];
-    if (owns(first)) of_groups[around_.cloths.group_number(first - begin_)] += rub.energy;
-  });
+  const NearMarkers<Dim>& known = search_.known();
+  const auto add = [&](std::size_t first, double energy) {
+    if (known.owns(first)) of_groups[around_.cloths.group_number(first - known.begin())] += energy;
+  };
+  for (const Touch& touch : touches(positions)) add(touch.pair->markers[0], touch.energy);
+  friction_.visit([&](const auto& pair, const auto&, const auto& rub) { add(pair.markers[0], rub.energy); });
 }
 
 template <int Dim>
 void Barrier<Dim>::add_force_rates(const Points<Dim>& positions, const Points<Dim>& direction,
                                    Points<Dim>& rates) const {
-  const Points<Dim> all = around_.cloths.of_all_ranks(direction);
+  const Points<Dim> all = known(direction);
   const auto add = [&](const FacetPair<Dim>& pair, const Gap<Dim>& gap, const auto& stiffness) {
     Point<Dim> way = Point<Dim>::Zero();
     for (std::size_t i = 0; i < gap.shares.size(); ++i) way += gap.shares[i] * all[pair.markers[i]];
@@ -230,12 +230,14 @@ void Barrier<Dim>::add_force_rates(const Points<Dim>& positions, const Points<Di
 template <int Dim>
 void Barrier<Dim>::add_blocks(const FacetPair<Dim>& pair, const Gap<Dim>& gap, const StiffnessBlock<Dim>& block,
                               std::vector<StiffnessBlock<Dim>>& blocks) const {
+  const std::vector<std::size_t>& numbers = search_.known().numbers();
   visit_own(pair, [&](std::size_t i, std::size_t m) {
     const auto row = columns_.begin() + static_cast<long>(rows_[m]),
                end = columns_.begin() + static_cast<long>(rows_[m + 1]);
     for (std::size_t j = 0; j < pair.markers.size(); ++j) {
-      const auto place = std::lower_bound(row, end, pair.markers[j]);
-      if (place != end && *place == pair.markers[j])
+      const std::size_t column = numbers[pair.markers[j]];
+      const auto place = std::lower_bound(row, end, column);
+      if (place != end && *place == column)
         blocks[static_cast<std::size_t>(place - columns_.begin())] += gap.shares[i] * gap.shares[j] * block;
     }
   });
@@ -245,7 +247,7 @@ template <int Dim>
 void Barrier<Dim>::linearise(const Points<Dim>& positions) {
   if (options_.friction == 0) return;
   touches(positions);
-  friction_.linearise(around_.cloths.of_all_ranks(positions));
+  friction_.linearise(known(positions));
 }
 
 template <int Dim>
@@ -286,16 +288,17 @@ void Barrier<Dim>::add_bound(std::span<StiffnessBound> bounds) const {
 // No marker goes farther than some spacings at a time, so that what comes near remains little.
 template <int Dim>
 double Barrier<Dim>::free_part(const Points<Dim>& from, const Points<Dim>& motion) {
-  const Points<Dim> starts = around_.cloths.of_all_ranks(from), motions = around_.cloths.of_all_ranks(motion);
   double farthest = 0;
-  for (const auto& way : motions) farthest = std::max(farthest, way.norm());
+  for (const auto& way : motion) farthest = std::max(farthest, way.norm());
+  farthest = largest(around_.cloths.comm(), farthest);
   const double most = most_ways * spacing_;
   double part = farthest > most * (1 + 1e-12) ? most / farthest : 1;
-  const Points<Dim> scaled = part * motions;
-  cover(starts, scaled);
+  const Points<Dim> scaled = part * motion;
+  cover(from, scaled);
+  const Points<Dim> starts = known(from), motions = known(scaled);
   double free = 1;
   for (const auto& pair : pairs_)
-    free = std::min(free, washfsi::free_part<Dim>(pair.kind, pair.at(starts), pair.motions(scaled)));
+    free = std::min(free, washfsi::free_part<Dim>(pair.kind, pair.at(starts), pair.motions(motions)));
   part *= free;
   return -largest(around_.cloths.comm(), -part);
 }
@@ -306,23 +309,22 @@ template <int Dim>
 void Barrier<Dim>::hold_back(const Points<Dim>& from, Points<Dim>& motion) {
   constexpr int most_rounds = 100;
   constexpr double shorter = 0.9;
-  const Points<Dim> starts = around_.cloths.of_all_ranks(from);
-  Points<Dim> motions = around_.cloths.of_all_ranks(motion);
-  for (auto& way : motions) way *= std::min(1.0, most_ways * spacing_ / std::max(way.norm(), 1e-300));
-  cover(starts, motions);
+  for (auto& way : motion) way *= std::min(1.0, most_ways * spacing_ / std::max(way.norm(), 1e-300));
+  cover(from, motion);
+  const Points<Dim> starts = known(from);
   for (int n = 0;; ++n) {
+    const Points<Dim> motions = known(motion);
     std::vector<double> parts(motions.size(), 1.0);
     for (const auto& pair : pairs_) {
       const double free = washfsi::free_part<Dim>(pair.kind, pair.at(starts), pair.motions(motions));
       if (free == 1) continue;
       for (const std::size_t m : pair.markers) parts[m] = std::min(parts[m], n < most_rounds ? shorter * free : 0);
     }
-    MPI_Allreduce(MPI_IN_PLACE, parts.data(), static_cast<int>(parts.size()), MPI_DOUBLE, MPI_MIN,
-                  around_.cloths.comm());
-    if (std::all_of(parts.begin(), parts.end(), [](double part) { return part == 1; })) break;
-    for (std::size_t m = 0; m < parts.size(); ++m) motions[m] *= parts[m];
+    parts = search_.known().least(parts);
+    const bool shortens = std::any_of(parts.begin(), parts.end(), [](double part) { return part != 1; });
+    if (!any_rank(around_.cloths.comm(), shortens)) return;
+    for (std::size_t m = 0; m < motion.size(); ++m) motion[m] *= parts[m];
   }
-  std::copy_n(motions.begin() + static_cast<long>(begin_), motion.size(), motion.begin());
 }
 
 template <int Dim>

@@ -14,7 +14,7 @@ namespace washfsi {
 ///   E = kappa w d^ m b(d/d^),     w the undeformed area that the pair stands for, m the mollifier of parallel edges
 /// and pushes its markers by  -kappa w (m b' share n + d^ b dm/dX). The stiffness is the part  kappa w/d^ m b''
 /// (share n)(share n)^T  of its Jacobian, which is never negative. No accepted motion lets facets touch, whatever the
-/// step: `free_part`. All ranks know the places of all markers.
+/// step: `free_part`. Each rank has the pairs with a marker of its own, and knows the markers that are near to these.
 template <int Dim>
 class Barrier : public ContactForce<Dim> {
  public:
@@ -57,16 +57,16 @@ class Barrier : public ContactForce<Dim> {
     StiffnessBlock<Dim> block() const { return stiffness * gap.normal * gap.normal.transpose(); }
   };
   using Pairs = std::vector<FacetPair<Dim>>;
-  void look_round(const Points<Dim>& all);
+  void look_round(const Points<Dim>& positions, Before before = Before::forget);
   void lay_out();
-  bool covers(const Points<Dim>& all) const;
-  double farthest_from_places(const Points<Dim>& all) const;
-  void cover(const Points<Dim>& from, const Points<Dim>& motions);
+  bool covers(const Points<Dim>& positions) const;
+  double farthest_from_places(const Points<Dim>& positions) const;
+  void cover(const Points<Dim>& from, const Points<Dim>& motion);
+  Points<Dim> known(const Points<Dim>& own) const { return search_.known().values(own); }
   double least_reach() const { return distance_ / 8; }
   const std::vector<Touch>& touches(const Points<Dim>& positions) const;
   std::vector<Touch> touches_at(const Points<Dim>& all) const;
   Touch touch(const FacetPair<Dim>& pair, const Gap<Dim>& gap, const PairPoints<Dim>& places) const;
-  bool owns(std::size_t marker) const { return marker >= begin_ && marker < begin_ + around_.cloths.owned(); }
   template <class Visit>
   void visit_own(const FacetPair<Dim>& pair, const Visit& visit) const;
   void add_blocks(const FacetPair<Dim>& pair, const Gap<Dim>& gap, const StiffnessBlock<Dim>& block,
@@ -76,14 +76,13 @@ class Barrier : public ContactForce<Dim> {
 
   BarrierOptions options_;
   Surroundings<Dim> around_;
-  Facets<Dim> facets_;
   double distance_, spacing_;
-  std::size_t begin_;
   PairSearch<Dim> search_;
 
-  Pairs pairs_;                  ///< that may touch, as long as no marker leaves its reach
-  Points<Dim> places_;           ///< of all markers when it looked round [m]
-  std::vector<double> reaches_;  ///< of all markers from there [m]
+  Pairs pairs_;  ///< that may touch, as long as no marker leaves its reach
+  bool has_looked_ = false;
+  Points<Dim> places_;           ///< of this rank's markers when it looked round [m]
+  std::vector<double> reaches_;  ///< of them from there [m]
   /// The columns of the stiffness in the rows of this rank's markers, and where each row's begin.
   std::vector<std::size_t> columns_, rows_;
   long pattern_ = 0;

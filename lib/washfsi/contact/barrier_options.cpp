@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "washfsi/cloth/facets.hpp"
 #include "washfsi/contact/cushion.hpp"
-#include "washfsi/contact/facets.hpp"
 #include "washfsi/support/errors.hpp"
 #include "washfsi/support/format_text.hpp"
 #include "washfsi/support/text.hpp"

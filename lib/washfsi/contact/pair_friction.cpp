@@ -6,31 +6,37 @@
 namespace washfsi {
 
 template <int Dim>
-void PairFriction<Dim>::begin(std::vector<Pair> pairs, Points<Dim> starts, double dt, double share) {
+void PairFriction<Dim>::begin(std::vector<Pair> pairs, const Points<Dim>& starts, double dt, double share) {
   pairs_ = std::move(pairs);
-  starts_ = std::move(starts);
   std::vector<Rub<Dim>> rubs;
-  for (const Pair& pair : pairs_) rubs.push_back({pair.gap.normal, pair.limit, pair.stops});
+  for (Pair& pair : pairs_) {
+    rubs.push_back({pair.gap.normal, pair.limit, pair.stops});
+    for (std::size_t i = 0; i < pair_markers<Dim>; ++i) pair.starts[i] = starts[pair.facets.markers[i]];
+  }
   friction_.begin(std::move(rubs), dt, share);
   forces_.clear();
 }
 
 template <int Dim>
-void PairFriction<Dim>::begin_explicit(std::vector<Pair> pairs, const Points<Dim>& all, const Points<Dim>& velocities,
-                                       const std::vector<double>& mobilities, double dt) {
-  set_stops(pairs, mobilities, dt);
+void PairFriction<Dim>::begin_explicit(std::vector<Pair> pairs, const NearMarkers<Dim>& known, const Points<Dim>& all,
+                                       const Points<Dim>& velocities, const std::vector<double>& mobilities,
+                                       double dt) {
+  set_stops(pairs, known, mobilities, dt);
   begin(std::move(pairs), all + -dt * velocities, dt);
 }
 
-// By all that rubs on each marker of a pair, in the direction that all of it may have.
+// By all that rubs on each marker of a pair, in the direction that all of it may have: its owner has all of these
+// pairs.
 template <int Dim>
-void PairFriction<Dim>::set_stops(std::vector<Pair>& pairs, const std::vector<double>& mobilities, double dt) {
-  std::vector<double> limits(mobilities.size(), 0.0);
+void PairFriction<Dim>::set_stops(std::vector<Pair>& pairs, const NearMarkers<Dim>& known,
+                                  const std::vector<double>& mobilities, double dt) {
+  std::vector<double> limits(known.size(), 0.0);
   const auto over_markers = [](const Pair& pair, const auto& visit) {
     for (std::size_t i = 0; i < pair_markers<Dim>; ++i) visit(pair.facets.markers[i], std::abs(pair.gap.shares[i]));
   };
   for (const Pair& pair : pairs)
     over_markers(pair, [&](std::size_t marker, double share) { limits[marker] += share * pair.limit; });
+  limits = known.values(known.own(limits));
   for (Pair& pair : pairs) {
     double speed = 0;  // of the slide, over dt
     over_markers(pair, [&](std::size_t marker, double share) { speed += share * mobilities[marker] * limits[marker]; });
@@ -51,7 +57,7 @@ Points<Dim> PairFriction<Dim>::ways(const Points<Dim>& all) const {
   for (std::size_t r = 0; r < ways.size(); ++r)
     for (std::size_t i = 0; i < pair_markers<Dim>; ++i) {
       const std::size_t marker = pairs_[r].facets.markers[i];
-      ways[r] += pairs_[r].gap.shares[i] * (all[marker] - starts_[marker]);
+      ways[r] += pairs_[r].gap.shares[i] * (all[marker] - pairs_[r].starts[i]);
     }
   return ways;
 }

@@ -6,22 +6,31 @@
 
 namespace washfsi {
 
-/// Friction between facets of cloths that touch when a step begins. All ranks know the places of all markers.
+/// Friction between facets of cloths that touch when a step begins, of which each has a marker of this rank. Places and
+/// velocities are those of all markers that it knows.
 template <int Dim>
 class PairFriction {
  public:
   struct Pair {
     FacetPair<Dim> facets;
-    Gap<Dim> gap;      ///< at the step's start
-    double limit;      ///< friction coefficient times normal force there [N; per unit depth in the plane]
-    double stops = 0;  ///< as of a `Rub`
+    Gap<Dim> gap;              ///< at the step's start
+    double limit;              ///< friction coefficient times normal force there [N; per unit depth in the plane]
+    double stops = 0;          ///< as of a `Rub`
+    PairPoints<Dim> starts{};  ///< of its markers; of an explicit step where they would have come from [m]
   };
 
   /// A step of length dt from these places begins; dt = 0: nothing slides. The share is that of `Friction::begin`.
-  void begin(std::vector<Pair> pairs, Points<Dim> starts, double dt, double share = 1);
+  void begin(std::vector<Pair> pairs, const Points<Dim>& starts, double dt, double share = 1);
   /// An explicit step, in which what is at these places slides as it does now; mobilities as in `ExplicitStep`.
-  void begin_explicit(std::vector<Pair> pairs, const Points<Dim>& all, const Points<Dim>& velocities,
-                      const std::vector<double>& mobilities, double dt);
+  /// Collective.
+  void begin_explicit(std::vector<Pair> pairs, const NearMarkers<Dim>& known, const Points<Dim>& all,
+                      const Points<Dim>& velocities, const std::vector<double>& mobilities, double dt);
+  /// The markers are known at other places now: place(where one was).
+  template <class Place>
+  void renumber(const Place& place) {
+    for (Pair& pair : pairs_)
+      for (std::size_t& marker : pair.facets.markers) marker = place(marker);
+  }
   /// Newton's method goes on from these places.
   void linearise(const Points<Dim>& all);
   /// What `visit` gives is of these places.
@@ -36,10 +45,10 @@ class PairFriction {
 
  private:
   Points<Dim> ways(const Points<Dim>& all) const;
-  static void set_stops(std::vector<Pair>& pairs, const std::vector<double>& mobilities, double dt);
+  static void set_stops(std::vector<Pair>& pairs, const NearMarkers<Dim>& known, const std::vector<double>& mobilities,
+                        double dt);
 
   std::vector<Pair> pairs_;
-  Points<Dim> starts_;  ///< of all markers; of an explicit step where they would have come from [m]
   Friction<Dim> friction_;
   std::vector<RubForce<Dim>> forces_;
 };

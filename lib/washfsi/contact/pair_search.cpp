@@ -72,7 +72,7 @@ class Search {
   NearSearch<Dim> search_;
 };
 
-/// Among all facets for what is this rank's, and among this rank's for what is not.
+/// Among all that is known for what is this rank's, and among this rank's for what is not.
 template <int Dim>
 class Searches {
  public:
@@ -112,10 +112,13 @@ bool share_a_marker(const First& first, const Second& second) {
 }  // namespace
 
 template <int Dim>
-std::vector<FacetPair<Dim>> PairSearch<Dim>::find(const Points<Dim>& all, const std::vector<double>& reaches,
-                                                  double distance) const {
+std::vector<FacetPair<Dim>> PairSearch<Dim>::find(const Points<Dim>& positions, const std::vector<double>& reaches,
+                                                  double distance, Before before) {
+  if (known_.choose(positions, reaches, distance, before)) facets_ = Facets<Dim>(cloths_, known_);
   std::vector<FacetPair<Dim>> found;
-  const Query query{all, reaches, distance};
+  const Points<Dim> all = known_.values(positions);
+  const std::vector<double> all_reaches = known_.values(reaches);
+  const Query query{all, all_reaches, distance};
   if (!facets_.faces.empty()) find_points_and_faces(query, found);
   if constexpr (Dim == 3)
     if (!facets_.edges.empty()) find_edges(query, found);

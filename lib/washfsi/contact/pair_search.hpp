@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "washfsi/contact/facets.hpp"
+#include "washfsi/cloth/facets.hpp"
 #include "washfsi/contact/gap.hpp"
 #include "washfsi/geometry/near_search.hpp"
 
@@ -13,13 +13,13 @@ namespace washfsi {
 template <int Dim>
 struct FacetPair {
   PairKind kind;
-  std::array<std::size_t, pair_markers<Dim>> markers;  ///< numbers among those of all ranks
+  std::array<std::size_t, pair_markers<Dim>> markers;  ///< places among those that the rank knows
   Point<Dim> shift;                                    ///< of the second facet's periodic image [m]
   double weight;    ///< undeformed area that the pair stands for [m2; m in the plane]
   double parallel;  ///< eps of the mollifier [m4]; 0 where there is none
   double start;     ///< distance where it was found [m]
 
-  /// The places of its markers among those of all, near to each other.
+  /// The places of its markers, near to each other, by those of all that is known.
   PairPoints<Dim> at(const Points<Dim>& all) const {
     PairPoints<Dim> places;
     for (std::size_t i = 0; i < places.size(); ++i)
@@ -27,7 +27,7 @@ struct FacetPair {
     return places;
   }
 
-  /// Its markers' part of the motions of all.
+  /// Its markers' motions.
   PairPoints<Dim> motions(const Points<Dim>& all) const {
     PairPoints<Dim> motions;
     for (std::size_t i = 0; i < motions.size(); ++i) motions[i] = all[markers[i]];
@@ -36,22 +36,29 @@ struct FacetPair {
 };
 
 /// Finds the pairs of facets that may come near to each other, of one cloth with itself too. Each rank finds those that
-/// have a marker of its own. Their order depends on nothing but which they are.
+/// have a marker of its own, and knows what is near to these. Their order depends on nothing but which they are.
 template <int Dim>
 class PairSearch {
  public:
-  /// The facets must outlive it. `begin` to `end`: the markers of this rank.
-  PairSearch(const Facets<Dim>& facets, const PeriodicSpace<Dim>& space, std::size_t begin, std::size_t end)
-      : facets_(facets), space_(space), begin_(begin), end_(end) {}
+  /// The cloths must outlive it. Collective.
+  PairSearch(const Cloths<Dim>& cloths, const PeriodicSpace<Dim>& space)
+      : cloths_(cloths), space_(space), known_(cloths, space), facets_(cloths, known_) {}
 
-  /// The pairs that may be as near as `distance`, while each of all markers moves from its place by its reach at most.
-  std::vector<FacetPair<Dim>> find(const Points<Dim>& all, const std::vector<double>& reaches, double distance) const;
+  /// The pairs that may be as near as `distance`, while each marker moves from its place by its reach at most; places
+  /// and reaches are those of this rank's markers. What was known before stays known if it is to be kept, elsewhere
+  /// perhaps. Collective.
+  std::vector<FacetPair<Dim>> find(const Points<Dim>& positions, const std::vector<double>& reaches, double distance,
+                                   Before before = Before::forget);
+
+  /// The markers that the pairs are of, and their facets, until the next search.
+  const NearMarkers<Dim>& known() const { return known_; }
+  const Facets<Dim>& facets() const { return facets_; }
 
  private:
   struct Query;
   template <class Markers>
   bool is_own(const Markers& markers) const {
-    return std::any_of(markers.begin(), markers.end(), [this](std::size_t m) { return m >= begin_ && m < end_; });
+    return std::any_of(markers.begin(), markers.end(), [this](std::size_t m) { return known_.owns(m); });
   }
   template <class Facet>
   std::vector<std::size_t> own(const std::vector<Facet>& facets) const;
@@ -60,9 +67,10 @@ class PairSearch {
   void keep_if_near(const Query& query, FacetPair<Dim> pair, std::vector<FacetPair<Dim>>& found) const;
   Point<Dim> shift_of(const FacetPair<Dim>& pair, const Points<Dim>& all) const;
 
-  const Facets<Dim>& facets_;
+  const Cloths<Dim>& cloths_;
   PeriodicSpace<Dim> space_;
-  std::size_t begin_, end_;
+  NearMarkers<Dim> known_;
+  Facets<Dim> facets_;
 };
 
 extern template class PairSearch<2>;

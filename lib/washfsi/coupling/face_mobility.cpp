@@ -47,33 +47,37 @@ struct FaceMobility<Dim>::Faces {
   PetscInt stride(int axis) const { return strides[axis]; }
 };
 
-// Pairs of markers within reach of each other, of those in the same or neighbouring bins as wide as that.
+// Pairs with markers within reach, of those in the same or neighbouring bins as wide as that.
 template <int Dim>
-double FaceMobility<Dim>::pairs_within_reach(const Points<Dim>& positions) const {
+double FaceMobility<Dim>::pairs_within_reach(const Points<Dim>& positions, std::size_t first, std::size_t count) const {
   const Point<Dim> reach = 2 * delta_.spread_width * grid_.spacing();
-  std::map<Index<Dim>, double> bins;
-  for (const auto& position : positions) {
+  const auto bin_of = [&](const Point<Dim>& position) {
     Index<Dim> bin;
     for (int d = 0; d < Dim; ++d) bin[d] = static_cast<PetscInt>(std::floor(grid_.folded(position)[d] / reach[d]));
-    bins[bin] += 1;
+    return bin;
+  };
+  std::map<Index<Dim>, double> of_all, of_own;
+  for (std::size_t m = 0; m < positions.size(); ++m) {
+    of_all[bin_of(positions[m])] += 1;
+    if (m >= first && m < first + count) of_own[bin_of(positions[m])] += 1;
   }
   double pairs = 0;
-  for (const auto& bin : bins) {
+  for (const auto& bin : of_own) {
     Box<Dim> around;
     for (int d = 0; d < Dim; ++d) {
       around.lower[d] = bin.first[d] - 1;
       around.upper[d] = bin.first[d] + 2;
     }
     for_each(around, [&](const Index<Dim>& other) {
-      const auto found = bins.find(other);
-      if (found != bins.end()) pairs += bin.second * found->second;
+      const auto found = of_all.find(other);
+      if (found != of_all.end()) pairs += bin.second * found->second;
     });
   }
   return std::pow(2.0 / 3, Dim) * pairs;
 }
 
 template <int Dim>
-bool FaceMobility<Dim>::is_faster(const Points<Dim>& all_positions) const {
+bool FaceMobility<Dim>::is_faster(const Points<Dim>& positions, std::size_t first, std::size_t count) const {
   constexpr double pairs_per_point =
       0.5;  // of equal cost, about: pairs are read from memory, faces mostly from the cache
   if (delta_.spread_width != delta_.interpolate_width) return false;
@@ -82,8 +86,10 @@ bool FaceMobility<Dim>::is_faster(const Points<Dim>& all_positions) const {
     if (grid_.periodic(d) && grid_.cells()[d] < 2 * AxisStencil::most) return false;
     cells *= static_cast<double>(grid_.cells()[d]);
   }
-  const double points = std::pow(2 * delta_.spread_width, Dim) * static_cast<double>(all_positions.size());
-  return pairs_within_reach(all_positions) > pairs_per_point * (points + cells);
+  const std::vector<double> sums = ordered_sum(
+      grid_.comm(), std::vector<double>{pairs_within_reach(positions, first, count), static_cast<double>(count)});
+  const double points = std::pow(2 * delta_.spread_width, Dim) * sums[1];
+  return sums[0] > pairs_per_point * (points + cells);
 }
 
 // All stencils; across periodic sides also the images of what is beyond them.

@@ -15,9 +15,10 @@ class FaceMobility {
   FaceMobility(const Grid<Dim>& grid, const DeltaOptions& delta)
       : grid_(grid), delta_(delta), stencils_(AxisDelta(delta.kernel, delta.spread_width)) {}
 
-  /// Whether these markers, of all ranks, have so many pairs within reach that the product is the faster one, by an
-  /// estimate. No communication.
-  bool is_faster(const Points<Dim>& all_positions) const;
+  /// Whether the markers of all ranks have so many pairs within reach that the product is the faster one, by an
+  /// estimate. Given are all that are within twice the reach of this rank's, which are so many from `first` on.
+  /// Collective.
+  bool is_faster(const Points<Dim>& positions, std::size_t first, std::size_t count) const;
 
   /// Fixes it. `positions` and `row_sums` are those of this rank's markers; `own_share` as of the matrix. Collective.
   void locate(const Points<Dim>& positions, const std::vector<double>& row_sums, double own_share);
@@ -27,7 +28,7 @@ class FaceMobility {
  private:
   /// The faces of one component, as `FaceStencil` visits them.
   struct Faces;
-  double pairs_within_reach(const Points<Dim>& positions) const;
+  double pairs_within_reach(const Points<Dim>& positions, std::size_t first, std::size_t count) const;
   template <class Stencils>
   void enclose(const Stencils& stencils);
   void find_shared(const std::vector<Box<Dim>>& boxes);

@@ -53,32 +53,38 @@ std::vector<std::vector<typename MobilityMatrix<Dim>::Entry>> MobilityMatrix<Dim
 }
 
 template <int Dim>
-void MobilityMatrix<Dim>::assemble(const Points<Dim>& positions, PetscInt first, const std::vector<double>& row_sums,
-                                   double own_share) {
-  const auto begin = static_cast<std::size_t>(first);
-  const std::vector<std::vector<Entry>> rows = overlaps(positions, begin, row_sums.size());
-  std::vector<double> scales(positions.size(), 0.0);  // what the row sums of the overlaps must be multiplied with
+void MobilityMatrix<Dim>::assemble(const Points<Dim>& positions, const std::vector<std::size_t>& numbers,
+                                   std::size_t first, const std::vector<double>& row_sums, double own_share) {
+  const std::vector<std::vector<Entry>> rows = overlaps(positions, first, row_sums.size());
+  std::vector<double> scales;  // what the row sums of the overlaps must be multiplied with
   for (std::size_t m = 0; m < rows.size(); ++m) {
     Point<Dim> sum = Point<Dim>::Zero();
     for (const Entry& entry : rows[m]) sum += entry.value;
-    scales[begin + m] = row_sums[m] / sum.maxCoeff();
+    scales.push_back(row_sums[m] / sum.maxCoeff());
   }
-  MPI_Allreduce(MPI_IN_PLACE, scales.data(), static_cast<int>(scales.size()), MPI_DOUBLE, MPI_SUM, grid_.comm());
-  fill(rows, begin, scales, own_share);
+  std::vector<std::size_t> others;
+  for (const std::size_t other : others_in(rows, first, positions.size())) others.push_back(numbers[other]);
+  find_others(rows.size(), others);
+  fill(rows, first, positions.size(), scales, own_share);
 }
 
 template <int Dim>
-void MobilityMatrix<Dim>::fill(const std::vector<std::vector<Entry>>& rows, std::size_t begin,
+void MobilityMatrix<Dim>::fill(const std::vector<std::vector<Entry>>& rows, std::size_t begin, std::size_t all,
                                const std::vector<double>& scales, double own_share) {
-  const std::vector<PetscInt> others = others_in(rows, begin, scales.size());
-  std::vector<std::size_t> column_of(scales.size());
+  const std::vector<std::size_t> others = others_in(rows, begin, all);
+  std::vector<double> scales_of_others(others.size());
+  WASH_PETSC(PetscSFBcastBegin(from_others_, MPI_DOUBLE, scales.data(), scales_of_others.data(), MPI_REPLACE));
+  WASH_PETSC(PetscSFBcastEnd(from_others_, MPI_DOUBLE, scales.data(), scales_of_others.data(), MPI_REPLACE));
+  std::vector<std::size_t> column_of(all);
   for (std::size_t n = 0; n < others.size(); ++n) column_of[others[n]] = n;
   own_ = others_ = {};
   for (std::size_t m = 0; m < rows.size(); ++m) {
     for (const auto& [other, value] : rows[m]) {
-      const double share = other == begin + m ? 1 + own_share : 1;
-      const Point<Dim> entry = share * std::sqrt(scales[begin + m] * scales[other]) * value;
-      if (other < begin || other >= begin + rows.size())
+      const bool is_own = other >= begin && other < begin + rows.size();
+      const double share = other == begin + m ? 1 + own_share : 1,
+                   scale = is_own ? scales[other - begin] : scales_of_others[column_of[other]];
+      const Point<Dim> entry = share * std::sqrt(scales[m] * scale) * value;
+      if (!is_own)
         others_.add(column_of[other], entry);
       else if (other >= begin + m || !is_symmetric())
         own_.add(other - begin, entry);
@@ -86,28 +92,26 @@ void MobilityMatrix<Dim>::fill(const std::vector<std::vector<Entry>>& rows, std:
     own_.end_row();
     others_.end_row();
   }
-  find_others(others);
 }
 
 // The markers of other ranks, in ascending order.
 template <int Dim>
-std::vector<PetscInt> MobilityMatrix<Dim>::others_in(const std::vector<std::vector<Entry>>& rows, std::size_t begin,
-                                                     std::size_t all) {
+std::vector<std::size_t> MobilityMatrix<Dim>::others_in(const std::vector<std::vector<Entry>>& rows, std::size_t begin,
+                                                        std::size_t all) {
   std::vector<char> is_met(all, 0);
   for (const auto& row : rows)
     for (const Entry& entry : row) is_met[entry.other] = 1;
-  std::vector<PetscInt> others;
+  std::vector<std::size_t> others;
   for (std::size_t marker = 0; marker < all; ++marker)
-    if (is_met[marker] && (marker < begin || marker >= begin + rows.size()))
-      others.push_back(static_cast<PetscInt>(marker));
+    if (is_met[marker] && (marker < begin || marker >= begin + rows.size())) others.push_back(marker);
   return others;
 }
 
 template <int Dim>
-void MobilityMatrix<Dim>::find_others(const std::vector<PetscInt>& others) {
+void MobilityMatrix<Dim>::find_others(std::size_t own, const std::vector<std::size_t>& numbers) {
   petsc::Layout markers;
-  const auto own = static_cast<PetscInt>(own_.starts.size()) - 1;
-  WASH_PETSC(PetscLayoutCreateFromSizes(grid_.comm(), own, PETSC_DETERMINE, 1, markers.put()));
+  const std::vector<PetscInt> others(numbers.begin(), numbers.end());
+  WASH_PETSC(PetscLayoutCreateFromSizes(grid_.comm(), static_cast<PetscInt>(own), PETSC_DETERMINE, 1, markers.put()));
   WASH_PETSC(PetscSFCreate(grid_.comm(), from_others_.put()));
   WASH_PETSC(PetscSFSetGraphLayout(from_others_, markers, static_cast<PetscInt>(others.size()), nullptr,
                                    PETSC_COPY_VALUES, others.data()));
@@ -115,16 +119,21 @@ void MobilityMatrix<Dim>::find_others(const std::vector<PetscInt>& others) {
 }
 
 template <int Dim>
-Points<Dim> MobilityMatrix<Dim>::times(const Points<Dim>& forces) const {
+std::size_t MobilityMatrix<Dim>::count_of_others() const {
   PetscInt count = 0;
   WASH_PETSC(PetscSFGetGraph(from_others_, nullptr, &count, nullptr, nullptr));
-  Points<Dim> of_others(static_cast<std::size_t>(count)), result(forces.size(), Point<Dim>::Zero());
-  WASH_PETSC(PetscSFBcastBegin(from_others_, point_type_, forces.data(), of_others.data(), MPI_REPLACE));
+  return static_cast<std::size_t>(count);
+}
+
+template <int Dim>
+Points<Dim> MobilityMatrix<Dim>::times(const Points<Dim>& forces) const {
+  Points<Dim> forces_of_others(count_of_others()), result(forces.size(), Point<Dim>::Zero());
+  WASH_PETSC(PetscSFBcastBegin(from_others_, point_type_, forces.data(), forces_of_others.data(), MPI_REPLACE));
   add_of_own(forces, result);
-  WASH_PETSC(PetscSFBcastEnd(from_others_, point_type_, forces.data(), of_others.data(), MPI_REPLACE));
+  WASH_PETSC(PetscSFBcastEnd(from_others_, point_type_, forces.data(), forces_of_others.data(), MPI_REPLACE));
   for (std::size_t m = 0; m < result.size(); ++m)
     for (std::size_t k = others_.starts[m]; k < others_.starts[m + 1]; ++k)
-      result[m] += others_.values[k].cwiseProduct(of_others[others_.columns[k]]);
+      result[m] += others_.values[k].cwiseProduct(forces_of_others[others_.columns[k]]);
   return result;
 }
 

@@ -13,11 +13,11 @@ class MobilityMatrix {
  public:
   MobilityMatrix(const Grid<Dim>& grid, const DeltaOptions& delta) : grid_(grid), delta_(delta) {}
 
-  /// Makes the matrix anew. `positions` are those of all markers, on every rank; `row_sums` those of this rank's
-  /// markers, which are the ones from `first` on. The diagonal is raised by a share of itself: where two markers are in
-  /// one place, the matrix would be singular. Collective.
-  void assemble(const Points<Dim>& positions, PetscInt first, const std::vector<double>& row_sums,
-                double own_share = 0);
+  /// Makes the matrix anew. `positions` are those of the markers with these numbers, in ascending order: all that are
+  /// within reach of this rank's, and these, from `first` on; `row_sums` are those of this rank's. The diagonal is
+  /// raised by a share of itself: where two markers are in one place, the matrix would be singular. Collective.
+  void assemble(const Points<Dim>& positions, const std::vector<std::size_t>& numbers, std::size_t first,
+                const std::vector<double>& row_sums, double own_share = 0);
 
   /// Its product with forces on this rank's markers. Collective.
   Points<Dim> times(const Points<Dim>& forces) const;
@@ -43,11 +43,12 @@ class MobilityMatrix {
     }
     void end_row() { starts.push_back(columns.size()); }
   };
-  void fill(const std::vector<std::vector<Entry>>& rows, std::size_t begin, const std::vector<double>& scales,
-            double own_share);
-  static std::vector<PetscInt> others_in(const std::vector<std::vector<Entry>>& rows, std::size_t begin,
-                                         std::size_t all);
-  void find_others(const std::vector<PetscInt>& others);
+  void fill(const std::vector<std::vector<Entry>>& rows, std::size_t begin, std::size_t all,
+            const std::vector<double>& scales, double own_share);
+  static std::vector<std::size_t> others_in(const std::vector<std::vector<Entry>>& rows, std::size_t begin,
+                                            std::size_t all);
+  void find_others(std::size_t own, const std::vector<std::size_t>& numbers);
+  std::size_t count_of_others() const;
   void add_of_own(const Points<Dim>& forces, Points<Dim>& result) const;
 
   const Grid<Dim>& grid_;

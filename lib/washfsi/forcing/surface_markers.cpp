@@ -9,7 +9,7 @@
 
 #include "washfsi/forcing/sinker.hpp"
 #include "washfsi/grid/subdivide.hpp"
-#include "washfsi/support/collective.hpp"
+#include "washfsi/support/of_all_ranks.hpp"
 
 namespace washfsi {
 
@@ -55,29 +55,6 @@ class SeedCells {
   Box<Dim> box_{};
 };
 
-// Those of all ranks, in rank order.
-template <int Dim>
-std::vector<Candidate<Dim>> of_all_ranks(MPI_Comm comm, const std::vector<Candidate<Dim>>& mine) {
-  constexpr std::size_t width = 2 * Dim + 1;
-  std::vector<double> values;
-  for (const auto& [place, foot, sharpness] : mine) {
-    values.insert(values.end(), place.begin(), place.end());
-    values.insert(values.end(), foot.begin(), foot.end());
-    values.push_back(sharpness);
-  }
-  const auto ranks = static_cast<std::size_t>(ranks_of(comm));
-  std::vector<int> counts(ranks), starts(ranks, 0);
-  const int count = static_cast<int>(values.size());
-  MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, comm);
-  std::partial_sum(counts.begin(), counts.end() - 1, starts.begin() + 1);
-  std::vector<double> all(static_cast<std::size_t>(starts.back() + counts.back()));
-  MPI_Allgatherv(values.data(), count, MPI_DOUBLE, all.data(), counts.data(), starts.data(), MPI_DOUBLE, comm);
-  std::vector<Candidate<Dim>> candidates;
-  for (auto value = all.data(); value != all.data() + all.size(); value += width)
-    candidates.push_back({Point<Dim>(value), Point<Dim>(value + Dim), static_cast<int>(value[2 * Dim])});
-  return candidates;
-}
-
 // What sink(seed) finds, in an order that does not depend on the region, for what is equally crowded. Ranks take seeds
 // by turns: dear ones are near each other.
 template <int Dim, class Sink>
@@ -93,7 +70,7 @@ std::vector<Candidate<Dim>> candidates_of(const Shape<Dim>& shape, const MarkerL
   std::vector<Candidate<Dim>> mine;
   for (std::size_t n = rank; n < near.size(); n += ranks)
     if (const auto candidate = sink(seeds.center(near[n]))) mine.push_back(*candidate);
-  std::vector<Candidate<Dim>> candidates = of_all_ranks<Dim>(layout.comm, mine);
+  std::vector<Candidate<Dim>> candidates = of_all_ranks(layout.comm, mine);
   std::sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
     return std::lexicographical_compare(a.place.begin(), a.place.end(), b.place.begin(), b.place.end());
   });
@@ -171,7 +148,7 @@ std::vector<std::vector<Candidate<Dim>>> places_of(const std::vector<Surface<Dim
     const bool is_mine = static_cast<int>(n) % ranks_of(layout.comm) == rank_of(layout.comm);
     places[n] = is_mine ? spread_evenly<Dim>(places[n], marker_spacing * layout.cell) : std::vector<Candidate<Dim>>();
   }
-  for (std::size_t n = 0; n < parts.size(); ++n) places[n] = of_all_ranks<Dim>(parts[n].layout.comm, places[n]);
+  for (std::size_t n = 0; n < parts.size(); ++n) places[n] = of_all_ranks(parts[n].layout.comm, places[n]);
   return places;
 }
 

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "washfsi/cloth/cloths.hpp"
+#include "washfsi/cloth/facets.hpp"
 #include "washfsi/geometry/near_search.hpp"
 #include "washfsi/geometry/nearest.hpp"
 
@@ -13,6 +13,7 @@ namespace washfsi {
 /// cloths apart as long as the grid resolves it; what it does not, these numbers tell.
 class ClothCrossings {
  public:
+  /// Collective.
   explicit ClothCrossings(const Cloths<3>& cloths);
 
   /// Takes the places of this rank's markers after a step; the first ones only begin. Collective.
@@ -27,16 +28,23 @@ class ClothCrossings {
   double reach() const { return reach_; }
 
  private:
-  using Corners = std::array<std::size_t, 3>;  ///< of a triangle, by the numbers of their markers
-  bool crosses(std::size_t marker, const Corners& corners, const Points<3>& now) const;
+  using Corners = Facets<3>::Face;
+  /// Where the markers that this rank knows were, and are.
+  struct Ways {
+    Points<3> before, now;
+
+    Bounds<3> bounds(std::size_t marker) const;
+  };
+  Ways ways_to(const Points<3>& positions);
+  bool crosses(std::size_t marker, const Corners& corners, const Ways& ways) const;
   static Triangle triangle_of(const Corners& corners, const Points<3>& places);
-  Bounds<3> way_of(std::size_t marker, const Points<3>& now) const;
 
   const Cloths<3>& cloths_;
-  std::vector<Corners> triangles_;
-  std::vector<std::size_t> piece_of_triangle_;
+  NearMarkers<3> known_;
+  Facets<3> facets_;
   double reach_ = 0;
-  Points<3> before_;  ///< of all markers
+  bool is_first_ = true;
+  Points<3> before_;  ///< of this rank's markers
   double crossings_ = 0, least_distance_ = 0;
 };
 

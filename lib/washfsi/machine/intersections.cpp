@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "washfsi/support/collective.hpp"
+#include "washfsi/support/of_all_ranks.hpp"
 
 namespace washfsi {
 
@@ -43,65 +43,91 @@ bool cross(const std::array<Point<3>, 2>& e, const std::array<Point<3>, 3>& t) {
   return a != 0 && a == b && b == c;
 }
 
-// Lower and upper ends of a thing along all axes.
-template <int Dim>
-struct Span {
+/// An edge or a face as it lies, and its ends along all axes: where space repeats itself, folded along the axis by
+/// which things are sorted, an image of it before its start too.
+template <int Dim, std::size_t Count>
+struct Thing {
+  std::array<Point<Dim>, Count> corners;
+  std::array<PetscInt, Count> markers;
+  std::size_t piece;
   Point<Dim> lower, upper;
-  std::size_t thing;
   bool is_image;
 };
 
 template <int Dim, std::size_t Count>
-Span<Dim> span_of(const std::array<std::size_t, Count>& markers, const Points<Dim>& all, std::size_t thing) {
-  Span<Dim> span{all[markers[0]], all[markers[0]], thing, false};
-  for (const std::size_t m : markers) {
-    span.lower = span.lower.cwiseMin(all[m]);
-    span.upper = span.upper.cwiseMax(all[m]);
+Thing<Dim, Count> thing(const std::array<std::size_t, Count>& corners, const Points<Dim>& places,
+                        const std::vector<PetscInt>& numbers, std::size_t piece) {
+  Thing<Dim, Count> thing{{}, {}, piece, places[corners[0]], places[corners[0]], false};
+  for (std::size_t i = 0; i < Count; ++i) {
+    thing.corners[i] = places[corners[i]];
+    thing.markers[i] = numbers[corners[i]];
+    thing.lower = thing.lower.cwiseMin(thing.corners[i]);
+    thing.upper = thing.upper.cwiseMax(thing.corners[i]);
   }
-  return span;
+  return thing;
 }
 
-// In ascending order along an axis; where space repeats itself, folded, and those that reach beyond the end once more
-// before its start.
-template <int Dim, class Things>
-std::vector<Span<Dim>> spans_along(int axis, const Things& things, const Points<Dim>& all, double length) {
-  std::vector<Span<Dim>> spans;
-  spans.reserve(things.size());
-  const auto add_shifted = [&](Span<Dim> span, double shift) {
-    span.lower[axis] -= shift;
-    span.upper[axis] -= shift;
-    spans.push_back(span);
-  };
-  for (std::size_t n = 0; n < things.size(); ++n) {
-    Span<Dim> span = span_of<Dim>(things[n], all, n);
-    const double fold = length > 0 ? length * std::floor(span.lower[axis] / length) : 0;
-    add_shifted(span, fold);
-    span.is_image = true;
-    if (length > 0 && span.upper[axis] - fold >= length) add_shifted(span, fold + length);
+/// The space in slabs of equal thickness, across the axis along which the markers lie farthest apart: one for each
+/// rank.
+template <int Dim>
+class EqualSlabs {
+ public:
+  EqualSlabs(MPI_Comm comm, const Points<Dim>& positions, const Point<Dim>& lengths)
+      : comm_(comm), ranks_(ranks_of(comm)), lower_(Point<Dim>::Constant(1e300)) {
+    Point<Dim> upper = -lower_;
+    for (const auto& place : positions) {
+      lower_ = lower_.cwiseMin(place);
+      upper = upper.cwiseMax(place);
+    }
+    MPI_Allreduce(MPI_IN_PLACE, lower_.data(), Dim, MPI_DOUBLE, MPI_MIN, comm);
+    MPI_Allreduce(MPI_IN_PLACE, upper.data(), Dim, MPI_DOUBLE, MPI_MAX, comm);
+    extent_ = (upper - lower_).maxCoeff(&axis_);
+    length_ = lengths[axis_];
+    if (length_ == 0) return;
+    lower_[axis_] = 0;
+    extent_ = length_;
   }
-  std::sort(spans.begin(), spans.end(), [=](const auto& a, const auto& b) { return a.lower[axis] < b.lower[axis]; });
-  return spans;
-}
+  int axis() const { return axis_; }
+
+  int rank_at(double place) const {
+    const double slab = extent_ > 0 ? std::floor(ranks_ * (place - lower_[axis_]) / extent_) : 0;
+    return static_cast<int>(std::clamp(slab, 0.0, static_cast<double>(ranks_ - 1)));
+  }
+
+  /// Of the things of all ranks those that reach into this rank's slab, in ascending order along the axis. Collective.
+  template <std::size_t Count>
+  std::vector<Thing<Dim, Count>> shared_out(const std::vector<Thing<Dim, Count>>& mine) const {
+    std::vector<std::vector<Thing<Dim, Count>>> parts(static_cast<std::size_t>(ranks_));
+    const auto add_shifted = [&](Thing<Dim, Count> thing, double shift) {
+      thing.lower[axis_] -= shift;
+      thing.upper[axis_] -= shift;
+      const int end = rank_at(thing.upper[axis_]) + 1;
+      for (int r = rank_at(thing.lower[axis_]); r < end; ++r) parts[static_cast<std::size_t>(r)].push_back(thing);
+    };
+    for (Thing<Dim, Count> thing : mine) {
+      const double fold = length_ > 0 ? length_ * std::floor(thing.lower[axis_] / length_) : 0;
+      add_shifted(thing, fold);
+      thing.is_image = true;
+      if (length_ > 0 && thing.upper[axis_] - fold >= length_) add_shifted(thing, fold + length_);
+    }
+    std::vector<Thing<Dim, Count>> here = sent_to_ranks(comm_, parts);
+    std::ranges::sort(here, {}, [this](const auto& thing) { return thing.lower[axis_]; });
+    return here;
+  }
+
+ private:
+  MPI_Comm comm_;
+  int ranks_, axis_ = 0;
+  Point<Dim> lower_;
+  double extent_ = 0, length_ = 0;  ///< along the axis; of its period, 0 without one
+};
 
 // Along an axis that repeats itself all may meet.
-template <int Dim>
-bool may_meet(const Span<Dim>& a, const Span<Dim>& b, const Point<Dim>& lengths, int sorted_along) {
+template <class First, class Second, int Dim>
+bool may_meet(const First& a, const Second& b, const Point<Dim>& lengths, int sorted_along) {
   for (int d = 0; d < Dim; ++d)
     if ((lengths[d] == 0 || d == sorted_along) && (a.upper[d] < b.lower[d] || b.upper[d] < a.lower[d])) return false;
   return !(a.is_image && b.is_image);
-}
-
-// The axis along which the markers lie farthest apart.
-template <int Dim>
-int longest_axis(const Points<Dim>& all) {
-  Point<Dim> lower = all[0], upper = all[0];
-  for (const auto& place : all) {
-    lower = lower.cwiseMin(place);
-    upper = upper.cwiseMax(place);
-  }
-  int axis = 0;
-  (upper - lower).maxCoeff(&axis);
-  return axis;
 }
 
 }  // namespace
@@ -109,74 +135,81 @@ int longest_axis(const Points<Dim>& all) {
 template <int Dim>
 IntersectionCount<Dim>::IntersectionCount(const Cloths<Dim>& cloths, const Point<Dim>& lengths)
     : cloths_(cloths), lengths_(lengths) {
-  for (std::size_t p = 0; p < cloths.pieces().size(); ++p) add_piece(p);
+  for (const Patch& patch : cloths.patches()) add_patch(patch);
 }
 
-// Row by row of the lattice, each cell split along the diagonal from its first marker.
+// Of each of this rank's markers, row by row of the lattice, each cell split along the diagonal from its first marker.
 template <int Dim>
-void IntersectionCount<Dim>::add_piece(std::size_t number) {
-  const Piece& piece = cloths_.pieces()[number];
-  const Sheet& sheet = cloths_.groups()[piece.group].sheet;
-  const auto first = static_cast<std::size_t>(piece.first), width = sheet.width;
-  const std::size_t rows = static_cast<std::size_t>(piece.count) / width;
-  const auto marker = [&](std::size_t i, std::size_t j) { return first + (i % rows) * width + j; };
-  for (std::size_t i = 0; i < rows; ++i)
-    for (std::size_t j = 0; j < width; ++j) {
-      const bool below = sheet.closed || i + 1 < rows, beside = j + 1 < width;
-      if (below) edges_.push_back({marker(i, j), marker(i + 1, j)});
-      if (beside) edges_.push_back({marker(i, j), marker(i, j + 1)});
-      if (below && beside) edges_.push_back({marker(i, j), marker(i + 1, j + 1)});
-      if constexpr (Dim == 3) {
-        if (!below || !beside) continue;
-        faces_.push_back({marker(i, j), marker(i + 1, j), marker(i + 1, j + 1)});
-        faces_.push_back({marker(i, j), marker(i + 1, j + 1), marker(i, j + 1)});
-      } else if (below) {
-        faces_.push_back(edges_.back());
-      }
+void IntersectionCount<Dim>::add_patch(const Patch& patch) {
+  const std::size_t width = cloths_.group_of(patch).sheet.width;
+  const auto first = static_cast<std::size_t>(cloths_.pieces()[patch.piece].first);
+  const auto marker = [&](std::size_t m) { return patch.first_in_halo + m; };
+  numbers_.insert(numbers_.end(), patch.markers.begin(), patch.markers.end());
+  for (std::size_t m = patch.own_begin; m < patch.own_end; ++m) {
+    const bool below = m + width < patch.markers.size(),
+               beside = (static_cast<std::size_t>(patch.markers[m]) - first) % width + 1 < width;
+    if (below) edges_.push_back({marker(m), marker(m + width)});
+    if (beside) edges_.push_back({marker(m), marker(m + 1)});
+    if (below && beside) edges_.push_back({marker(m), marker(m + width + 1)});
+    if constexpr (Dim == 3) {
+      if (!below || !beside) continue;
+      faces_.push_back({marker(m), marker(m + width), marker(m + width + 1)});
+      faces_.push_back({marker(m), marker(m + width + 1), marker(m + 1)});
+    } else if (below) {
+      faces_.push_back(edges_.back());
     }
-  piece_of_edge_.resize(edges_.size(), number);
-  piece_of_face_.resize(faces_.size(), number);
+  }
+  piece_of_edge_.resize(edges_.size(), patch.piece);
+  piece_of_face_.resize(faces_.size(), patch.piece);
 }
 
 template <int Dim>
 void IntersectionCount<Dim>::count(const Points<Dim>& positions) {
-  const Points<Dim> all = cloths_.of_all_ranks(positions);
   total_ = 0;
   example_.reset();
-  if (all.empty() || faces_.empty()) return;
-  const int axis = longest_axis<Dim>(all);
-  const std::vector<Span<Dim>> edges = spans_along<Dim>(axis, edges_, all, lengths_[axis]),
-                               faces = spans_along<Dim>(axis, faces_, all, lengths_[axis]);
-  double longest = 0;
-  for (const auto& face : faces) longest = std::max(longest, face.upper[axis] - face.lower[axis]);
-  const auto rank = static_cast<std::size_t>(rank_of(cloths_.comm())),
-             ranks = static_cast<std::size_t>(ranks_of(cloths_.comm()));
-  for (const auto& edge : edges) {
-    if (edge.thing % ranks != rank) continue;
-    auto face = std::lower_bound(faces.begin(), faces.end(), edge.lower[axis] - longest,
-                                 [&](const auto& span, double value) { return span.lower[axis] < value; });
-    for (; face != faces.end() && face->lower[axis] <= edge.upper[axis]; ++face)
-      if (may_meet(edge, *face, lengths_, axis)) test(edge.thing, face->thing, all);
-  }
+  if (cloths_.marker_count() == 0) return;
+  const EqualSlabs<Dim> slabs(cloths_.comm(), positions, lengths_);
+  const Points<Dim> places = cloths_.with_halo(positions);
+  std::vector<Thing<Dim, 2>> own_edges;
+  std::vector<Thing<Dim, Dim>> own_faces;
+  for (std::size_t n = 0; n < edges_.size(); ++n)
+    own_edges.push_back(thing<Dim>(edges_[n], places, numbers_, piece_of_edge_[n]));
+  for (std::size_t n = 0; n < faces_.size(); ++n)
+    own_faces.push_back(thing<Dim>(faces_[n], places, numbers_, piece_of_face_[n]));
+  count_among(slabs, slabs.shared_out(own_edges), slabs.shared_out(own_faces));
   total_ = ordered_sum(cloths_.comm(), total_);
   share_example();
 }
 
+// What meets does so in the slab where the later one begins, and counts there.
+template <int Dim>
+template <class Slabs, class Edges, class Faces>
+void IntersectionCount<Dim>::count_among(const Slabs& slabs, const Edges& edges, const Faces& faces) {
+  const int axis = slabs.axis(), rank = rank_of(cloths_.comm());
+  double longest = 0;
+  for (const auto& face : faces) longest = std::max(longest, face.upper[axis] - face.lower[axis]);
+  for (const auto& edge : edges) {
+    auto face = std::ranges::lower_bound(faces, edge.lower[axis] - longest, {},
+                                         [&](const auto& other) { return other.lower[axis]; });
+    for (; face != faces.end() && face->lower[axis] <= edge.upper[axis]; ++face)
+      if (may_meet(edge, *face, lengths_, axis) && slabs.rank_at(std::max(edge.lower[axis], face->lower[axis])) == rank)
+        test(edge, *face);
+  }
+}
+
 // With the image of the face that is nearest to the edge. In the plane both are edges, of which each pair counts once.
 template <int Dim>
-void IntersectionCount<Dim>::test(std::size_t edge, std::size_t face, const Points<Dim>& all) {
-  if (Dim == 2 && face <= edge) return;
-  std::array<Point<Dim>, 2> e;
-  std::array<Point<Dim>, Dim> f;
-  for (std::size_t i = 0; i < e.size(); ++i) e[i] = all[edges_[edge][i]];
-  const Point<Dim> shift = image_shift(all[faces_[face][0]], e[0]);
-  for (std::size_t i = 0; i < f.size(); ++i) {
-    f[i] = all[faces_[face][i]] + shift;
-    if (faces_[face][i] == edges_[edge][0] || faces_[face][i] == edges_[edge][1]) return;
+template <class Edge, class Face>
+void IntersectionCount<Dim>::test(const Edge& edge, Face face) {
+  if (Dim == 2 && face.markers[0] <= edge.markers[0]) return;
+  const Point<Dim> shift = image_shift(face.corners[0], edge.corners[0]);
+  for (std::size_t i = 0; i < face.corners.size(); ++i) {
+    if (face.markers[i] == edge.markers[0] || face.markers[i] == edge.markers[1]) return;
+    face.corners[i] += shift;
   }
-  if (!cross(e, f)) return;
+  if (!cross(edge.corners, face.corners)) return;
   total_ += 1;
-  if (!example_) example_ = {piece_of_edge_[edge], piece_of_face_[face], 0.5 * (e[0] + e[1])};
+  if (!example_) example_ = {edge.piece, face.piece, 0.5 * (edge.corners[0] + edge.corners[1])};
 }
 
 template <int Dim>

@@ -25,7 +25,7 @@ class IntersectionCount {
   /// `lengths`: periods of space [m]; 0 where it does not repeat itself. The cloths must outlive it.
   IntersectionCount(const Cloths<Dim>& cloths, const Point<Dim>& lengths);
 
-  /// Takes the places of this rank's markers. Each rank tests a share of the edges. Collective.
+  /// Takes the places of this rank's markers. Each rank tests what lies in one slab of space. Collective.
   void count(const Points<Dim>& positions);
   double total() const { return total_; }
   /// One of them; the same on all ranks.
@@ -34,18 +34,20 @@ class IntersectionCount {
   std::string describe() const;
 
  private:
-  using Edge = std::array<std::size_t, 2>;
-  using Face = std::array<std::size_t, Dim>;
-  void add_piece(std::size_t number);
+  void add_patch(const Patch& patch);
   std::string name_of_piece(std::size_t piece) const;
-  void test(std::size_t edge, std::size_t face, const Points<Dim>& all);
+  template <class Slabs, class Edges, class Faces>
+  void count_among(const Slabs& slabs, const Edges& edges, const Faces& faces);
+  template <class Edge, class Face>
+  void test(const Edge& edge, Face face);
   Point<Dim> image_shift(const Point<Dim>& from, const Point<Dim>& to) const;
   void share_example();
 
   const Cloths<Dim>& cloths_;
   Point<Dim> lengths_;
-  std::vector<Edge> edges_;
-  std::vector<Face> faces_;
+  std::vector<PetscInt> numbers_;                  ///< of the markers that this rank sees (`Cloths::with_halo`)
+  std::vector<std::array<std::size_t, 2>> edges_;  ///< that begin at this rank's markers, by where these are seen
+  std::vector<std::array<std::size_t, Dim>> faces_;
   std::vector<std::size_t> piece_of_edge_, piece_of_face_;
   double total_ = 0;
   std::optional<Intersection<Dim>> example_;

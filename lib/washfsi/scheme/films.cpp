@@ -6,6 +6,8 @@
 #include <map>
 #include <numbers>
 
+#include "washfsi/support/of_all_ranks.hpp"
+
 namespace washfsi {
 
 namespace {
@@ -14,17 +16,6 @@ namespace {
 template <int Dim>
 double mean_square_of(double area) {
   return Dim == 3 ? area / (8 * std::numbers::pi) : area * area / 12;
-}
-
-// Symmetric.
-template <int Dim>
-void add_block(Mat matrix, std::size_t row, std::size_t column, const StiffnessBlock<Dim>& block) {
-  std::array<PetscInt, Dim> rows, columns;
-  for (int a = 0; a < Dim; ++a) {
-    rows[a] = static_cast<PetscInt>(row) * Dim + a;
-    columns[a] = static_cast<PetscInt>(column) * Dim + a;
-  }
-  WASH_PETSC(MatSetValues(matrix, Dim, rows.data(), Dim, columns.data(), block.data(), ADD_VALUES));
 }
 
 }  // namespace
@@ -37,28 +28,17 @@ double film_ease(PureLiquid liquid, double gap, double mean_square, double inert
 
 template <int Dim>
 Films<Dim>::Films(const Grid<Dim>& grid, const Cloths<Dim>& cloths, PureLiquid liquid)
-    : cloths_(cloths),
-      liquid_(liquid),
-      facets_(cloths),
-      cell_(grid.spacing().minCoeff()),
-      search_(facets_, periods_of<Dim>(grid), 0, static_cast<std::size_t>(cloths.marker_count())) {
-  for (std::size_t p = 0; p < cloths.pieces().size(); ++p)
-    cloth_of_.insert(cloth_of_.end(), static_cast<std::size_t>(cloths.pieces()[p].count), p);
-}
+    : cloths_(cloths), liquid_(liquid), cell_(grid.spacing().minCoeff()), search_(cloths, periods_of<Dim>(grid)) {}
 
+// Of each of this rank's markers with each other cloth, the nearest.
 template <int Dim>
-bool Films<Dim>::owns(std::size_t marker) const {
-  const auto number = static_cast<PetscInt>(marker);
-  return number >= cloths_.begin() && number < cloths_.end();
-}
-
-// Of each marker with each other cloth, the nearest.
-template <int Dim>
-typename Films<Dim>::Pairs Films<Dim>::nearest_pairs(const Points<Dim>& all) const {
+typename Films<Dim>::Pairs Films<Dim>::nearest_pairs(const Points<Dim>& positions) {
   std::map<std::pair<std::size_t, std::size_t>, FacetPair<Dim>> nearest;
-  for (const auto& pair : search_.find(all, std::vector<double>(all.size(), 0.0), cell_)) {
-    const std::size_t other = cloth_of_[pair.markers.back()];
-    if (pair.kind != PairKind::point_facet || other == cloth_of_[pair.markers[0]] || pair.start == 0) continue;
+  for (const auto& pair : search_.find(positions, std::vector<double>(positions.size(), 0.0), cell_)) {
+    const NearMarkers<Dim>& known = search_.known();
+    const std::size_t other = known.piece_of(pair.markers.back());
+    if (pair.kind != PairKind::point_facet || !known.owns(pair.markers[0])) continue;
+    if (other == known.piece_of(pair.markers[0]) || pair.start == 0) continue;
     const auto [place, is_new] = nearest.try_emplace({pair.markers[0], other}, pair);
     if (!is_new && pair.start < place->second.start) place->second = pair;
   }
@@ -70,9 +50,10 @@ typename Films<Dim>::Pairs Films<Dim>::nearest_pairs(const Points<Dim>& all) con
 template <int Dim>
 typename Films<Dim>::Film Films<Dim>::film(const FacetPair<Dim>& pair, const Points<Dim>& all) const {
   const Gap<Dim> gap = gap_of<Dim>(pair.kind, pair.at(all));
-  Film film{pair.markers, {}, gap.distance, 0, 0.5 * facets_.marker_areas[pair.markers[0]]};
+  const std::vector<double>& areas = search_.facets().marker_areas;
+  Film film{pair.markers, {}, gap.distance, 0, 0.5 * areas[pair.markers[0]]};
   for (std::size_t i = 0; i < film.weights.size(); ++i)
-    film.weights[i] = 0.5 * gap.shares[i] / facets_.marker_areas[pair.markers[i]] * gap.normal;
+    film.weights[i] = 0.5 * gap.shares[i] / areas[pair.markers[i]] * gap.normal;
   return film;
 }
 
@@ -92,69 +73,74 @@ double Films<Dim>::ease(const Film& film, double pressure) const {
 template <int Dim>
 void Films<Dim>::begin_step(const Points<Dim>& positions, const Points<Dim>& forces) {
   const petsc::LogPart part("films");
-  const Points<Dim> all = cloths_.of_all_ranks(positions), given = cloths_.of_all_ranks(forces);
-  const auto cloths_of = [&](const Film& film) {
-    return std::minmax({cloth_of_[film.markers.front()], cloth_of_[film.markers.back()]});
-  };
+  const Pairs pairs = nearest_pairs(positions);
+  const Points<Dim> all = search_.known().values(positions), given = search_.known().values(forces);
   films_.clear();
-  std::map<std::pair<std::size_t, std::size_t>, double> areas;  // half of each marker's, from either side
-  for (const auto& pair : nearest_pairs(all)) {
-    films_.push_back(film(pair, all));
-    areas[cloths_of(films_.back())] += films_.back().area;
-  }
-  for (Film& film : films_) {
-    film.mean_square = mean_square_of<Dim>(areas[cloths_of(film)]);
-    film.ease = ease(film, pressure(film, given));
-  }
+  for (const auto& pair : pairs) films_.push_back(film(pair, all));
+  find_mean_squares();
+  for (Film& film : films_) film.ease = ease(film, pressure(film, given));
+}
+
+// Of the area in which two cloths are near: half of each marker's, from either side, of all ranks.
+template <int Dim>
+void Films<Dim>::find_mean_squares() {
+  using Cloths = std::pair<std::size_t, std::size_t>;
+  const NearMarkers<Dim>& known = search_.known();
+  const auto cloths_of = [&](const Film& film) -> Cloths {
+    return std::minmax({known.piece_of(film.markers.front()), known.piece_of(film.markers.back())});
+  };
+  std::vector<std::pair<Cloths, double>> areas;
+  for (const Film& film : films_) areas.emplace_back(cloths_of(film), film.area);
+  std::map<Cloths, double> sums;
+  for (const auto& [cloths, area] : of_all_ranks(cloths_.comm(), areas)) sums[cloths] += area;
+  for (Film& film : films_) film.mean_square = mean_square_of<Dim>(sums[cloths_of(film)]);
 }
 
 template <int Dim>
 void Films<Dim>::add_velocities(const Points<Dim>& forces, Points<Dim>& velocities) const {
-  const Points<Dim> all = cloths_.of_all_ranks(forces);
+  const Points<Dim> all = search_.known().values(forces);
+  Points<Dim> moved(all.size(), Point<Dim>::Zero());
   for (const Film& film : films_) {
     const double speed = film.area * film.ease * pressure(film, all);
-    for (std::size_t i = 0; i < film.markers.size(); ++i)
-      if (owns(film.markers[i]))
-        velocities[film.markers[i] - static_cast<std::size_t>(cloths_.begin())] += speed * film.weights[i];
+    for (std::size_t i = 0; i < film.markers.size(); ++i) moved[film.markers[i]] += speed * film.weights[i];
   }
+  velocities += search_.known().sums(moved);
 }
 
 template <int Dim>
 double Films<Dim>::power(const Points<Dim>& forces) const {
-  const Points<Dim> all = cloths_.of_all_ranks(forces);
+  const Points<Dim> all = search_.known().values(forces);
   double sum = 0;
   for (const Film& film : films_) sum += film.area * film.ease * std::pow(pressure(film, all), 2);
-  return sum;
+  return ordered_sum(cloths_.comm(), sum);
 }
 
-// Each rank the rows of its own markers.
 template <int Dim>
 petsc::Matrix Films<Dim>::matrix(double factor) const {
-  std::vector<PetscInt> entries(Dim * cloths_.owned(), Dim);
-  for (const Film& film : films_)
-    for (const std::size_t marker : film.markers)
-      if (owns(marker))
-        for (std::size_t a = 0; a < Dim; ++a)
-          entries[Dim * (marker - static_cast<std::size_t>(cloths_.begin())) + a] += Dim * pair_markers<Dim>;
-  const auto rows = static_cast<PetscInt>(entries.size());
-  std::vector<PetscInt> others = entries;
-  for (PetscInt& count : entries) count = std::min(count, rows);
-  for (PetscInt& count : others) count = std::min(count, Dim * cloths_.marker_count() - rows);
-  petsc::Matrix own;
-  WASH_PETSC(MatCreateAIJ(cloths_.comm(), rows, rows, PETSC_DETERMINE, PETSC_DETERMINE, 0, entries.data(), 0,
-                          others.data(), own.put()));
-  for (const Film& film : films_)
-    for (std::size_t i = 0; i < film.markers.size(); ++i) {
-      if (!owns(film.markers[i])) continue;
-      for (std::size_t j = 0; j < film.markers.size(); ++j) {
-        const StiffnessBlock<Dim> block =
-            factor * film.area * film.ease * film.weights[i] * film.weights[j].transpose();
-        add_block<Dim>(own, film.markers[i], film.markers[j], block);
+  std::vector<PetscInt> rows, columns;
+  std::vector<double> values;
+  const auto add_block = [&](std::size_t row, std::size_t column, const StiffnessBlock<Dim>& block) {
+    for (int a = 0; a < Dim; ++a)
+      for (int b = 0; b < Dim; ++b) {
+        rows.push_back(static_cast<PetscInt>(row) * Dim + a);
+        columns.push_back(static_cast<PetscInt>(column) * Dim + b);
+        values.push_back(block(a, b));
       }
-    }
-  WASH_PETSC(MatAssemblyBegin(own, MAT_FINAL_ASSEMBLY));
-  WASH_PETSC(MatAssemblyEnd(own, MAT_FINAL_ASSEMBLY));
-  return own;
+  };
+  const std::vector<std::size_t>& numbers = search_.known().numbers();
+  for (const Film& film : films_)
+    for (std::size_t i = 0; i < film.markers.size(); ++i)
+      for (std::size_t j = 0; j < film.markers.size(); ++j)
+        add_block(numbers[film.markers[i]], numbers[film.markers[j]],
+                  factor * film.area * film.ease * film.weights[i] * film.weights[j].transpose());
+  petsc::Matrix matrix;
+  const auto size = static_cast<PetscInt>(Dim * cloths_.owned());
+  WASH_PETSC(MatCreate(cloths_.comm(), matrix.put()));
+  WASH_PETSC(MatSetSizes(matrix, size, size, PETSC_DETERMINE, PETSC_DETERMINE));
+  WASH_PETSC(MatSetType(matrix, MATAIJ));
+  WASH_PETSC(MatSetPreallocationCOO(matrix, static_cast<PetscCount>(rows.size()), rows.data(), columns.data()));
+  WASH_PETSC(MatSetValuesCOO(matrix, values.data(), INSERT_VALUES));
+  return matrix;
 }
 
 template class Films<2>;

@@ -18,7 +18,7 @@ namespace washfsi {
 template <int Dim>
 class Films {
  public:
-  /// The cloths must outlive it.
+  /// The cloths must outlive it. Collective.
   Films(const Grid<Dim>& grid, const Cloths<Dim>& cloths, PureLiquid liquid);
 
   /// Before each step, from these places of this rank's markers, which give these forces to the water as
@@ -34,26 +34,24 @@ class Films {
  private:
   /// Beside one marker.
   struct Film {
-    std::array<std::size_t, pair_markers<Dim>> markers;  ///< of all ranks; the film's own first
+    std::array<std::size_t, pair_markers<Dim>> markers;  ///< as of a `FacetPair`; the film's own first
     PairPoints<Dim> weights;                             ///< g [1/m2]
     double gap, mean_square;                             ///< d [m], l^2 [m2]
     double area;                                         ///< W: half the marker's [m2]
     double ease = 0;                                     ///< v/q [m/(s Pa)]
   };
   using Pairs = std::vector<FacetPair<Dim>>;
-  Pairs nearest_pairs(const Points<Dim>& all) const;
+  Pairs nearest_pairs(const Points<Dim>& positions);
+  void find_mean_squares();
   Film film(const FacetPair<Dim>& pair, const Points<Dim>& all) const;
   double pressure(const Film& film, const Points<Dim>& all_forces) const;
   double ease(const Film& film, double pressure) const;
-  bool owns(std::size_t marker) const;
 
   const Cloths<Dim>& cloths_;
   PureLiquid liquid_;
-  Facets<Dim> facets_;
-  std::vector<std::size_t> cloth_of_;  ///< of all markers
-  double cell_;                        ///< the least spacing of the grid [m]
+  double cell_;  ///< the least spacing of the grid [m]
   PairSearch<Dim> search_;
-  std::vector<Film> films_;  ///< the same on all ranks
+  std::vector<Film> films_;  ///< of this rank's markers
 };
 
 /// v/q of a film [m/(s Pa)] under a pressure [Pa].

@@ -23,12 +23,15 @@ void StepMobility<Dim>::find(const Model<Dim>& model, const Points<Dim>& places,
   share_ = 1;
   if (!with_matrix) return;
   const double share = model.forces.limit_motion() ? own_share : 0;
-  const Points<Dim> all = model.cloths.of_all_ranks(places);
-  by_faces_ = faces_.is_faster(all);
+  const DeltaOptions& delta = model.transfer.delta();
+  const double reach = (delta.spread_width + delta.interpolate_width) * model.grid.spacing().maxCoeff();
+  near_.choose(places, std::vector<double>(places.size(), 0.0), 2 * reach);
+  const Points<Dim> all = near_.values(places);
+  by_faces_ = faces_.is_faster(all, near_.begin(), places.size());
   if (by_faces_)
     faces_.locate(places, row_sums_, share);
   else
-    matrix_.assemble(all, model.cloths.begin(), row_sums_, share);
+    matrix_.assemble(all, near_.numbers(), near_.begin(), row_sums_, share);
 }
 
 template <int Dim>

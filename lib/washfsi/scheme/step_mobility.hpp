@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "washfsi/cloth/near_markers.hpp"
 #include "washfsi/coupling/face_mobility.hpp"
 #include "washfsi/coupling/marker_vectors.hpp"
 #include "washfsi/coupling/mobility.hpp"
@@ -13,8 +14,11 @@ namespace washfsi {
 template <int Dim>
 class StepMobility {
  public:
+  /// Collective.
   explicit StepMobility(const Model<Dim>& model)
-      : matrix_(model.grid, model.transfer.delta()), faces_(model.grid, model.transfer.delta()) {}
+      : near_(model.cloths, periods_of<Dim>(model.grid)),
+        matrix_(model.grid, model.transfer.delta()),
+        faces_(model.grid, model.transfer.delta()) {}
 
   /// At the places where the cloths were located last, times a factor. Where contact limits the markers' motion, those
   /// that are in the same water get a little mobility of their own. Collective.
@@ -29,6 +33,7 @@ class StepMobility {
   Points<Dim> times(const Points<Dim>& forces) const;
 
  private:
+  NearMarkers<Dim> near_;  ///< so that each rank's are with all that their deltas and the next ones reach
   MobilityMatrix<Dim> matrix_;
   FaceMobility<Dim> faces_;
   bool by_faces_ = false;

@@ -42,10 +42,10 @@ bool lacks_prefix(const std::string& name) {
 }
 
 bool is_for_petsc(const std::string& name) {
-  static constexpr std::array<std::string_view, 14> ours{
-      "momentum_ksp_", "momentum_pc_", "momentum_sub_", "momentum_mat_", "pressure_ksp_",
-      "pressure_pc_",  "pressure_mg_", "pressure_mat_", "walls_ksp_",    "walls_pc_",
-      "cloth_snes_",   "cloth_ksp_",   "cloth_pc_",     "cloth_mat_"};
+  static constexpr std::array<std::string_view, 16> ours{
+      "momentum_ksp_", "momentum_pc_",  "momentum_sub_",      "momentum_mat_",     "pressure_ksp_", "pressure_pc_",
+      "pressure_mg_",  "pressure_mat_", "walls_overlap_ksp_", "walls_overlap_pc_", "walls_ksp_",    "walls_pc_",
+      "cloth_snes_",   "cloth_ksp_",    "cloth_pc_",          "cloth_mat_"};
   return belongs_to_petsc(name) ||
          std::any_of(ours.begin(), ours.end(), [&](std::string_view start) { return name.starts_with(start); });
 }

@@ -213,20 +213,6 @@ void add_cloth(const ClothGroup<Dim>& group, const Model<Dim>& model, Findings& 
                                "water passes between its markers; more -" + group.name + "_markers"));
 }
 
-// Contact, the counts of crossings and the markers of bodies are spread over ranks by what each works out of all of
-// them.
-template <int Dim>
-void add_copies(const Model<Dim>& model, Findings& findings) {
-  constexpr double most = 1e5;
-  double count = static_cast<double>(model.cloths.marker_count());
-  for (std::size_t b = 0; model.walls && b < model.bodies.size(); ++b)
-    count += static_cast<double>(model.walls->markers_of(b));
-  const int ranks = ranks_of(model.grid.comm());
-  if (ranks == 1 || count <= most) return;
-  findings.push_back(at_most("markers on each rank", count, {most}, format_text("all %.3g, on %d ranks", count, ranks),
-                             "more ranks do not share the memory and the exchange of them; fewer -NAME_markers"));
-}
-
 void add_distance(const System<3>& system, Findings& findings) {
   const Model<3>& model = system.model;
   if (model.cloths.pieces().size() < 2) return;
@@ -327,7 +313,6 @@ Findings start_findings(const System<Dim>& system, const Cycles& cycles, const R
   if (model.has_fluid) std::ranges::move(resting_side_findings(model, time), std::back_inserter(findings));
   if (model.has_fluid)
     for (const auto& group : model.cloths.groups()) add_cloth<Dim>(group, model, findings);
-  add_copies(model, findings);
   if constexpr (Dim == 3) add_distance(system, findings);
   add_times(times, cycles, std::ranges::any_of(model.bodies, [](const auto& body) { return !body.motion.at_rest(); }),
             findings);

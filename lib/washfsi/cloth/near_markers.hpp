@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a rank has to know of the cloths of other ranks: the markers whose facets may come near to facets of its own.
+// Each rank tells all others the boxes of blocks of its facets, some for each hundred markers, and gets from their
+// owners the values of the markers of those that overlap its own boxes. Nothing else of a cloth is known to all.
+#pragma once
+
+#include "washfsi/cloth/cloths.hpp"
+#include "washfsi/geometry/near_search.hpp"
+
+namespace washfsi {
+
+/// What becomes of the markers that were known before others are chosen.
+enum class Before { forget, keep };
+
+/// The markers that a rank knows: its own, and those of other ranks that are near. Arrays of what is known hold them
+/// in ascending order of their numbers, so that this rank's are contiguous there too.
+template <int Dim>
+class NearMarkers {
+ public:
+  /// The cloths must outlive it. Collective.
+  NearMarkers(const Cloths<Dim>& cloths, const PeriodicSpace<Dim>& space);
+
+  /// Chooses them: the markers of all facets that may come as near as `distance` to one of this rank's, while each
+  /// marker moves from its place by its reach at most [m], and all that there were before if they are to be kept.
+  /// Places and reaches are those of this rank's markers. Returns whether any rank knows others now. Collective.
+  bool choose(const Points<Dim>& positions, const std::vector<double>& reaches, double distance,
+              Before before = Before::forget);
+
+  /// Their numbers among those of all ranks.
+  const std::vector<std::size_t>& numbers() const { return numbers_; }
+  std::size_t size() const { return numbers_.size(); }
+  /// The first of this rank's among them; and whether one is this rank's.
+  std::size_t begin() const { return begin_; }
+  bool owns(std::size_t known) const { return known >= begin_ && known < begin_ + cloths_.owned(); }
+  /// The place of a number among them, or the one where it would be.
+  std::size_t place_of(std::size_t number) const;
+  /// The cloth of one of them.
+  std::size_t piece_of(std::size_t known) const { return pieces_[known]; }
+
+  /// The values of all of them; given are those of this rank's. Collective.
+  Points<Dim> values(const Points<Dim>& own) const;
+  std::vector<double> values(const std::vector<double>& own) const;
+  /// Those of this rank among the values of all of them.
+  template <class Values>
+  Values own(const Values& of_known) const {
+    const auto first = of_known.begin() + static_cast<std::ptrdiff_t>(begin_);
+    return Values(first, first + static_cast<std::ptrdiff_t>(cloths_.owned()));
+  }
+  /// Of each of this rank's markers, the sum of what ranks have that know it. Collective.
+  Points<Dim> sums(const Points<Dim>& of_known) const;
+  /// And the least. Collective.
+  std::vector<double> least(const std::vector<double>& of_known) const;
+
+ private:
+  /// Markers of one cloth, in a row, as the first ones of facets.
+  struct Block {
+    std::size_t piece, first, end;
+  };
+  std::vector<Block> own_blocks() const;
+  std::vector<Bounds<Dim>> own_boxes(const Points<Dim>& positions, const std::vector<double>& reaches,
+                                     double distance) const;
+  std::vector<Bounds<Dim>> of_all_blocks(const std::vector<Bounds<Dim>>& own) const;
+  std::vector<std::size_t> markers_near(const std::vector<Bounds<Dim>>& own) const;
+  void add_markers(const Block& block, std::vector<std::size_t>& markers) const;
+  void know(std::vector<std::size_t> numbers);
+  template <class Values>
+  Values known(const Values& own, MPI_Datatype type) const;
+  template <class Values>
+  Values reduced(const Values& of_known, MPI_Datatype type, MPI_Op operation) const;
+
+  const Cloths<Dim>& cloths_;
+  PeriodicSpace<Dim> space_;
+  PointType<Dim> point_type_;
+  petsc::Layout layout_;
+  std::vector<Block> blocks_;         ///< of all ranks, in rank order
+  std::vector<int> counts_, starts_;  ///< of the numbers of each rank's boxes
+  std::vector<std::size_t> numbers_, pieces_;
+  std::size_t begin_ = 0;
+  petsc::StarForest forest_;  ///< from the owners to all that is known
+};
+
+extern template class NearMarkers<2>;
+extern template class NearMarkers<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <numeric>
+#include <vector>
+
+#include "washfsi/support/collective.hpp"
+
+namespace washfsi {
+
+/// The MPI type of things that are copied as they lie in memory.
+template <class Item>
+class ItemType {
+ public:
+  ItemType() {
+    MPI_Type_contiguous(sizeof(Item), MPI_BYTE, &type_);
+    MPI_Type_commit(&type_);
+  }
+  ~ItemType() { MPI_Type_free(&type_); }
+  ItemType(const ItemType&) = delete;
+  ItemType& operator=(const ItemType&) = delete;
+  operator MPI_Datatype() const { return type_; }
+
+ private:
+  MPI_Datatype type_ = MPI_DATATYPE_NULL;
+};
+
+/// The items of all ranks on each, in rank order; ranks may have any number of them. Collective.
+template <class Item>
+std::vector<Item> of_all_ranks(MPI_Comm comm, const std::vector<Item>& mine) {
+  const auto ranks = static_cast<std::size_t>(ranks_of(comm));
+  std::vector<int> counts(ranks), starts(ranks, 0);
+  const int count = static_cast<int>(mine.size());
+  MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, comm);
+  std::exclusive_scan(counts.begin(), counts.end(), starts.begin(), 0);
+  std::vector<Item> all(static_cast<std::size_t>(starts.back()) + static_cast<std::size_t>(counts.back()));
+  const ItemType<Item> type;
+  MPI_Allgatherv(mine.data(), count, type, all.data(), counts.data(), starts.data(), type, comm);
+  return all;
+}
+
+/// What all ranks have for this one, in rank order; given is what this one has for each. Collective.
+template <class Item>
+std::vector<Item> sent_to_ranks(MPI_Comm comm, const std::vector<std::vector<Item>>& mine) {
+  const std::size_t ranks = mine.size();
+  std::vector<int> out(ranks), in(ranks), out_at(ranks, 0), in_at(ranks, 0);
+  std::vector<Item> sent;
+  for (std::size_t r = 0; r < ranks; ++r) {
+    out[r] = static_cast<int>(mine[r].size());
+    sent.insert(sent.end(), mine[r].begin(), mine[r].end());
+  }
+  MPI_Alltoall(out.data(), 1, MPI_INT, in.data(), 1, MPI_INT, comm);
+  std::exclusive_scan(out.begin(), out.end(), out_at.begin(), 0);
+  std::exclusive_scan(in.begin(), in.end(), in_at.begin(), 0);
+  std::vector<Item> got(static_cast<std::size_t>(in_at.back()) + static_cast<std::size_t>(in.back()));
+  const ItemType<Item> type;
+  MPI_Alltoallv(sent.data(), out.data(), out_at.data(), type, got.data(), in.data(), in_at.data(), type, comm);
+  return got;
+}
+
+}  // namespace washfsi
