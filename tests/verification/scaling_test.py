@@ -5,14 +5,15 @@ Steps of inputs/wash.opts of equal length, all the same on each number of ranks,
 number of steps is measured, set-up is not: each figure is the difference of two runs. Fails where results differ between ranks.
 Arguments: the numbers of ranks, 1 2 if none are given; more than there are cores tell of messages and results alone. The model wants 1 and 2.
 
-The model. What a rank does is taken to be shared evenly, but for what all ranks do: the forces of each body's markers by the
-inverse of their overlap, and of the search for contact what a second rank does not halve. Cells have the work of
-momentum, pressure, masks and measures; markers of walls grow as the square of the cells a side, and those of cloths too.
+The model. What a rank does is taken to be shared evenly, but for what all ranks do: they look which cloths are near among the boxes of
+blocks of markers of all. Cells have the work of momentum, pressure, masks and measures; markers of walls grow as the square of the cells a
+side, and those of cloths too.
 Messages have a latency each and a bandwidth, sums and gathers of all ranks a latency times log2 of them. On more than two ranks a box has
 six neighbours, not one, and a transform exchanges with as many ranks as a row of pencils has.
 """
 
 import math
+import os
 import re
 import subprocess
 import sys
@@ -30,10 +31,12 @@ CAVITY = ["-grid_cells", f"{CELLS},{CELLS},{CELLS}", "-bc_y_upper_velocity", "1,
           "-time_step", 5e-3, "-time_end", 10]
 # As they grow: with the cells, with the markers, of walls for the most part, and with those of cloths.
 CELL_STAGES = "Main Stage", "bodies", "momentum", "pressure", "measures", "output"
-MARKER_STAGES = "spread", "interpolate"
-CLOTH_STAGES = "mobility", "cloth_solve", "cloth_force"
+MARKER_STAGES = "spread", "interpolate", "wall_forces"
+CLOTH_STAGES = "mobility", "cloth_solve", "cloth_force", "contact_search"
 UNUSED = "PCMPI"  # of PETSc's own
 LATENCY, BANDWIDTH = 1.5e-6, 10e9  # of a cluster's network [s], [bytes/s a rank]: taken, not measured
+CLOTH_MARKERS, BLOCK, CHOICES = 576, 32, 4  # on CELLS; of a box; how often a step looks which are near
+BOX, BOX_BYTES = 11e-9, 48  # for each box of all ranks [s, bytes]: measured of 3e5
 TRANSPOSES = 12  # a step: three solves of two transforms each, there and back
 MONITORING = {"pml_monitoring_enable": 2, "pml_monitoring_enable_output": 3}  # of Open MPI: counts sums and gathers
 SAME = 1e-6
@@ -93,15 +96,12 @@ def model(one, counted, cells, ranks):
     share = larger**3 / ranks
     surface = (larger**3 / ranks)**(2 / 3) * 2**(2 / 3)  # of a rank's part, over that of half the box
     markers = larger**2
-    searched = one.of(["contact_search"])
-    searched_by_each = max(0, 2 * counted.of(["contact_search"]) - searched)  # of two ranks each has the rest halved
     messages = counted.messages if ranks <= 2 else 6 * counted.messages + TRANSPOSES * math.sqrt(ranks)
     return {
         "cells": one.of(CELL_STAGES) * share,
         "markers": one.of(MARKER_STAGES) * markers / ranks,
-        "cloths' equations": one.of(CLOTH_STAGES) * markers / ranks,
-        "all walls' forces, on each rank": one.of(["wall_forces"]) * markers,
-        "contact's search": (searched - searched_by_each) * markers / ranks + searched_by_each * markers,
+        "cloths' equations and contact": one.of(CLOTH_STAGES) * markers / ranks,
+        "boxes of all cloths, on each rank": 0 if ranks == 1 else CHOICES * CLOTH_MARKERS / BLOCK * markers * (BOX + BOX_BYTES / BANDWIDTH),
         "messages": 0 if ranks == 1 else messages * LATENCY + counted.bytes * surface / BANDWIDTH,
         "sums and gathers": counted.collectives * LATENCY * math.log2(ranks),
     }
@@ -132,6 +132,18 @@ def print_stages(steps):
                   *(f"{1e3 * wash.stages.get(name, 0):.2f}" for wash, _ in steps.values()))
 
 
+def print_weak(ranks):
+    """As many cells on each rank: what messages and sums a step has, and what it costs on a core."""
+    cores = len(os.sched_getaffinity(0))
+    print()
+    print_head("ranks", "cells a side", "ms a step", "us of a core a step and thousand cells", "messages of a rank", "kB", "sums and gathers")
+    for number in ranks:
+        cells = round(CELLS * (number / 2)**(1 / 3))
+        step = Step(number, [*WASH, "-grid_cells", f"{cells},{cells},{cells}"])
+        print_row(number, cells, f"{1e3 * step.seconds:.1f}", f"{1e9 * step.seconds * min(number, cores) / cells**3:.0f}",
+                  f"{step.messages:.0f}", f"{1e-3 * max(0, step.bytes):.0f}", f"{step.collectives:.0f}")
+
+
 def print_model(one, counted):
     """Milliseconds of each part, where it can be measured too, and on a cluster."""
     measured = {(CELLS, 2): counted, (FINE_CELLS, 1): Step(1, [*WASH, *FINE])}
@@ -152,6 +164,7 @@ def main():
     steps = {number: (Step(number, WASH), Step(number, CAVITY)) for number in ranks}
     same = print_measured(steps)
     print_stages(steps)
+    print_weak(ranks)
     if 1 in steps and 2 in steps:
         print_model(steps[1][0], steps[2][0])
     return 0 if same else 1

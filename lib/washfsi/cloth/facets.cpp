@@ -23,15 +23,18 @@ class Neighbours {
     const std::size_t first = static_cast<std::size_t>(piece.first), in_cloth = known_.numbers()[marker] - first;
     const bool has_row = sheet.closed || in_cloth + sheet.width < count, has_next = (in_cloth + 1) % sheet.width != 0;
     const auto at = [&](bool exists, std::size_t step) {
-      return exists ? place(first + (in_cloth + step) % count) : std::nullopt;
+      return exists ? place(first + (in_cloth + step) % count, marker + step) : std::nullopt;
     };
     return {at(has_row, sheet.width), at(has_row && has_next, sheet.width + 1), at(has_next, 1)};
   }
 
  private:
-  std::optional<std::size_t> place(std::size_t number) const {
+  // Where the whole cloth is known it is where it is guessed to be.
+  std::optional<std::size_t> place(std::size_t number, std::size_t guess) const {
+    const auto is_at = [&](std::size_t place) { return place < known_.size() && known_.numbers()[place] == number; };
+    if (is_at(guess)) return guess;
     const std::size_t place = known_.place_of(number);
-    return place < known_.size() && known_.numbers()[place] == number ? std::optional(place) : std::nullopt;
+    return is_at(place) ? std::optional(place) : std::nullopt;
   }
 
   const Cloths<Dim>& cloths_;

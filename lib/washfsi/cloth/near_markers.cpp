@@ -107,6 +107,7 @@ template <int Dim>
 bool NearMarkers<Dim>::choose(const Points<Dim>& positions, const std::vector<double>& reaches, double distance,
                               Before before) {
   if (ranks_of(cloths_.comm()) == 1) return false;  // all are its own
+  const petsc::LogPart part("near_markers");
   std::vector<std::size_t> markers = markers_near(own_boxes(positions, reaches, distance));
   for (std::size_t m = 0; m < cloths_.owned(); ++m) markers.push_back(static_cast<std::size_t>(cloths_.number_of(m)));
   if (before == Before::keep) markers.insert(markers.end(), numbers_.begin(), numbers_.end());

@@ -94,28 +94,39 @@ class EqualSlabs {
     return static_cast<int>(std::clamp(slab, 0.0, static_cast<double>(ranks_ - 1)));
   }
 
-  /// Of the things of all ranks those that reach into this rank's slab, in ascending order along the axis. Collective.
-  template <std::size_t Count>
-  std::vector<Thing<Dim, Count>> shared_out(const std::vector<Thing<Dim, Count>>& mine) const {
-    std::vector<std::vector<Thing<Dim, Count>>> parts(static_cast<std::size_t>(ranks_));
-    const auto add_shifted = [&](Thing<Dim, Count> thing, double shift) {
-      thing.lower[axis_] -= shift;
-      thing.upper[axis_] -= shift;
-      const int end = rank_at(thing.upper[axis_]) + 1;
-      for (int r = rank_at(thing.lower[axis_]); r < end; ++r) parts[static_cast<std::size_t>(r)].push_back(thing);
-    };
-    for (Thing<Dim, Count> thing : mine) {
-      const double fold = length_ > 0 ? length_ * std::floor(thing.lower[axis_] / length_) : 0;
-      add_shifted(thing, fold);
-      thing.is_image = true;
-      if (length_ > 0 && thing.upper[axis_] - fold >= length_) add_shifted(thing, fold + length_);
-    }
-    std::vector<Thing<Dim, Count>> here = sent_to_ranks(comm_, parts);
-    std::ranges::sort(here, {}, [this](const auto& thing) { return thing.lower[axis_]; });
+  /// Of the things of all ranks those that reach into this rank's slab, in ascending order along the axis. This rank
+  /// has `count` of them, of which thing(n) is made when it is needed. Collective.
+  template <class Make>
+  auto shared_out(std::size_t count, const Make& make) const {
+    std::vector<int> counts(static_cast<std::size_t>(ranks_), 0), next(counts.size(), 0);
+    for (std::size_t n = 0; n < count; ++n)
+      visit_slabs(make(n), [&](const auto&, std::size_t slab) { ++counts[slab]; });
+    std::exclusive_scan(counts.begin(), counts.end(), next.begin(), 0);
+    using Item = decltype(make(0));
+    std::vector<Item> sent(static_cast<std::size_t>(next.back() + counts.back()));
+    for (std::size_t n = 0; n < count; ++n)
+      visit_slabs(make(n),
+                  [&](const Item& item, std::size_t slab) { sent[static_cast<std::size_t>(next[slab]++)] = item; });
+    std::vector<Item> here = sent_to_ranks(comm_, std::move(sent), counts);
+    std::ranges::sort(here, {}, [this](const Item& item) { return item.lower[axis_]; });
     return here;
   }
 
  private:
+  // visit(thing, slab) for all slabs that it reaches into, folded, and as an image before the period's start.
+  template <class Item, class Visit>
+  void visit_slabs(Item item, const Visit& visit) const {
+    const auto visit_shifted = [&](double shift) {
+      item.lower[axis_] -= shift;
+      item.upper[axis_] -= shift;
+      const int end = rank_at(item.upper[axis_]) + 1;
+      for (int slab = rank_at(item.lower[axis_]); slab < end; ++slab) visit(item, static_cast<std::size_t>(slab));
+    };
+    visit_shifted(length_ > 0 ? length_ * std::floor(item.lower[axis_] / length_) : 0);
+    item.is_image = true;
+    if (length_ > 0 && item.upper[axis_] >= length_) visit_shifted(length_);
+  }
+
   MPI_Comm comm_;
   int ranks_, axis_ = 0;
   Point<Dim> lower_;
@@ -170,13 +181,11 @@ void IntersectionCount<Dim>::count(const Points<Dim>& positions) {
   if (cloths_.marker_count() == 0) return;
   const EqualSlabs<Dim> slabs(cloths_.comm(), positions, lengths_);
   const Points<Dim> places = cloths_.with_halo(positions);
-  std::vector<Thing<Dim, 2>> own_edges;
-  std::vector<Thing<Dim, Dim>> own_faces;
-  for (std::size_t n = 0; n < edges_.size(); ++n)
-    own_edges.push_back(thing<Dim>(edges_[n], places, numbers_, piece_of_edge_[n]));
-  for (std::size_t n = 0; n < faces_.size(); ++n)
-    own_faces.push_back(thing<Dim>(faces_[n], places, numbers_, piece_of_face_[n]));
-  count_among(slabs, slabs.shared_out(own_edges), slabs.shared_out(own_faces));
+  const auto edge = [&](std::size_t n) { return thing<Dim>(edges_[n], places, numbers_, piece_of_edge_[n]); };
+  const auto face = [&](std::size_t n) { return thing<Dim>(faces_[n], places, numbers_, piece_of_face_[n]); };
+  const auto edges = slabs.shared_out(edges_.size(), edge);
+  const auto faces = slabs.shared_out(faces_.size(), face);
+  count_among(slabs, edges, faces);
   total_ = ordered_sum(cloths_.comm(), total_);
   share_example();
 }

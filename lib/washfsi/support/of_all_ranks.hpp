@@ -39,22 +39,19 @@ std::vector<Item> of_all_ranks(MPI_Comm comm, const std::vector<Item>& mine) {
   return all;
 }
 
-/// What all ranks have for this one, in rank order; given is what this one has for each. Collective.
+/// What all ranks have for this one, in rank order; given is what this one has for each, in rank order too, and how
+/// much for each. Collective.
 template <class Item>
-std::vector<Item> sent_to_ranks(MPI_Comm comm, const std::vector<std::vector<Item>>& mine) {
-  const std::size_t ranks = mine.size();
-  std::vector<int> out(ranks), in(ranks), out_at(ranks, 0), in_at(ranks, 0);
-  std::vector<Item> sent;
-  for (std::size_t r = 0; r < ranks; ++r) {
-    out[r] = static_cast<int>(mine[r].size());
-    sent.insert(sent.end(), mine[r].begin(), mine[r].end());
-  }
+std::vector<Item> sent_to_ranks(MPI_Comm comm, std::vector<Item> mine, const std::vector<int>& out) {
+  const std::size_t ranks = out.size();
+  if (ranks == 1) return mine;
+  std::vector<int> in(ranks), out_at(ranks, 0), in_at(ranks, 0);
   MPI_Alltoall(out.data(), 1, MPI_INT, in.data(), 1, MPI_INT, comm);
   std::exclusive_scan(out.begin(), out.end(), out_at.begin(), 0);
   std::exclusive_scan(in.begin(), in.end(), in_at.begin(), 0);
   std::vector<Item> got(static_cast<std::size_t>(in_at.back()) + static_cast<std::size_t>(in.back()));
   const ItemType<Item> type;
-  MPI_Alltoallv(sent.data(), out.data(), out_at.data(), type, got.data(), in.data(), in_at.data(), type, comm);
+  MPI_Alltoallv(mine.data(), out.data(), out_at.data(), type, got.data(), in.data(), in_at.data(), type, comm);
   return got;
 }
 
