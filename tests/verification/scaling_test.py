@@ -123,8 +123,8 @@ def print_measured(steps):
 
 def print_stages(steps):
     """Milliseconds of each stage, slowest first."""
-    first = steps[min(steps)][0]
-    names = sorted((name for name in first.stages if name != UNUSED), key=first.stages.get, reverse=True)
+    all_names = {name for wash, _ in steps.values() for name in wash.stages} - {UNUSED}
+    names = sorted(all_names, key=lambda name: max(wash.stages.get(name, 0) for wash, _ in steps.values()), reverse=True)
     print()
     print_head("ms a step on ranks", *steps)
     for name in names:
