@@ -25,18 +25,19 @@ ClothGroup<Dim> towel() {
   return group;
 }
 
-/// Three cloths that lie one on another, uneven, in a large box, on all ranks.
+/// Three cloths that lie one on another, uneven, in a large box, on some ranks.
 template <int Dim>
 struct Stack {
-  explicit Stack(double gap = 0.6 * distance, bool is_periodic = false) {
+  explicit Stack(double gap = 0.6 * distance, bool is_periodic = false, MPI_Comm of_ranks = PETSC_COMM_WORLD)
+      : comm(of_ranks) {
     GridShape<Dim> shape;
     shape.cells.fill(12);
     shape.lower = Point<Dim>::Constant(-0.5);
     shape.upper = Point<Dim>::Constant(0.5);
     if (is_periodic) shape.periodic.fill(true);
-    grid = std::make_unique<Grid<Dim>>(PETSC_COMM_WORLD, shape);
+    grid = std::make_unique<Grid<Dim>>(comm, shape);
     boundary = std::make_unique<Boundary<Dim>>(*grid, typename Boundary<Dim>::Sides{});
-    cloths = std::make_unique<Cloths<Dim>>(PETSC_COMM_WORLD, std::vector<ClothGroup<Dim>>{towel<Dim>()});
+    cloths = std::make_unique<Cloths<Dim>>(comm, std::vector<ClothGroup<Dim>>{towel<Dim>()});
     const auto count = static_cast<std::size_t>(cloths->marker_count());
     const Points<Dim> rough = random_points<Dim>(count, 11, 0.09 * distance);
     for (std::size_t n = 0; n < count; ++n) {
@@ -61,14 +62,26 @@ struct Stack {
   Points<Dim> forces(const Barrier<Dim>& barrier, const Points<Dim>& places) const {
     Points<Dim> result(cloths->owned(), Point<Dim>::Zero());
     barrier.add_force(own(places), {}, result);
-    return of_all_ranks(PETSC_COMM_WORLD, result);
+    return of_all_ranks(comm, result);
   }
   double energy(const Barrier<Dim>& barrier, const Points<Dim>& places) const {
     std::vector<double> result(1, 0.0);
     barrier.add_energy(own(places), result);
-    return ordered_sum(PETSC_COMM_WORLD, result[0]);
+    return ordered_sum(comm, result[0]);
+  }
+  /// Those of friction too, in an explicit step in which the cloths slide over each other.
+  Points<Dim> explicit_forces() const {
+    Barrier<Dim> barrier({distance, 0, 1e4, 0.4}, {*grid, *boundary, bodies, *cloths});
+    const Points<Dim> start = own(all);
+    Points<Dim> velocities(start.size(), Point<Dim>::Zero());
+    for (std::size_t m = 0; m < velocities.size(); ++m)
+      velocities[m][0] = 0.01 * static_cast<double>(cloths->piece_of_marker()[m]);
+    const ExplicitStep held{1e-4, std::vector<double>(start.size(), 1e3)};
+    barrier.begin_step({start, velocities, 0, 0, {}, held});
+    return forces(barrier, all);
   }
 
+  MPI_Comm comm;
   std::unique_ptr<Grid<Dim>> grid;
   std::unique_ptr<Boundary<Dim>> boundary;
   std::vector<Body<Dim>> bodies;
@@ -297,6 +310,20 @@ TYPED_TEST(BarrierTest, FrictionsStiffnessBecomesItsHessian) {
     const Points<Dim> error = rates() - expected;
     EXPECT_LE(dot(error, error), 1e-6 * dot(expected, expected)) << slide;
   }
+}
+
+// Each rank alone, and all together: what rubs on a marker is known to its owner whole.
+TYPED_TEST(BarrierTest, ExplicitFrictionIsTheSameOnAnyNumberOfRanks) {
+  constexpr int Dim = TypeParam::value;
+  const Stack<Dim> shared, alone(0.6 * distance, false, PETSC_COMM_SELF);
+  const Points<Dim> forces = shared.explicit_forces(), expected = alone.explicit_forces(),
+                    smooth = alone.forces(*alone.barrier(alone.all), alone.all);
+  double friction = 0;
+  for (std::size_t m = 0; m < expected.size(); ++m) {
+    EXPECT_LE((forces[m] - expected[m]).norm(), 1e-12 * (1 + expected[m].norm())) << m;
+    friction += (expected[m] - smooth[m]).norm();
+  }
+  EXPECT_GT(friction, 0.1);
 }
 
 TYPED_TEST(BarrierTest, RefusesADistanceThatACellHasNoRoomFor) {
