@@ -5,23 +5,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <type_traits>
 
 #include "washfsi/support/collective.hpp"
 
 namespace washfsi {
-
-template <int Dim>
-PointType<Dim>::PointType() {
-  MPI_Type_contiguous(Dim, MPI_DOUBLE, &type_);
-  MPI_Type_commit(&type_);
-}
-
-template <int Dim>
-PointType<Dim>::~PointType() {
-  MPI_Type_free(&type_);
-}
 
 template <int Dim>
 Cloths<Dim>::Cloths(MPI_Comm comm, std::vector<ClothGroup<Dim>> groups) : comm_(comm), groups_(std::move(groups)) {
@@ -164,8 +152,6 @@ std::vector<double> Cloths<Dim>::largest_stretches(const Points<Dim>& positions)
   return stretches;
 }
 
-template class PointType<2>;
-template class PointType<3>;
 template class Cloths<2>;
 template class Cloths<3>;
 

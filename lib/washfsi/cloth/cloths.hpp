@@ -2,6 +2,7 @@
 #pragma once
 
 #include "washfsi/cloth/options.hpp"
+#include "washfsi/support/contiguous_type.hpp"
 #include "washfsi/support/petsc.hpp"
 
 namespace washfsi {
@@ -14,16 +15,8 @@ struct Piece {
 
 /// The MPI type of a Point<Dim>, for the exchange of marker data.
 template <int Dim>
-class PointType {
- public:
-  PointType();
-  ~PointType();
-  PointType(const PointType&) = delete;
-  PointType& operator=(const PointType&) = delete;
-  operator MPI_Datatype() const { return type_; }
-
- private:
-  MPI_Datatype type_ = MPI_DATATYPE_NULL;
+struct PointType : ContiguousType {
+  PointType() : ContiguousType(Dim, MPI_DOUBLE) {}
 };
 
 /// The rows of a cloth that a rank sees: those of its own markers and `sheet_reach` more on either side. A closed cloth

@@ -24,8 +24,9 @@ NearMarkers<Dim>::NearMarkers(const Cloths<Dim>& cloths, const PeriodicSpace<Dim
     : cloths_(cloths), space_(space) {
   const auto owned = static_cast<PetscInt>(cloths.owned());
   WASH_PETSC(PetscLayoutCreateFromSizes(cloths.comm(), owned, PETSC_DETERMINE, 1, layout_.put()));
-  blocks_ = of_all_ranks(cloths.comm(), own_blocks());
-  counts_ = of_all_ranks(cloths.comm(), std::vector<int>{static_cast<int>(2 * Dim * own_blocks().size())});
+  const std::vector<Block> mine = own_blocks();
+  blocks_ = of_all_ranks(cloths.comm(), mine);
+  counts_ = of_all_ranks(cloths.comm(), std::vector<int>{static_cast<int>(2 * Dim * mine.size())});
   starts_.resize(counts_.size());
   std::exclusive_scan(counts_.begin(), counts_.end(), starts_.begin(), 0);
   std::vector<std::size_t> own(cloths.owned());

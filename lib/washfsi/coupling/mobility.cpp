@@ -62,21 +62,22 @@ void MobilityMatrix<Dim>::assemble(const Points<Dim>& positions, const std::vect
     for (const Entry& entry : rows[m]) sum += entry.value;
     scales.push_back(row_sums[m] / sum.maxCoeff());
   }
-  std::vector<std::size_t> others;
-  for (const std::size_t other : others_in(rows, first, positions.size())) others.push_back(numbers[other]);
-  find_others(rows.size(), others);
-  fill(rows, first, positions.size(), scales, own_share);
+  const std::vector<std::size_t> others = others_in(rows, first, positions.size());
+  std::vector<PetscInt> numbers_of_others;
+  for (const std::size_t other : others) numbers_of_others.push_back(static_cast<PetscInt>(numbers[other]));
+  find_others(rows.size(), numbers_of_others);
+  std::vector<std::size_t> column_of(positions.size());
+  for (std::size_t n = 0; n < others.size(); ++n) column_of[others[n]] = n;
+  fill(rows, first, column_of, scales, own_share);
 }
 
 template <int Dim>
-void MobilityMatrix<Dim>::fill(const std::vector<std::vector<Entry>>& rows, std::size_t begin, std::size_t all,
-                               const std::vector<double>& scales, double own_share) {
-  const std::vector<std::size_t> others = others_in(rows, begin, all);
-  std::vector<double> scales_of_others(others.size());
+void MobilityMatrix<Dim>::fill(const std::vector<std::vector<Entry>>& rows, std::size_t begin,
+                               const std::vector<std::size_t>& column_of, const std::vector<double>& scales,
+                               double own_share) {
+  std::vector<double> scales_of_others(count_of_others());
   WASH_PETSC(PetscSFBcastBegin(from_others_, MPI_DOUBLE, scales.data(), scales_of_others.data(), MPI_REPLACE));
   WASH_PETSC(PetscSFBcastEnd(from_others_, MPI_DOUBLE, scales.data(), scales_of_others.data(), MPI_REPLACE));
-  std::vector<std::size_t> column_of(all);
-  for (std::size_t n = 0; n < others.size(); ++n) column_of[others[n]] = n;
   own_ = others_ = {};
   for (std::size_t m = 0; m < rows.size(); ++m) {
     for (const auto& [other, value] : rows[m]) {
@@ -108,9 +109,8 @@ std::vector<std::size_t> MobilityMatrix<Dim>::others_in(const std::vector<std::v
 }
 
 template <int Dim>
-void MobilityMatrix<Dim>::find_others(std::size_t own, const std::vector<std::size_t>& numbers) {
+void MobilityMatrix<Dim>::find_others(std::size_t own, const std::vector<PetscInt>& others) {
   petsc::Layout markers;
-  const std::vector<PetscInt> others(numbers.begin(), numbers.end());
   WASH_PETSC(PetscLayoutCreateFromSizes(grid_.comm(), static_cast<PetscInt>(own), PETSC_DETERMINE, 1, markers.put()));
   WASH_PETSC(PetscSFCreate(grid_.comm(), from_others_.put()));
   WASH_PETSC(PetscSFSetGraphLayout(from_others_, markers, static_cast<PetscInt>(others.size()), nullptr,

@@ -43,11 +43,12 @@ class MobilityMatrix {
     }
     void end_row() { starts.push_back(columns.size()); }
   };
-  void fill(const std::vector<std::vector<Entry>>& rows, std::size_t begin, std::size_t all,
+  /// `column_of`: of each marker of another rank, among these.
+  void fill(const std::vector<std::vector<Entry>>& rows, std::size_t begin, const std::vector<std::size_t>& column_of,
             const std::vector<double>& scales, double own_share);
   static std::vector<std::size_t> others_in(const std::vector<std::vector<Entry>>& rows, std::size_t begin,
                                             std::size_t all);
-  void find_others(std::size_t own, const std::vector<std::size_t>& numbers);
+  void find_others(std::size_t own, const std::vector<PetscInt>& others);
   std::size_t count_of_others() const;
   void add_of_own(const Points<Dim>& forces, Points<Dim>& result) const;
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <iterator>
 #include <map>
-#include <numeric>
 
 #include "washfsi/forcing/sinker.hpp"
 #include "washfsi/grid/subdivide.hpp"

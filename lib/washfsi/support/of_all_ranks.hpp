@@ -5,27 +5,12 @@
 #include <vector>
 
 #include "washfsi/support/collective.hpp"
+#include "washfsi/support/contiguous_type.hpp"
 
 namespace washfsi {
 
-/// The MPI type of things that are copied as they lie in memory.
-template <class Item>
-class ItemType {
- public:
-  ItemType() {
-    MPI_Type_contiguous(sizeof(Item), MPI_BYTE, &type_);
-    MPI_Type_commit(&type_);
-  }
-  ~ItemType() { MPI_Type_free(&type_); }
-  ItemType(const ItemType&) = delete;
-  ItemType& operator=(const ItemType&) = delete;
-  operator MPI_Datatype() const { return type_; }
-
- private:
-  MPI_Datatype type_ = MPI_DATATYPE_NULL;
-};
-
-/// The items of all ranks on each, in rank order; ranks may have any number of them. Collective.
+/// The items of all ranks on each, in rank order; ranks may have any number of them. Items are copied as they lie in
+/// memory. Collective.
 template <class Item>
 std::vector<Item> of_all_ranks(MPI_Comm comm, const std::vector<Item>& mine) {
   const auto ranks = static_cast<std::size_t>(ranks_of(comm));
@@ -34,7 +19,7 @@ std::vector<Item> of_all_ranks(MPI_Comm comm, const std::vector<Item>& mine) {
   MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, comm);
   std::exclusive_scan(counts.begin(), counts.end(), starts.begin(), 0);
   std::vector<Item> all(static_cast<std::size_t>(starts.back()) + static_cast<std::size_t>(counts.back()));
-  const ItemType<Item> type;
+  const ContiguousType type(sizeof(Item), MPI_BYTE);
   MPI_Allgatherv(mine.data(), count, type, all.data(), counts.data(), starts.data(), type, comm);
   return all;
 }
@@ -50,7 +35,7 @@ std::vector<Item> sent_to_ranks(MPI_Comm comm, std::vector<Item> mine, const std
   std::exclusive_scan(out.begin(), out.end(), out_at.begin(), 0);
   std::exclusive_scan(in.begin(), in.end(), in_at.begin(), 0);
   std::vector<Item> got(static_cast<std::size_t>(in_at.back()) + static_cast<std::size_t>(in.back()));
-  const ItemType<Item> type;
+  const ContiguousType type(sizeof(Item), MPI_BYTE);
   MPI_Alltoallv(mine.data(), out.data(), out_at.data(), type, got.data(), in.data(), in_at.data(), type, comm);
   return got;
 }
