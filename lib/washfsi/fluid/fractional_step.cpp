@@ -7,6 +7,7 @@
 
 #include "washfsi/fluid/adams_bashforth.hpp"
 #include "washfsi/fluid/advection.hpp"
+#include "washfsi/grid/beside_positive.hpp"
 #include "washfsi/support/collective.hpp"
 
 namespace washfsi {
@@ -162,27 +163,32 @@ void FractionalStep<Dim>::advect(Vec local_velocity, Vec density) {
     WASH_PETSC(VecZeroEntries(local));  // beyond the box too
     WASH_PETSC(DMGlobalToLocal(grid_.face_dm(), fields_.nearness, INSERT_VALUES, local));
     const ConstFaceView<Dim> near(grid_.face_dm(), local);
-    replace_advection(u, rho, WallsideFlux<Dim, ConstFaceView<Dim>>(near));
+    replace_advection(beside_positive(grid_.owned(), near), u, rho, WallsideFlux<Dim, ConstFaceView<Dim>>(near));
   }
-  if (advection_scheme_ == Advection::upwind) replace_advection(u, rho, UpwindFlux<Dim>{});
-  if (advection_scheme_ == Advection::wide_central) replace_advection(u, rho, CentralFlux<Dim, WideMean>{});
+  if (advection_scheme_ == Advection::upwind) replace_advection(grid_.owned(), u, rho, UpwindFlux<Dim>{});
+  if (advection_scheme_ == Advection::wide_central)
+    replace_advection(grid_.owned(), u, rho, CentralFlux<Dim, WideMean>{});
 }
 
+// On this rank's faces of a box.
 template <int Dim>
 template <class Flux>
-void FractionalStep<Dim>::replace_advection(const ConstFaceView<Dim>& u, const ConstFaceView<Dim>& rho,
-                                            const Flux& flux) {
+void FractionalStep<Dim>::replace_advection(const Box<Dim>& where, const ConstFaceView<Dim>& u,
+                                            const ConstFaceView<Dim>& rho, const Flux& flux) {
   const FaceView<Dim> result(grid_.face_dm(), advection_);
   const Spacing<Dim> h(grid_.spacing());
   const Vec fluid_fraction = fields_.constraint.fluid_fraction;  // what is held is not advected
   const ConstFaceView<Dim> fraction(grid_.face_dm(), fluid_fraction ? fluid_fraction : fields_.liquid.density);
   double dissipated = 0;
-  grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
+  const auto replace = [&](const Index<Dim>& face, auto c) {
     if (!flux.departs(face, c)) return;
     const double advected = advection<Dim>(u, face, c, h, flux);
     const double H = fluid_fraction ? fraction(face, c) : 1;
     dissipated += H * rho(face, c) * u(face, c) * (advected - result(face, c));
     result(face, c) = advected;
+  };
+  for_each_component<Dim>([&](auto c) {
+    for_each<Dim>(grid_.inner_faces(c).common(where), [&](const Index<Dim>& face) { replace(face, c); });
   });
   numerical_dissipation_ = ordered_sum(grid_.comm(), dissipated * grid_.cell_volume());
 }

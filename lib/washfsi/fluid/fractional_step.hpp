@@ -119,7 +119,8 @@ class FractionalStep {
   void sum_explicit_terms(const Form& viscosity, Vec local_u, Vec local_p);
   void advect(Vec local_velocity, Vec density);
   template <class Flux>
-  void replace_advection(const ConstFaceView<Dim>& u, const ConstFaceView<Dim>& rho, const Flux& flux);
+  void replace_advection(const Box<Dim>& where, const ConstFaceView<Dim>& u, const ConstFaceView<Dim>& rho,
+                         const Flux& flux);
   double largest_speed() const;
   void solve_pressure(Vec phi);
   void project_again();
