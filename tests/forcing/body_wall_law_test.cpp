@@ -328,7 +328,7 @@ double area_of(std::unique_ptr<Shape<3>> shape, const Point<3>& center) {
 TEST(WallPoints, HaveTheAreaOfTheirSurface) {
   const Point<3> middle(0.51, 0.49, 0.5);
   EXPECT_NEAR(area_of(std::make_unique<Sphere<3>>(0.3), middle) / (4 * std::acos(-1) * 0.09), 1, 0.02);
-  EXPECT_NEAR(area_of(std::make_unique<Cuboid<3>>(Point<3>(0.5, 0.4, 0.3)), middle) / 0.94, 1, 0.06);  // less at edges
+  EXPECT_NEAR(area_of(std::make_unique<Cuboid<3>>(Point<3>(0.5, 0.4, 0.3)), middle) / 0.94, 1, 0.04);  // less at edges
   EXPECT_NEAR(area_of(std::make_unique<HalfSpace<3>>(Point<3>(0, 1, 0)), middle), 1, 1e-9);
   for (const double cells : {0.1, 0.7, 1.0, 1.3, 2.0})  // thick
     EXPECT_NEAR(area_of(std::make_unique<Cuboid<3>>(Point<3>(3, cells / 20, 3)), middle), 2, 1e-3) << cells;

@@ -108,10 +108,11 @@ class AreaFinder {
   }
 
  private:
-  static constexpr int to_each = 4;         // with `layer` the same share of cells wherever a flat face lies
-  static constexpr double layer = 0.5;      // [cells]
-  static constexpr double same_face = 0.9;  // of the product of two normals, beyond which it is another face
-  static constexpr double farthest = 2;     // [cells] of a point: beyond it there is a corner without points
+  static constexpr int to_each = 4;          // with `layer` the same share of cells wherever a flat face lies
+  static constexpr double layer = 0.5;       // [cells]
+  static constexpr double same_face = 0.9;   // of the product of two normals, beyond which it is another face
+  static constexpr double round_edge = 0.6;  // the same before an edge
+  static constexpr double farthest = 2;      // [cells] of a point: beyond it there is a corner without points
 
   static NearSearch<Dim> search_of(std::span<WallPoint<Dim>> points, const Point<Dim>& cell) {
     Points<Dim> feet;
@@ -127,7 +128,7 @@ class AreaFinder {
     if (std::abs(distance) > layer * cell_.maxCoeff()) return;
     const Point<Dim> out = distance_gradient<Dim>(shape_, place, 1e-3 * cell_.minCoeff()).normalized();
     const double thickness = layer * out.cwiseProduct(cell_).norm();
-    WallPoint<Dim>* point = std::abs(distance) < thickness ? nearest(place, out) : nullptr;
+    WallPoint<Dim>* point = std::abs(distance) < thickness ? point_for(place, out, distance) : nullptr;
     if (!point) return;
     WallPoint<Dim>* other = point->in_sheet ? other_face(point) : nullptr;
     if (other && (point->foot - other->foot).norm() > 2 * thickness) other = nullptr;
@@ -144,12 +145,21 @@ class AreaFinder {
     return point + 1 < points_.data() + points_.size() && is_it(*(point + 1)) ? point + 1 : nullptr;
   }
 
-  WallPoint<Dim>* nearest(const Point<Dim>& place, const Point<Dim>& out) const {
+  // Before the edge of a solid, of one of the faces that meet there.
+  WallPoint<Dim>* point_for(const Point<Dim>& place, const Point<Dim>& out, double distance) const {
+    WallPoint<Dim>* point = nearest(place, out, same_face);
+    if (point || distance <= 0) return point;
+    point = nearest(place, out, round_edge);
+    return point && !point->in_sheet ? point : nullptr;
+  }
+
+  // Of those whose normals are at least so much alike.
+  WallPoint<Dim>* nearest(const Point<Dim>& place, const Point<Dim>& out, double alike) const {
     double least = farthest * farthest;
     WallPoint<Dim>* point = nullptr;
     search_.visit_near(Bounds<Dim>::round(place, farthest * cell_), [&](std::size_t p) {
       const double away = (points_[p].foot - place).cwiseQuotient(cell_).squaredNorm();
-      if (away > least || points_[p].normal.dot(out) < same_face) return;
+      if (away > least || points_[p].normal.dot(out) < alike) return;
       least = away;
       point = &points_[p];
     });
