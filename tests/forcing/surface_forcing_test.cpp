@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "washfsi/body/primitives.hpp"
+#include "washfsi/forcing/known_pushes.hpp"
 #include "washfsi/support/collective.hpp"
 
 namespace washfsi::test {
@@ -26,12 +27,17 @@ class Discs {
         density_(grid_.face_vector()),
         velocity_(grid_.face_vector()) {
     WASH_PETSC(VecSet(density_, 1));
-    WASH_PETSC(VecZeroEntries(velocity_));
     walls_.update(0);
-    walls_.begin_trial({0, 0.01}, density_);
+    begin_at_rest();
   }
 
+  void begin_at_rest() {
+    WASH_PETSC(VecZeroEntries(velocity_));
+    walls_.begin_trial({0, 0.01}, density_);
+  }
   bool push_unheld() { return walls_.push_unheld(velocity_, 1); }
+  /// Of the disc that turns, root mean square [m/s].
+  double slip() const { return walls_.slip_of_bodies(walls_.water_at_markers(velocity_, 0))[0]; }
 
   /// The largest force on a body's patches.
   double force_on(std::size_t body) {
@@ -93,6 +99,17 @@ TEST(SurfaceForcing, HoldsBesidesABodyWithoutSurfaceInTheBox) {
   EXPECT_GT(discs.force_on(0), 0);
 }
 
+// The next time the same is wanted, one push does most of what several have done.
+TEST(SurfaceForcing, LearnsFromPushes) {
+  Discs discs(1, 1e-3);
+  EXPECT_TRUE(discs.push_unheld());
+  const double after_one = discs.slip();
+  while (discs.push_unheld()) continue;
+  discs.begin_at_rest();
+  EXPECT_TRUE(discs.push_unheld());
+  EXPECT_LT(discs.slip(), 0.5 * after_one);
+}
+
 /// The overlaps of the patches of two discs, an inner and a larger one, shared by some ranks.
 class Overlaps {
  public:
@@ -122,6 +139,21 @@ class Overlaps {
   }
   std::size_t count() const { return patches_[0].size() + patches_[1].size(); }
 
+  KnownPushes<2> pushes() const { return {comm_, inverse_}; }
+  /// Of values on the patches of all ranks those of this rank's; and of all those of each.
+  Points<2> part(const Points<2>& values) const {
+    return {values.begin() + static_cast<long>(own().begin), values.begin() + static_cast<long>(own().end)};
+  }
+  Points<2> whole(const Points<2>& mine) const {
+    std::vector<double> all(2 * count(), 0.0);
+    for (std::size_t p = 0; p < mine.size(); ++p)
+      for (std::size_t d = 0; d < 2; ++d) all[2 * (own().begin + p) + d] = mine[p][static_cast<int>(d)];
+    all = ordered_sum(comm_, all);
+    Points<2> values;
+    for (std::size_t p = 0; p < count(); ++p) values.emplace_back(all[2 * p], all[2 * p + 1]);
+    return values;
+  }
+
  private:
   static MarkerLayout<2> layout(MPI_Comm comm) {
     MarkerLayout<2> layout{Point<2>::Constant(0.025), 1, KernelMoments(DeltaKernel::yang, 2)};
@@ -134,18 +166,6 @@ class Overlaps {
   PatchRange own() const {
     const auto rank = static_cast<std::size_t>(rank_of(comm_)), ranks = static_cast<std::size_t>(ranks_of(comm_));
     return {count() * rank / ranks, count() * (rank + 1) / ranks};
-  }
-  Points<2> part(const Points<2>& values) const {
-    return {values.begin() + static_cast<long>(own().begin), values.begin() + static_cast<long>(own().end)};
-  }
-  Points<2> whole(const Points<2>& mine) const {
-    std::vector<double> all(2 * count(), 0.0);
-    for (std::size_t p = 0; p < mine.size(); ++p)
-      for (std::size_t d = 0; d < 2; ++d) all[2 * (own().begin + p) + d] = mine[p][static_cast<int>(d)];
-    all = ordered_sum(comm_, all);
-    Points<2> values;
-    for (std::size_t p = 0; p < count(); ++p) values.emplace_back(all[2 * p], all[2 * p + 1]);
-    return values;
   }
 
   MPI_Comm comm_;
@@ -188,6 +208,82 @@ TEST(OverlapInverse, IsTheSameOnAnyNumberOfRanks) {
   const Points<2> found = shared.forces(asked), expected = alone.forces(asked);
   for (std::size_t p = 0; p < found.size(); ++p)
     EXPECT_NEAR((found[p] - expected[p]).norm(), 0, 1e-12 * expected[p].norm()) << p;
+}
+
+/// Pushes of a disc, each of some waves round it, and slips that a sum of them would take away.
+class Pushes {
+ public:
+  explicit Pushes(const Overlaps& overlaps) : overlaps_(overlaps), known_(overlaps.pushes()) {}
+
+  // It answers with a third of what it is given.
+  void add(double waves) { known_.add({overlaps_.part(3.0 * wave(waves)), overlaps_.part(wave(waves))}); }
+  Points<2> wave(double waves) const {
+    return overlaps_.round([waves](std::size_t n) { return std::sin(waves * static_cast<double>(n)); });
+  }
+  /// Impulses on the patches of all ranks.
+  Points<2> best_for(const Points<2>& slips) const {
+    return overlaps_.whole(known_.best_for(overlaps_.part(slips)).impulses);
+  }
+  KnownPushes<2>& known() { return known_; }
+
+ private:
+  const Overlaps& overlaps_;
+  KnownPushes<2> known_;
+};
+
+double difference(const Points<2>& a, const Points<2>& b) {
+  double most = 0;
+  for (std::size_t p = 0; p < a.size(); ++p) most = std::max(most, (a[p] - b[p]).norm());
+  return most;
+}
+
+// Of each they take a tenth less than what fits best.
+TEST(KnownPushes, CombineToWhatIsWanted) {
+  const Overlaps overlaps(PETSC_COMM_WORLD);
+  Pushes pushes(overlaps);
+  const Points<2> wanted = 2.0 * pushes.wave(0.1) - pushes.wave(0.4);
+  EXPECT_EQ(difference(pushes.best_for(wanted), 0.0 * wanted), 0);  // none is known
+  pushes.add(0.1);
+  pushes.add(0.4);
+  EXPECT_LT(difference(pushes.best_for(wanted), (3.0 / 1.1) * wanted), 0.2);
+}
+
+// What they differ by is no direction of its own.
+TEST(KnownPushes, OfOneKindAreOne) {
+  const Overlaps overlaps(PETSC_COMM_WORLD);
+  Pushes pushes(overlaps);
+  for (const double change : {0.0, 1e-6, 2e-6}) pushes.add(0.1 + change);
+  const Points<2> wanted = pushes.wave(0.1);
+  EXPECT_LT(difference(pushes.best_for(wanted), 3.0 * wanted), 0.15);
+  EXPECT_LT(difference(pushes.best_for(wanted + pushes.wave(0.9)), 3.0 * wanted), 1);
+}
+
+TEST(KnownPushes, ForgetTheOldest) {
+  const Overlaps overlaps(PETSC_COMM_WORLD);
+  Pushes pushes(overlaps);
+  pushes.add(0.1);
+  for (std::size_t n = 0; n < KnownPushes<2>::most; ++n) pushes.add(0.4);
+  EXPECT_EQ(pushes.known().size(), KnownPushes<2>::most);
+  EXPECT_LT(difference(pushes.best_for(pushes.wave(0.1)), 0.0 * pushes.wave(0.1)), 1);
+}
+
+TEST(KnownPushes, AreTheSameAfterARestart) {
+  const Overlaps overlaps(PETSC_COMM_WORLD);
+  Pushes pushes(overlaps), restarted(overlaps);
+  for (const double waves : {0.1, 0.4, 0.2}) pushes.add(waves);
+  restarted.known().take(pushes.known().kept(), pushes.known().size());
+  const Points<2> wanted = pushes.wave(0.3);
+  EXPECT_EQ(difference(pushes.best_for(wanted), restarted.best_for(wanted)), 0);
+}
+
+TEST(KnownPushes, AreTheSameOnAnyNumberOfRanks) {
+  const Overlaps shared(PETSC_COMM_WORLD), alone(PETSC_COMM_SELF);
+  Pushes of_all(shared), of_one(alone);
+  for (const double waves : {0.1, 0.4}) {
+    of_all.add(waves);
+    of_one.add(waves);
+  }
+  EXPECT_LT(difference(of_all.best_for(of_all.wave(0.3)), of_one.best_for(of_one.wave(0.3))), 1e-9);
 }
 
 }  // namespace

@@ -46,6 +46,7 @@ SurfaceForcing<Dim>::SurfaceForcing(const Grid<Dim>& grid, const Boundary<Dim>& 
       markers_(grid, bodies, layout_for(grid, treatment)),
       closed_(grid, bodies, markers_),
       overlap_(markers_.by_body(), layout_for(grid, treatment), markers_.own()),
+      known_pushes_(grid.comm(), overlap_),
       limits_advection_(treatment.limits_advection) {
   forces_.assign(owned(), Point<Dim>::Zero());
   kept_ = forces_;
@@ -186,6 +187,7 @@ template <int Dim>
 void SurfaceForcing<Dim>::begin_trial(const TimeStep& step, Vec density) {
   step_ = step;
   fluid_density_ = density;
+  pushed_.reset();
   forces_ = turned(kept_, true);
   if (law_) normals_ = turned(slide_normals_, true);
 }
@@ -288,18 +290,38 @@ void SurfaceForcing<Dim>::push(Vec velocity, double relaxation) {
   add_forces(relaxation * approximate_forces(slips(velocity)), velocity);
 }
 
+// As pushes before have shown to help, and by the overlap against the rest. Where a law lets water slide, what is held
+// differs from step to step, and so do answers.
+template <int Dim>
+Points<Dim> SurfaceForcing<Dim>::push_against(const Points<Dim>& slips, double relaxation) const {
+  if (law_) return relaxation * approximate_forces(slips);
+  const auto known = known_pushes_.best_for(turned(slips, false));
+  const Points<Dim> rest = slips - turned(known.answers, true);
+  return (1 / step_.dt) * turned(known.impulses, true) + relaxation * approximate_forces(rest);
+}
+
+template <int Dim>
+void SurfaceForcing<Dim>::learn_from_last_push(const Points<Dim>& slips_after) {
+  if (!pushed_ || law_) return;
+  known_pushes_.add({turned(step_.dt * pushed_->forces, false), turned(pushed_->slips - slips_after, false)});
+  pushed_.reset();
+}
+
 template <int Dim>
 bool SurfaceForcing<Dim>::push_unheld(Vec velocity, double relaxation) {
   const Points<Dim> left = slips(velocity);
+  learn_from_last_push(left);
   const std::vector<bool> held = are_held(left, tolerance(velocity));
   if (std::ranges::all_of(held, std::identity())) return false;
-  add_forces(relaxation * approximate_forces(without(held, left)), velocity);
+  pushed_ = {without(held, push_against(without(held, left), relaxation)), left};
+  add_forces(pushed_->forces, velocity);
   return true;
 }
 
 template <int Dim>
 bool SurfaceForcing<Dim>::hold(const Project& project, Vec velocity) {
   const Points<Dim> left = slips(velocity);
+  learn_from_last_push(left);
   slip_left_ = tolerance(velocity);
   if (std::ranges::all_of(are_held(left, slip_left_), std::identity())) return false;
   project_ = &project;

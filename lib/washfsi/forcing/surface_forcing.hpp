@@ -20,6 +20,7 @@
 #include "washfsi/forcing/body_markers.hpp"
 #include "washfsi/forcing/body_wall_law.hpp"
 #include "washfsi/forcing/closed_walls.hpp"
+#include "washfsi/forcing/known_pushes.hpp"
 #include "washfsi/forcing/overlap_inverse.hpp"
 
 namespace washfsi {
@@ -66,9 +67,12 @@ class SurfaceForcing : public WallForces {
   /// The solver holds means over the reach of a delta, which are less. Collective.
   std::vector<double> slip_of_bodies(const Points<Dim>& water) const;
 
-  /// What a restart needs: the forces of this rank's patches, in the bodies' frames, and which patches these are.
+  /// What a restart needs: the forces of this rank's patches, in the bodies' frames, and which patches these are; and
+  /// what the last pushes did.
   Points<Dim>& kept() { return kept_; }
   const Points<Dim>& kept() const { return kept_; }
+  KnownPushes<Dim>& known_pushes() { return known_pushes_; }
+  const KnownPushes<Dim>& known_pushes() const { return known_pushes_; }
   PatchRange own() const { return markers_.own(); }
   std::size_t markers_of(std::size_t body) const { return markers_.of_body(body).markers.size(); }
   const BodyMarkers<Dim>& markers() const { return markers_; }
@@ -97,6 +101,8 @@ class SurfaceForcing : public WallForces {
   Points<Dim> without(const std::vector<bool>& bodies, Points<Dim> values) const;
   void accelerate(const Points<Dim>& forces, Vec velocity) const;
   void add_forces(const Points<Dim>& more, Vec velocity);
+  Points<Dim> push_against(const Points<Dim>& slips, double relaxation) const;
+  void learn_from_last_push(const Points<Dim>& slips_after);
   /// Of each body whether what deltas see of the slips of its patches is at most so much, rms [m/s].
   std::vector<bool> are_held(const Points<Dim>& slips, double most) const;
   double tolerance(Vec velocity) const;
@@ -109,6 +115,12 @@ class SurfaceForcing : public WallForces {
   BodyMarkers<Dim> markers_;
   ClosedWalls<Dim> closed_;
   OverlapInverse<Dim> overlap_;
+  KnownPushes<Dim> known_pushes_;
+  /// The last, before its answer is known.
+  struct Pushed {
+    Points<Dim> forces, slips;
+  };
+  std::optional<Pushed> pushed_;
   std::vector<typename BodyMarkers<Dim>::State> states_;  ///< of the markers of this rank's patches
   std::vector<double> shares_;                            ///< of each marker in its patch; 0 of patches that do not act
   Points<Dim> forces_;                                    ///< F of each patch [N; per unit depth in the plane]

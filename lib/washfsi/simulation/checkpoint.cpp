@@ -13,7 +13,7 @@ namespace washfsi {
 
 namespace {
 
-constexpr double format = 8;  ///< of the file; another number for any other content
+constexpr double format = 9;  ///< of the file; another number for any other content
 
 // The numbers that a state has besides its fields, in the order in which they are kept; as attributes for readers.
 constexpr std::array number_names{"step",
@@ -97,11 +97,12 @@ std::vector<double> identity(const System<Dim>& system) {
   return numbers;
 }
 
-constexpr const char* wall_forces = "/walls/force";
+constexpr const char *wall_forces = "/walls/force", *wall_pushes = "/walls/pushes";
 
+// So many points for each.
 template <int Dim>
-Slab slab_of_patches(const SurfaceForcing<Dim>& walls) {
-  const auto number = [](std::size_t n) { return static_cast<PetscInt>(n); };
+Slab slab_of_patches(const SurfaceForcing<Dim>& walls, std::size_t each = 1) {
+  const auto number = [each](std::size_t n) { return static_cast<PetscInt>(n * each); };
   return marker_slab(number(walls.patch_count()), number(walls.own().begin), number(walls.own().end), Dim);
 }
 
@@ -109,7 +110,12 @@ template <int Dim>
 void write_wall_forces(Hdf5File& file, const System<Dim>& system) {
   const SurfaceForcing<Dim>* walls = system.model.walls.get();
   file.set_attribute("/", "wall_patches", walls ? static_cast<double>(walls->patch_count()) : 0.0);
-  if (walls) file.write_sealed(wall_forces, slab_of_patches(*walls), flattened<Dim>(walls->kept()));
+  if (!walls) return;
+  file.write_sealed(wall_forces, slab_of_patches(*walls), flattened<Dim>(walls->kept()));
+  const KnownPushes<Dim>& pushes = walls->known_pushes();
+  file.set_attribute("/", "wall_pushes", static_cast<double>(pushes.size()));
+  if (pushes.size() > 0)
+    file.write_sealed(wall_pushes, slab_of_patches(*walls, 2 * pushes.size()), flattened<Dim>(pushes.kept()));
 }
 
 // Other bodies, or another way of holding them, begin without forces.
@@ -117,6 +123,9 @@ template <int Dim>
 void read_wall_forces(Hdf5File& file, SurfaceForcing<Dim>& walls) {
   if (file.attribute("/", "wall_patches") != static_cast<double>(walls.patch_count())) return;
   walls.kept() = read_points<Dim>(file, wall_forces, slab_of_patches(walls));
+  const auto pushes = static_cast<std::size_t>(file.attribute("/", "wall_pushes"));
+  if (pushes > 0)
+    walls.known_pushes().take(read_points<Dim>(file, wall_pushes, slab_of_patches(walls, 2 * pushes)), pushes);
 }
 
 // What the law of the walls' friction has filtered of the flow so far.
