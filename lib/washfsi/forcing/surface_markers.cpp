@@ -16,8 +16,9 @@ namespace {
 
 template <int Dim>
 constexpr double seeds_a_cell = Dim == 2 ? 8 : 3;
-constexpr double marker_spacing = 0.54;  // least distance of markers on solids [cells]
-constexpr double wider_on_solids = 1.3;  // what closes round a solid is held as well by wider patches
+constexpr double marker_spacing = 0.54;    // least distance of markers on faces beside thin parts [cells]
+constexpr double spacing_on_solids = 0.7;  // in space what closes round a solid is held as well by fewer markers
+constexpr double wider_on_solids = 1.3;    // by wider patches in the plane too
 
 // In thin parts. Those in space have few patches, which must be even: they are of finer seeds and places, some of which
 // stand for all.
@@ -108,13 +109,37 @@ std::size_t patch_count(std::size_t markers, double spacing, double width) {
   return std::min(markers, std::max<std::size_t>(count, 1));
 }
 
-// Those that lie behind a face, and not in the middle of a thin part or in a corner.
+// Whether it lies behind a face, and not in the middle of a thin part or in a corner.
+template <int Dim>
+bool is_behind_face(const Candidate<Dim>& candidate) {
+  return candidate.place != candidate.foot;
+}
+
 template <int Dim>
 std::vector<Candidate<Dim>> behind_faces(const std::vector<Candidate<Dim>>& candidates) {
   std::vector<Candidate<Dim>> result;
-  std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(result),
-               [](const auto& candidate) { return candidate.place != candidate.foot; });
+  std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(result), is_behind_face<Dim>);
   return result;
+}
+
+// Whether a part that has all these candidates or places is thin nowhere.
+template <int Dim>
+bool is_solid(const std::vector<Candidate<Dim>>& of_part) {
+  return std::all_of(of_part.begin(), of_part.end(), is_behind_face<Dim>);
+}
+
+// Of a part that has all these candidates or places [cells].
+template <int Dim>
+double spacing_in(const std::vector<Candidate<Dim>>& of_part) {
+  return Dim == 3 && is_solid<Dim>(of_part) ? spacing_on_solids : marker_spacing;
+}
+
+// Markers of a part. On solids many candidates for one are as good as all.
+template <int Dim>
+std::vector<Candidate<Dim>> markers_among(const std::vector<Candidate<Dim>>& candidates, const Point<Dim>& cell) {
+  const double spacing = spacing_in<Dim>(candidates);
+  if (spacing == marker_spacing) return spread_evenly<Dim>(candidates, spacing * cell);
+  return spread_evenly<Dim>(thinned<Dim>(candidates, 0.15 * spacing * cell), spacing * cell);
 }
 
 template <int Dim>
@@ -145,7 +170,7 @@ std::vector<std::vector<Candidate<Dim>>> places_of(const std::vector<Surface<Dim
   for (std::size_t n = 0; n < parts.size(); ++n) {
     const MarkerLayout<Dim>& layout = parts[n].layout;
     const bool is_mine = static_cast<int>(n) % ranks_of(layout.comm) == rank_of(layout.comm);
-    places[n] = is_mine ? spread_evenly<Dim>(places[n], marker_spacing * layout.cell) : std::vector<Candidate<Dim>>();
+    places[n] = is_mine ? markers_among<Dim>(places[n], layout.cell) : std::vector<Candidate<Dim>>();
   }
   for (std::size_t n = 0; n < parts.size(); ++n) places[n] = of_all_ranks(parts[n].layout.comm, places[n]);
   return places;
@@ -155,12 +180,12 @@ template <int Dim>
 MarkerPatches<Dim> patches_of(const std::vector<Candidate<Dim>>& markers, const Surface<Dim>& part) {
   const auto& [shape, region, layout] = part;
   const auto on_faces = behind_faces<Dim>(markers);
-  const bool has_sheets = on_faces.size() < markers.size();
-  const double width = layout.spacing * (has_sheets ? 1 : wider_on_solids);
+  const bool solid = is_solid<Dim>(markers);
+  const double width = layout.spacing * (solid ? wider_on_solids : 1);
   const auto most = on_faces.size();
   MarkerPatches<Dim> patches =
-      gathered<Dim>(on_faces, patch_count<Dim>(most, marker_spacing, width), width * layout.cell, most);
-  if (has_sheets) patches.append(patches_of_sheets<Dim>(*shape, region, layout));
+      gathered<Dim>(on_faces, patch_count<Dim>(most, spacing_in<Dim>(markers), width), width * layout.cell, most);
+  if (!solid) patches.append(patches_of_sheets<Dim>(*shape, region, layout));
   return patches;
 }
 
