@@ -32,17 +32,19 @@ void KnownPushes<Dim>::add(Push push) {
   if (known_.size() > most) known_.pop_back();
 }
 
-// Least squares, by the normal equations of answers of unit size.
+// Least squares, by the normal equations of answers of unit size. The solver looks at their lower half alone.
 template <int Dim>
 std::vector<double> KnownPushes<Dim>::weights_for(const Points<Dim>& slips) const {
   const Points<Dim> felt = overlap_.means_about(slips);
-  std::vector<double> products;
-  for (const Known& known : known_) {
-    for (const Known& other : known_) products.push_back(product<Dim>(known.felt, other.felt));
-    products.push_back(product<Dim>(known.felt, felt));
+  const std::size_t size = known_.size();
+  std::vector<double> products(size * (size + 1), 0.0);
+  for (std::size_t k = 0; k < size; ++k) {
+    double* row = &products[k * (size + 1)];
+    for (std::size_t other = 0; other <= k; ++other) row[other] = product<Dim>(known_[k].felt, known_[other].felt);
+    row[size] = product<Dim>(known_[k].felt, felt);
   }
   products = ordered_sum(comm_, products);
-  const auto count = static_cast<Eigen::Index>(known_.size());
+  const auto count = static_cast<Eigen::Index>(size);
   using Table = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const Eigen::Map<const Table> table(products.data(), count, count + 1);
   const Eigen::VectorXd scale =
