@@ -69,14 +69,9 @@ template <int Dim>
 void ControlVolumes<Dim>::weigh(const PosedBodies<Dim>& posed, std::size_t body, Vec weight) const {
   WASH_PETSC(VecZeroEntries(weight));
   const CellView<Dim> w(grid_.cell_dm(), weight);
-  Box<Dim> cells = grid_.owned();
-  for (int d = 0; d < Dim; ++d) {
-    --cells.lower[d];
-    ++cells.upper[d];
-  }
   const auto weigh_cell = [&](const Index<Dim>& cell) { w(cell) = weight_at(posed, body, grid_.cell_center(cell)); };
   subdivide<Dim>(
-      grid_, cells, width_, [&](const Point<Dim>& place) { return posed.distance(body, place); },
+      grid_, grid_.owned().widened(), width_, [&](const Point<Dim>& place) { return posed.distance(body, place); },
       [&](const Box<Dim>& part, int sign) {
         if (sign < 0) for_each<Dim>(part, weigh_cell);
       },

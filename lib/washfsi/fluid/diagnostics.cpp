@@ -29,6 +29,11 @@ struct Ends {
       if (!periodic[d] && (index[d] < 0 || index[d] >= cells[d])) return false;
     return true;
   }
+  /// A box of cells with what lies in the upper side of an axis.
+  Box<Dim> with_upper(Box<Dim> box, std::size_t axis) const {
+    if (!periodic[axis] && box.upper[axis] == cells[axis]) ++box.upper[axis];
+    return box;
+  }
   /// What lies in the boundary has half the volume of another.
   double part(const Index<Dim>& index, std::size_t axis) const {
     return at_lower(index, axis) || at_upper(index, axis) ? 0.5 : 1;
@@ -45,24 +50,28 @@ double squared_strain(const Grid<Dim>& grid, const ConstFaceView<Dim>& u, const 
                       const IsWet& is_wet) {
   const Spacing<Dim> h(grid.spacing());
   double sum = 0;
-  for_each_component<Dim>([&](auto c) {
-    for_each<Dim>(grid.owned(), [&](const Index<Dim>& cell) {
-      const Index<Dim> next = shifted<Dim>(cell, c, 1);
-      const double rate = stretching<Dim>(u, cell, c, h);
-      if (is_wet(cell, c) || is_wet(next, c)) sum += mu.in_cell(cell) * 2 * rate * rate;
-    });
-    for_each_component<Dim>([&](auto d) {
-      if constexpr (d < c) {
-        Box<Dim> edges = grid.owned();
-        for (const std::size_t axis : {std::size_t{c}, std::size_t{d}})
-          if (!ends.periodic[axis] && edges.upper[axis] == ends.cells[axis]) ++edges.upper[axis];
-        for_each<Dim>(edges, [&](const Index<Dim>& edge) {
-          const Index<Dim> below = shifted<Dim>(edge, d, -1), beside = shifted<Dim>(edge, c, -1);
-          if (!is_wet(edge, c) && !is_wet(below, c) && !is_wet(edge, d) && !is_wet(beside, d)) return;
-          const double rate = shear_rate<Dim>(u, edge, c, d, h);
-          sum += mu.on_edge(edge, c, d) * ends.part(edge, c) * ends.part(edge, d) * rate * rate;
-        });
-      }
+  const auto add_stretching = [&](const Index<Dim>& cell, auto c) {
+    const Index<Dim> next = shifted<Dim>(cell, c, 1);
+    const double rate = stretching<Dim>(u, cell, c, h);
+    if (is_wet(cell, c) || is_wet(next, c)) sum += mu.in_cell(cell) * 2 * rate * rate;
+  };
+  const auto add_shear = [&](const Index<Dim>& edge, auto c, auto d) {
+    const Index<Dim> below = shifted<Dim>(edge, d, -1), beside = shifted<Dim>(edge, c, -1);
+    if (!is_wet(edge, c) && !is_wet(below, c) && !is_wet(edge, d) && !is_wet(beside, d)) return;
+    const double rate = shear_rate<Dim>(u, edge, c, d, h);
+    sum += mu.on_edge(edge, c, d) * ends.part(edge, c) * ends.part(edge, d) * rate * rate;
+  };
+  Box<Dim> all = grid.owned();
+  for (std::size_t d = 0; d < Dim; ++d) all = ends.with_upper(all, d);
+  for_each_row<Dim>(all, [&](const Box<Dim>& row) {
+    for_each_component<Dim>([&](auto c) {
+      for_each<Dim>(grid.owned().common(row), [&](const Index<Dim>& cell) { add_stretching(cell, c); });
+      for_each_component<Dim>([&](auto d) {
+        if constexpr (d < c) {
+          const Box<Dim> edges = ends.with_upper(ends.with_upper(grid.owned(), c), d);
+          for_each<Dim>(edges.common(row), [&](const Index<Dim>& edge) { add_shear(edge, c, d); });
+        }
+      });
     });
   });
   return sum;

@@ -180,15 +180,12 @@ void FractionalStep<Dim>::replace_advection(const Box<Dim>& where, const ConstFa
   const Vec fluid_fraction = fields_.constraint.fluid_fraction;  // what is held is not advected
   const ConstFaceView<Dim> fraction(grid_.face_dm(), fluid_fraction ? fluid_fraction : fields_.liquid.density);
   double dissipated = 0;
-  const auto replace = [&](const Index<Dim>& face, auto c) {
+  grid_.for_each_inner_face(where, [&](const Index<Dim>& face, auto c) {
     if (!flux.departs(face, c)) return;
     const double advected = advection<Dim>(u, face, c, h, flux);
     const double H = fluid_fraction ? fraction(face, c) : 1;
     dissipated += H * rho(face, c) * u(face, c) * (advected - result(face, c));
     result(face, c) = advected;
-  };
-  for_each_component<Dim>([&](auto c) {
-    for_each<Dim>(grid_.inner_faces(c).common(where), [&](const Index<Dim>& face) { replace(face, c); });
   });
   numerical_dissipation_ = ordered_sum(grid_.comm(), dissipated * grid_.cell_volume());
 }

@@ -290,9 +290,8 @@ void PressureSolver<Dim>::correct_by(const Ratio& ratio, Vec phi, Vec velocity) 
   const ConstCellView<Dim> local(grid_.stencil_dm(), local_phi_);
   const FaceView<Dim> u(grid_.face_dm(), velocity);
   const Spacing<Dim> h(grid_.spacing());
-  for (int d = 0; d < Dim; ++d)
-    for_each<Dim>(grid_.inner_faces(d),
-                  [&](const Index<Dim>& face) { u(face, d) -= ratio(face, d) * gradient<Dim>(local, face, d, h); });
+  grid_.for_each_inner_face(
+      [&](const Index<Dim>& face, auto d) { u(face, d) -= ratio(face, d) * gradient<Dim>(local, face, d, h); });
 }
 
 template <int Dim>

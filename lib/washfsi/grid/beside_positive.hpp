@@ -11,12 +11,8 @@ namespace washfsi {
 /// is local, with ghosts round the cells.
 template <int Dim>
 Box<Dim> beside_positive(const Box<Dim>& cells, const ConstFaceView<Dim>& field) {
-  Box<Dim> seen = cells, found{cells.upper, cells.lower};
-  for (int d = 0; d < Dim; ++d) {
-    --seen.lower[d];
-    ++seen.upper[d];
-  }
-  for_each<Dim>(seen, [&](const Index<Dim>& cell) {
+  Box<Dim> found{cells.upper, cells.lower};
+  for_each<Dim>(cells.widened(), [&](const Index<Dim>& cell) {
     double sum = 0;
     for (int c = 0; c < Dim; ++c) sum += field(cell, c);
     if (sum > 0)

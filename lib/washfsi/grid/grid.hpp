@@ -64,11 +64,21 @@ class Grid {
   Box<Dim> cells_beside(int axis, End end) const;
   /// Owned faces normal to `axis` that are unknowns: all but the face in the lower boundary.
   Box<Dim> inner_faces(int axis) const;
-  /// Calls kernel(face, c) for all of them, component by component; c is a compile-time constant.
+  /// Calls kernel(face, c) for all of them, row by row along x, in each component by component, so that what a row
+  /// needs of interleaved fields is read once; c is a compile-time constant.
   template <class Kernel>
   void for_each_inner_face(Kernel&& kernel) const {
-    for_each_component<Dim>(
-        [&](auto c) { for_each<Dim>(inner_faces(c), [&](const Index<Dim>& face) { kernel(face, c); }); });
+    for_each_inner_face(owned_, kernel);
+  }
+  /// The same for those of them that have numbers in a box.
+  template <class Kernel>
+  void for_each_inner_face(const Box<Dim>& box, Kernel&& kernel) const {
+    std::array<Box<Dim>, Dim> inner;
+    for (int axis = 0; axis < Dim; ++axis) inner[axis] = inner_faces(axis);
+    for_each_row<Dim>(owned_.common(box), [&](const Box<Dim>& row) {
+      for_each_component<Dim>(
+          [&](auto c) { for_each<Dim>(inner[c].common(row), [&](const Index<Dim>& face) { kernel(face, c); }); });
+    });
   }
 
   /// Calls kernel(face, c) for the other owned faces: those in the lower boundaries.

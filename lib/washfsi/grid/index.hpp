@@ -30,6 +30,15 @@ struct Box {
     for (int d = 0; d < Dim; ++d) count *= static_cast<std::size_t>(std::max<PetscInt>(upper[d] - lower[d], 0));
     return count;
   }
+  /// With a layer more all round.
+  Box widened() const {
+    Box result = *this;
+    for (int d = 0; d < Dim; ++d) {
+      --result.lower[d];
+      ++result.upper[d];
+    }
+    return result;
+  }
   /// What lies in both.
   Box common(const Box& other) const {
     Box result;
@@ -57,6 +66,20 @@ inline void for_each(const Box<Dim>& box, Kernel&& kernel, Index<Dim> index = {}
     else
       for_each<Dim, Kernel&, Axis - 1>(box, kernel, index);
   }
+}
+
+/// Calls visit(row) for each row along x of a box, in the order of for_each: a box that is one index wide along the
+/// other axes. For several sweeps over interleaved fields: what they need of a row is read once.
+template <int Dim, class Visit>
+inline void for_each_row(const Box<Dim>& box, Visit&& visit) {
+  Box<Dim> starts = box;
+  starts.upper[0] = starts.lower[0] + 1;
+  for_each<Dim>(starts, [&](const Index<Dim>& start) {
+    Box<Dim> row{start, start};
+    for (PetscInt& end : row.upper) ++end;
+    row.upper[0] = box.upper[0];
+    visit(row);
+  });
 }
 
 /// Calls visit(c) for c = 0 .. Dim-1 as compile-time constants: a stencil whose component is known when it is compiled
