@@ -38,6 +38,9 @@ STOKES = complex(-0.25408, -0.17403)  # torque over angular velocity: -2 pi R^3 
 SQUEEZED = ["-options_file", SOURCE / "inputs" / "wash.opts", "-grid_cells", "12,12,12", "-towel_count", 4, "-towel_markers", 4,
             "-agitator_frequency", 10, "-agitator_angular_speed", 15, "-time_end", 0.15, "-output_interval", 1]
 
+MACHINE = ["-options_file", SOURCE / "inputs" / "wash.opts", "-cloths", "", "-time_tolerance", 0, "-time_cfl", 0, "-time_step", 2e-3, "-time_end", 0.2,
+           "-output_interval", 100]
+
 
 class DirectForcing(ProgramTest):
     def history(self, name, *options, ranks=1):
@@ -135,6 +138,16 @@ class DirectForcing(ProgramTest):
             self.assertLess(np.abs(history["drum_torque_z"]).max(), 0.2 * np.abs(history["agitator_torque_z"]).max(), changed)
             work.append((history["agitator_power"] * history["dt"]).sum())
         self.assertLess(np.ptp(work), 0.03 * np.mean(work), work)
+
+    def test_which_way_a_machine_stands_hardly_matters(self):
+        """Nor what its walls remember of pushes: turned by a right angle it lies the same on the grid, by another otherwise."""
+        stands = {turn: self.history(f"turned_{turn}", *MACHINE, "-agitator_turn", turn, "-drum_turn", turn) for turn in (0, 90, 37)}
+        torques = {turn: history["agitator_torque_z"] for turn, history in stands.items()}
+        work = {turn: (history["agitator_power"] * history["dt"]).sum() for turn, history in stands.items()}
+        for turn, limit_of_torque, limit_of_work in ((90, 0.03, 3e-3), (37, 0.08, 0.03)):
+            off = np.linalg.norm(torques[turn] - torques[0]) / np.linalg.norm(torques[0])
+            self.assertLess(off, limit_of_torque, turn)
+            self.assertLess(abs(work[turn] / work[0] - 1), limit_of_work, turn)
 
     def check_energy(self, history, limit):
         dt = history["dt"]

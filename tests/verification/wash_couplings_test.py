@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The couplings at the three-dimensional wash: step, damping, cost and the stresses of the first agitation cycle.
 
-Prints the table of docs/verification/wash.md. Arguments: `--cycles PART` for a part of the cycle only; `--ranks`, 2 if
-not given; `--keep FOLDER` for the runs' results (out/wash_couplings if not given), where a run that has finished is
-not made again. The reference is the explicit coupling with the damping that the semi-implicit step of the machine
-has by itself, about one step. Tracks: rms distance of the cloths' centres from the reference's, over the marker
-spacing. Fails where the default's stresses are more than 15 % from the reference's.
+Prints the tables of docs/verification/wash.md. Arguments: `--shipped` for `inputs/wash.opts` as it is, which chooses its
+steps, instead of the thesis's machine; `--cycles PART` for a part of the cycle only; `--ranks`, 2 if not given; `--keep
+FOLDER` for the runs' results (out/wash_couplings if not given), where a run that has finished is not made again. The
+reference is the explicit coupling with the damping that the semi-implicit step of the machine has by itself, about one
+step. Tracks: rms distance of the cloths' centres from the reference's, over the marker spacing. Fails where the
+default's stresses are more than 15 % from the reference's.
 """
 
 import argparse
@@ -16,10 +17,11 @@ from pathlib import Path
 
 import numpy as np
 
-from tables import ARGUMENTS, SOURCE, command, print_record, print_record_head
+from tables import ARGUMENTS, SOURCE, command, print_record, print_record_head, read_columns
 from wash_runs import CYCLE, STRESSES, read_centers
 
-MACHINE = SOURCE / "inputs" / "thesis" / "base" / "machine.opts"
+SHIPPED_MACHINE = SOURCE / "inputs" / "wash.opts"
+THESIS_MACHINE = SOURCE / "inputs" / "thesis" / "base" / "machine.opts"
 INTERVAL = 1e-3  # between measurements: the default's step [s]
 SPACING = 0.025  # of the markers [m]
 MOST_OFF = 0.15
@@ -27,29 +29,34 @@ MOST_OFF = 0.15
 REFERENCE, DEFAULT = ("explicit", 1e-3, 1e-5), ("semi_implicit", 0, 1e-3)
 RUNS = [REFERENCE, DEFAULT, ("semi_implicit", 0, 5e-4), ("semi_implicit", 0, 2.5e-4), ("explicit", 1e-4, 6e-5),
         ("explicit", 0, 8e-5), ("explicit", 0, 4e-5), ("midpoint", 0, 8e-5)]
+AS_SHIPPED = ("as shipped", 0, 0)
+SHIPPED_RUNS = [REFERENCE, ("explicit", 1e-4, 6e-5), AS_SHIPPED]
 
 
 class Run:
-    """The start of the thesis's machine."""
+    """The start of a machine."""
 
-    def __init__(self, study, ranks, end, coupling, damping, step):
-        folder = study / f"{coupling}_{damping:g}_{step:g}"
+    def __init__(self, study, ranks, end, machine, coupling, damping, step):
+        folder = study / f"{machine.stem}_{coupling}_{damping:g}_{step:g}".replace(" ", "_")
         summary = folder / "summary.json"
         if not summary.is_file() or json.loads(summary.read_text())["status"] != "finished":
-            subprocess.run(command(ranks, "-options_file", MACHINE, "-coupling_scheme", coupling,
-                                   *(["-towel_damping", damping] if damping else []), "-time_step", step,
-                                   "-time_end", end, "-history_interval", INTERVAL, "-output_dir", folder),
+            equal_steps = ["-coupling_scheme", coupling, "-coupling_order", 1, "-time_tolerance", 0, "-time_step", step,
+                           *(["-towel_damping", damping] if damping else [])]
+            subprocess.run(command(ranks, "-options_file", machine, *(equal_steps if step else []), "-time_end", end,
+                                   "-history_interval", INTERVAL, "-output_dir", folder),
                            check=False, stdout=subprocess.DEVNULL)
         result = json.loads(summary.read_text())
         self.stable = result["status"] == "finished"
         self.ms = 1e3 * result["seconds_per_step"]
-        self.cost = result["seconds_per_step"] / step
+        self.cost = result["seconds_per_step"] * result["steps"] / end
         cloth = result["cloths"]["towel"]
         self.stretch, self.crossings = cloth["max_stretch"], result["cloth_crossings"]
         self.membrane, self.bending = (
             np.array([1e-6 * cloth[f"{part}_stress_{stress}_mean"] for stress in STRESSES])
             for part in ("membrane", "bending"))
         self.time, self.centers = read_centers(folder)
+        cycles = read_columns(folder / "cycles.csv").get("agitator_work", [])
+        self.work = f"{cycles[0]:.1f}" if len(cycles) else ""
 
     def tracks_off(self, reference, time):
         """Rms distance of the cloths' centres from the reference's at a time, over the marker spacing."""
@@ -64,28 +71,32 @@ def off(values, reference):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--shipped", action="store_true")
     parser.add_argument("--cycles", type=float, default=1)
     parser.add_argument("--ranks", type=int, default=2)
     parser.add_argument("--keep", type=Path, default=SOURCE / "out" / "wash_couplings")
     options = parser.parse_args(ARGUMENTS)
+    machine, cases, default = ((SHIPPED_MACHINE, SHIPPED_RUNS, AS_SHIPPED) if options.shipped else
+                               (THESIS_MACHINE, RUNS, DEFAULT))
     end = options.cycles * CYCLE
     print_record_head("coupling", "damping [s]", "step [s]", "ms a step", "s per simulated s",
                       "membrane ss, rr, sr [MPa]", "bending ss, rr, sr [MPa]", "membrane off", "bending off",
-                      "tracks off half-way and at the end", "largest stretch", "crossings")
+                      "tracks off half-way and at the end", "largest stretch", "crossings", "work [J]")
     runs = {}
-    for case in RUNS:
-        run = runs[case] = Run(options.keep, options.ranks, end, *case)
+    for case in cases:
+        run = runs[case] = Run(options.keep, options.ranks, end, machine, *case)
         words = [case[0], f"{case[1]:g}", f"{case[2]:g}", f"{run.ms:.1f}", f"{run.cost:.0f}"]
         if not run.stable:
-            print_record(*words, "diverged", *[""] * 6)
+            print_record(*words, "diverged", *[""] * 7)
             continue
         reference = runs[REFERENCE]
         differences = [f"{100 * off(run.membrane, reference.membrane):.0f} %",
                        f"{100 * off(run.bending, reference.bending):.0f} %",
                        ", ".join(f"{run.tracks_off(reference, part * end):.2f}" for part in (0.5, 1))]
         print_record(*words, *(", ".join(f"{value:.4f}" for value in part) for part in (run.membrane, run.bending)),
-                     *(differences if run is not reference else 3 * [""]), f"{100 * run.stretch:.2f} %", run.crossings)
-    reference, default = runs[REFERENCE], runs[DEFAULT]
+                     *(differences if run is not reference else 3 * [""]), f"{100 * run.stretch:.2f} %", run.crossings,
+                     run.work)
+    reference, default = runs[REFERENCE], runs[default]
     return 0 if max(off(default.membrane, reference.membrane), off(default.bending, reference.bending)) <= MOST_OFF else 1
 
 
