@@ -48,13 +48,13 @@ class Run:
         result = json.loads(summary.read_text())
         self.stable = result["status"] == "finished"
         self.ms = 1e3 * result["seconds_per_step"]
-        self.cost = result["seconds_per_step"] * result["steps"] / end
         cloth = result["cloths"]["towel"]
         self.stretch, self.crossings = cloth["max_stretch"], result["cloth_crossings"]
         self.membrane, self.bending = (
             np.array([1e-6 * cloth[f"{part}_stress_{stress}_mean"] for stress in STRESSES])
             for part in ("membrane", "bending"))
         self.time, self.centers = read_centers(folder)
+        self.cost = result["seconds_per_step"] * result["steps"] / self.time[-1]  # of a run that diverged too
         cycles = read_columns(folder / "cycles.csv").get("agitator_work", [])
         self.work = f"{cycles[0]:.1f}" if len(cycles) else ""
 
