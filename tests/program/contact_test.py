@@ -256,9 +256,10 @@ class Contact(ProgramTest):
         self.assertEqual(history["intersections"].max(), 0)
 
     def test_pressed_towels_are_the_same_on_one_two_and_three_ranks(self):
-        options = [*PRESSED, "-contact", "barrier", *TIGHT, "-coupling_tolerance", 1e-11]
+        leaky = [*PRESSED, "-cloths_permeance", 1e-4]  # or the water between them would carry all of the load
+        options = [*leaky, "-contact", "barrier", *TIGHT, "-coupling_tolerance", 1e-11]
         expected = self.history(1, *options)
-        free = self.history(1, *PRESSED, "-contact", "none")
+        free = self.history(1, *leaky, "-contact", "cushion")
         self.assertGreater(relative_difference(expected["lower_center_z"], free["lower_center_z"]), 1e-5)
         self.assertEqual(expected["intersections"].max(), 0)
         for ranks in (2, 3):
@@ -307,12 +308,17 @@ class Contact(ProgramTest):
         print(f"creep {creep.max():.3g} m/s, sliding {speed:.3g} m/s")
         self.assertLess(creep.max(), 0.01 * speed)
 
+    def settled(self, case, height):
+        """Options of a run that goes on from where the small towel has come to rest under its load."""
+        options = [*case, "-sled_center", f"-0.1,0.013,{height}"]
+        self.history(1, *options, "-coupling_scheme", "implicit", "-sled_load", f"0,0,-{PRESS}", "-time_end", 0.05, name="rest")
+        return [*options, "-restart", "rest/checkpoint.h5", "-time_end", 0.15]
+
     def test_friction_in_explicit_steps_is_that_of_coulomb(self):
-        for case, height, given in (([*BLOCK, "-contact_body_friction", 0.3], 0.007547, 0.3),
-                                    ([*SLED, *RUBS], 0.0038394, 0.4)):
-            options = [*case, "-coupling_scheme", "explicit", "-sled_center", f"-0.1,0.013,{height}"]
+        for case, height, given in (([*BLOCK, "-contact_body_friction", 0.3], 0.0081, 0.3), ([*SLED, *RUBS], 0.0041, 0.4)):
+            options = [*self.settled(case, height), "-coupling_scheme", "explicit"]
             history = self.history(1, *options, "-time_step", 5e-5, "-sled_load", f"{PULL},0,-{PRESS}")
-            late = history["time"] > 0.05
+            late = history["time"] > 0.1
             time, place = history["time"][late], history["sled_center_x"][late]
             friction = (PULL - 2 * np.polyfit(time, place, 2)[0]) / PRESS
             speed = np.gradient(place, time)
@@ -324,8 +330,8 @@ class Contact(ProgramTest):
             self.assertGreaterEqual(history["friction_power"].min(), 0)
         creeps = []
         for step in (1e-4, 5e-5):
-            stuck = self.history(1, *BLOCK, "-contact_body_friction", 0.3, "-coupling_scheme", "explicit", "-time_step", step,
-                                 "-sled_center", "-0.1,0.013,0.007547", "-sled_load", f"27,0,-{PRESS}")
+            options = self.settled([*BLOCK, "-contact_body_friction", 0.3], 0.0081)
+            stuck = self.history(1, *options, "-coupling_scheme", "explicit", "-time_step", step, "-sled_load", f"27,0,-{PRESS}")
             creeps.append((np.diff(stuck["sled_center_x"]) / np.diff(stuck["time"]))[-1])
         self.assertLess(creeps[0], 5e-3)
         self.assertLess(creeps[1], 0.6 * creeps[0])

@@ -57,6 +57,14 @@ Patch Cloths<Dim>::patch_of(std::size_t number, PetscInt own_first, PetscInt own
 }
 
 template <int Dim>
+std::string Cloths<Dim>::name_of(std::size_t piece) const {
+  const std::size_t group = pieces_[piece].group;
+  std::size_t number = 1;
+  for (std::size_t p = 0; p < piece; ++p) number += pieces_[p].group == group ? 1 : 0;
+  return groups_[group].name + " " + std::to_string(number);
+}
+
+template <int Dim>
 void Cloths<Dim>::find_markers() {
   for (const Patch& patch : patches_) {
     const ClothGroup<Dim>& group = group_of(patch);

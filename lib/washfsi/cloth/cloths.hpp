@@ -43,6 +43,9 @@ class Cloths {
   PetscInt end() const { return end_; }
   std::size_t owned() const { return static_cast<std::size_t>(end_ - begin_); }
 
+  /// The name of a piece: its group's, and its number in that, from 1.
+  std::string name_of(std::size_t piece) const;
+
   /// Piece and group of each of this rank's markers, and its number among those of all ranks.
   const std::vector<std::size_t>& piece_of_marker() const { return piece_of_marker_; }
   std::size_t group_number(std::size_t marker) const { return pieces_[piece_of_marker_[marker]].group; }

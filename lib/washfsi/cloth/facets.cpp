@@ -45,6 +45,8 @@ class Neighbours {
 
 template <int Dim>
 Facets<Dim>::Facets(const Cloths<Dim>& cloths, const NearMarkers<Dim>& known) {
+  std::vector<double> areas;
+  for (const ClothGroup<Dim>& group : cloths.groups()) areas.push_back(group.face_area());
   const Neighbours<Dim> neighbours(cloths, known);
   for (std::size_t marker = 0; marker < known.size(); ++marker) {
     const Piece& piece = cloths.pieces()[known.piece_of(marker)];
@@ -56,7 +58,7 @@ Facets<Dim>::Facets(const Cloths<Dim>& cloths, const NearMarkers<Dim>& known) {
     add_edge(marker, along, group.sheet.ds);
     add_edge(marker, beside, group.sheet.dr);
     add_edge(marker, aslant, std::hypot(group.sheet.ds, group.sheet.dr));
-    add_faces(marker, others);
+    add_faces(marker, others, areas[piece.group]);
   }
 }
 
@@ -68,7 +70,7 @@ void Facets<Dim>::add_edge(std::size_t from, std::optional<std::size_t> to, doub
 }
 
 template <int Dim>
-void Facets<Dim>::add_faces(std::size_t from, const Others& others) {
+void Facets<Dim>::add_faces(std::size_t from, const Others& others, double area) {
   const auto& [along, aslant, beside] = others;
   if constexpr (Dim == 2) {
     if (along) faces.push_back({from, *along});
@@ -76,6 +78,7 @@ void Facets<Dim>::add_faces(std::size_t from, const Others& others) {
     if (along) faces.push_back({from, *along, *aslant});
     if (beside) faces.push_back({from, *aslant, *beside});
   }
+  face_areas.resize(faces.size(), area);
 }
 
 template <int Dim>

@@ -20,11 +20,12 @@ struct Facets {
   std::vector<Edge> edges;
   std::vector<double> marker_areas;  ///< undeformed, of all that is known [m2; m in the plane]
   std::vector<double> edge_lengths;  ///< undeformed [m]
+  std::vector<double> face_areas;    ///< an equal share of its cloth's area, undeformed [m2; m in the plane]
 
  private:
   using Others = std::array<std::optional<std::size_t>, 3>;
   void add_edge(std::size_t from, std::optional<std::size_t> to, double length);
-  void add_faces(std::size_t from, const Others& others);
+  void add_faces(std::size_t from, const Others& others, double area);
 };
 
 /// The least spacing of markers along the lattices [m]; infinite without cloth.

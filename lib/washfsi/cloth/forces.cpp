@@ -108,6 +108,16 @@ std::vector<long> Forces<Dim>::pattern() const {
 }
 
 template <int Dim>
+bool Forces<Dim>::outgrow_pattern() const {
+  return any_rank(comm(), std::ranges::any_of(forces_, [](const auto& force) { return force->outgrows_pattern(); }));
+}
+
+template <int Dim>
+void Forces<Dim>::renew_pattern() {
+  for (const auto& force : forces_) force->renew_pattern();
+}
+
+template <int Dim>
 void Forces<Dim>::lay_out_stiffness(petsc::Matrix& matrix) {
   std::vector<typename StiffnessRows<Dim>::Place> places;
   const Points<Dim> anywhere(cloths_.owned(), Point<Dim>::Zero());

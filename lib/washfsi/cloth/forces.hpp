@@ -47,6 +47,9 @@ class Forces {
   /// `pattern` has changed.
   void lay_out_stiffness(petsc::Matrix& matrix);
   std::vector<long> pattern() const;
+  /// Whether any rank has left out blocks of K that have no places; and makes a pattern with these.
+  bool outgrow_pattern() const;
+  void renew_pattern();
   /// Sets a matrix, laid out for this pattern, to factor times K.
   void set_stiffness(const Points<Dim>& positions, GeometricStiffness geometric, double factor, Mat matrix) const;
 

@@ -89,6 +89,10 @@ class MarkerForce {
   /// alone, so that a matrix that fits is not laid out anew.
   virtual void visit_stiffness(const Points<Dim>&, GeometricStiffness, const AddMarkerBlock<Dim>&) const {}
   virtual long pattern() const { return 0; }
+  /// Whether blocks at the last places were left out since the pattern has none for them; and makes a pattern with
+  /// these, before a matrix is laid out anew.
+  virtual bool outgrows_pattern() const { return false; }
+  virtual void renew_pattern() {}
   /// Adds a size of the parts that the force of each marker is the difference of: its round-off over the machine's.
   virtual void add_cancelling_size(const Points<Dim>&, std::span<double>) const {}
   /// Adds to the bound of each marker.

@@ -173,6 +173,14 @@ std::vector<PetscInt> both_ends(PetscInt count) {
 }  // namespace
 
 template <int Dim>
+double ClothGroup<Dim>::face_area() const {
+  double shares = 0;
+  for (PetscInt m = 0; m < marker_count(); ++m) shares += marker_share(m);
+  const PetscInt faces = Dim == 3 ? 2 * (markers[0] - 1) * (markers[1] - 1) : markers[0] - (sheet.closed ? 0 : 1);
+  return faces > 0 ? shares * sheet.part_area() / static_cast<double>(faces) : 0;
+}
+
+template <int Dim>
 std::vector<PetscInt> ClothGroup<Dim>::held_markers() const {
   const auto all_of = [&](const std::vector<PetscInt>& rows, const std::vector<PetscInt>& columns) {
     std::vector<PetscInt> held;

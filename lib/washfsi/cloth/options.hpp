@@ -55,6 +55,9 @@ struct ClothGroup {
     return row(0).share(static_cast<std::size_t>(marker / markers[1])) *
            row(1).share(static_cast<std::size_t>(marker % markers[1]));
   }
+  /// An equal share of a cloth's undeformed area for each of its faces, triangles or, in the plane, segments; 0
+  /// without.
+  double face_area() const;
   /// Which markers of a cloth the springs hold, in ascending order.
   std::vector<PetscInt> held_markers() const;
 };

@@ -4,15 +4,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "washfsi/contact/barrier_function.hpp"
 #include "washfsi/contact/collision.hpp"
+#include "washfsi/contact/distance_curvature.hpp"
 #include "washfsi/support/collective.hpp"
+#include "washfsi/support/format_text.hpp"
+#include "washfsi/support/text.hpp"
 
 namespace washfsi {
 
 namespace {
 
 constexpr double most_ways = 2;  // that markers go at a time, in spacings
-constexpr double ahead = 1.25;   // pairs that are nearer than this times d^ have places in the matrix
 
 }  // namespace
 
@@ -28,10 +31,11 @@ template <int Dim>
 Barrier<Dim>::Barrier(const BarrierOptions& options, const Surroundings<Dim>& surroundings)
     : options_(options),
       around_(surroundings),
-      distance_(barrier_distance(options, surroundings.cloths)),
       spacing_(least_spacing(surroundings.cloths)),
-      search_(surroundings.cloths, periods_of<Dim>(surroundings.grid)) {
-  lay_out();
+      near_(options.stiffness, barrier_distance(options, surroundings.cloths), surroundings.cloths,
+            periods_of<Dim>(surroundings.grid)),
+      places_of_blocks_(surroundings.cloths) {
+  places_of_blocks_.lay_out(near_, {});
 }
 
 // For the forces at the start all is known that was looked at for the end of the step before. For those at the end it
@@ -40,19 +44,22 @@ template <int Dim>
 void Barrier<Dim>::begin_step(const StepStart<Dim>& start) {
   if (start.dt == 0) {
     // then the nearest images may be others now
-    if (!covers(start.positions) || farthest_from_places(start.positions) > distance_) {
-      reaches_.assign(start.positions.size(), least_reach());
+    if (!covers(start.positions) || farthest_from_places(start.positions) > distance()) {
+      reaches_.assign(start.positions.size(), near_.least_reach());
       look_round(start.positions);
     }
-    return begin_explicit_friction(known(start.positions), start);
+    const Points<Dim> all = known(start.positions);
+    if (!distances().has_started() || start.held.dt > 0) near_.follow_distances(all);
+    return begin_explicit_friction(all, start);
   }
   constexpr double to_spare = 1.3;
   reaches_.clear();
   for (const auto& velocity : start.velocities)
-    reaches_.push_back(std::max(least_reach(), to_spare * start.dt * velocity.norm()));
+    reaches_.push_back(std::max(near_.least_reach(), to_spare * start.dt * velocity.norm()));
   look_round(start.positions);
-  lay_out();
   const Points<Dim> all = known(start.positions);
+  places_of_blocks_.lay_out(near_, all);
+  near_.follow_distances(all);
   friction_.begin(rubbing_pairs(all), all, start.dt, start.share);
   seen_.clear();
 }
@@ -62,8 +69,8 @@ template <int Dim>
 std::vector<typename PairFriction<Dim>::Pair> Barrier<Dim>::rubbing_pairs(const Points<Dim>& all) const {
   std::vector<typename PairFriction<Dim>::Pair> pairs;
   if (options_.friction > 0)
-    for (const Touch& touch : touches_at(all))
-      pairs.push_back({*touch.pair, touch.gap, options_.friction * touch.push});
+    for (const Touch<Dim>& touch : near_.at(all))
+      if (touch.pressing > 0) pairs.push_back({touch.facing, options_.friction * touch.pressing});
   return pairs;
 }
 
@@ -72,8 +79,8 @@ template <int Dim>
 void Barrier<Dim>::begin_explicit_friction(const Points<Dim>& all, const StepStart<Dim>& start) {
   seen_.clear();
   if (start.held.dt == 0 || options_.friction == 0) return friction_.begin({}, all, 0);
-  friction_.begin_explicit(rubbing_pairs(all), search_.known(), all, known(start.velocities),
-                           search_.known().values(start.held.mobilities), start.held.dt);
+  friction_.begin_explicit(rubbing_pairs(all), near_.search().known(), all, known(start.velocities),
+                           near_.search().known().values(start.held.mobilities), start.held.dt);
 }
 
 template <int Dim>
@@ -81,33 +88,15 @@ void Barrier<Dim>::look_round(const Points<Dim>& positions, Before before) {
   const petsc::LogPart part("contact_search");
   has_looked_ = true;
   places_ = positions;
-  pairs_ = search_.find(positions, reaches_, distance_, before);
+  near_.look_round(positions, reaches_, before);
   touches_.clear();
   seen_.clear();
 }
 
-// The blocks of pairs that touch, or soon may. Those of others, which come up while the step is solved for, are left
-// out but for their diagonal ones: the matrix stays positive.
+// Where it looked last at what touches, unless it has looked round since.
 template <int Dim>
-void Barrier<Dim>::lay_out() {
-  const std::vector<std::size_t>& numbers = search_.known().numbers();
-  std::vector<std::vector<std::size_t>> columns(around_.cloths.owned());
-  for (std::size_t m = 0; m < columns.size(); ++m) columns[m].push_back(numbers[search_.known().begin() + m]);
-  for (const auto& pair : pairs_) {
-    if (pair.start >= ahead * distance_) continue;
-    visit_own(pair, [&](std::size_t, std::size_t row) {
-      for (const std::size_t marker : pair.markers) columns[row].push_back(numbers[marker]);
-    });
-  }
-  const std::vector<std::size_t> before = std::move(columns_);
-  columns_.clear();
-  rows_.assign(1, 0);
-  for (auto& row : columns) {
-    std::sort(row.begin(), row.end());
-    columns_.insert(columns_.end(), row.begin(), std::unique(row.begin(), row.end()));
-    rows_.push_back(columns_.size());
-  }
-  if (columns_ != before) ++pattern_;
+void Barrier<Dim>::renew_pattern() {
+  places_of_blocks_.lay_out(near_, known(seen_.size() == places_.size() ? seen_ : places_));
 }
 
 template <int Dim>
@@ -133,114 +122,66 @@ void Barrier<Dim>::cover(const Points<Dim>& from, const Points<Dim>& motion) {
   constexpr double to_spare = 1.5;
   if (!has_looked_) {
     places_ = from;
-    reaches_.assign(from.size(), least_reach());
+    reaches_.assign(from.size(), near_.least_reach());
   }
   for (std::size_t m = 0; m < positions.size(); ++m)
     reaches_[m] = std::max(reaches_[m], to_spare * (positions[m] - places_[m]).norm());
-  const std::vector<std::size_t> before = search_.known().numbers();
+  const std::vector<std::size_t> before = near_.search().known().numbers();
   look_round(Points<Dim>(places_), Before::keep);
-  friction_.renumber([&](std::size_t marker) { return search_.known().place_of(before[marker]); });
+  friction_.renumber([&](std::size_t marker) { return near_.search().known().place_of(before[marker]); });
 }
 
 template <int Dim>
-typename Barrier<Dim>::Touch Barrier<Dim>::touch(const FacetPair<Dim>& pair, const Gap<Dim>& gap,
-                                                 const PairPoints<Dim>& places) const {
-  const BarrierValue b = barrier(gap.distance / distance_);
-  const double scale = options_.stiffness * pair.weight;
-  Touch touch{&pair, gap, scale * distance_ * b.value, scale / distance_ * b.second, -scale * b.first, {}};
-  if constexpr (Dim == 3) {
-    const Mollifier m = pair.parallel > 0 ? mollifier(places, pair.parallel) : Mollifier{};
-    for (std::size_t i = 0; i < places.size(); ++i) touch.forces[i] = -touch.energy * m.gradient[i];
-    touch.energy *= m.value;
-    touch.stiffness *= m.value;
-    touch.push *= m.value;
-  } else {
-    touch.forces.fill(Point<Dim>::Zero());
-  }
-  for (std::size_t i = 0; i < places.size(); ++i) touch.forces[i] += touch.push * gap.shares[i] * gap.normal;
-  return touch;
-}
-
-// Facets that touch, as they do only where the places are not those of a cloth, have no barrier.
-template <int Dim>
-std::vector<typename Barrier<Dim>::Touch> Barrier<Dim>::touches_at(const Points<Dim>& all) const {
-  std::vector<Touch> touches;
-  for (const auto& pair : pairs_) {
-    const PairPoints<Dim> places = pair.at(all);
-    const Gap<Dim> gap = gap_of<Dim>(pair.kind, places);
-    if (gap.distance > 0 && gap.distance < distance_) touches.push_back(touch(pair, gap, places));
-  }
-  return touches;
-}
-
-template <int Dim>
-const std::vector<typename Barrier<Dim>::Touch>& Barrier<Dim>::touches(const Points<Dim>& positions) const {
+const std::vector<Touch<Dim>>& Barrier<Dim>::touches(const Points<Dim>& positions) const {
   if (!any_rank(around_.cloths.comm(), seen_ != positions)) return touches_;
   const Points<Dim> all = known(positions);
-  touches_ = touches_at(all);
+  touches_ = near_.at(all);
   friction_.look_at(all);
   seen_ = positions;
   return touches_;
 }
 
-// visit(which of the pair's markers, its number among this rank's)
+// visit(which of the markers, its number among this rank's)
 template <int Dim>
 template <class Visit>
-void Barrier<Dim>::visit_own(const FacetPair<Dim>& pair, const Visit& visit) const {
-  const NearMarkers<Dim>& known = search_.known();
-  for (std::size_t i = 0; i < pair.markers.size(); ++i)
-    if (known.owns(pair.markers[i])) visit(i, pair.markers[i] - known.begin());
+void Barrier<Dim>::visit_own(const Facing<Dim>& facing, const Visit& visit) const {
+  const NearMarkers<Dim>& known = near_.search().known();
+  for (std::size_t i = 0; i < facing.count; ++i)
+    if (known.owns(facing.markers[i])) visit(i, facing.markers[i] - known.begin());
 }
 
 template <int Dim>
 void Barrier<Dim>::add_force(const Points<Dim>& positions, const Points<Dim>&, Points<Dim>& forces) const {
-  for (const Touch& touch : touches(positions))
-    visit_own(*touch.pair, [&](std::size_t i, std::size_t m) { forces[m] += touch.forces[i]; });
-  friction_.visit([&](const auto& pair, const auto& gap, const auto& rub) {
-    visit_own(pair, [&](std::size_t i, std::size_t m) { forces[m] -= gap.shares[i] * rub.pull; });
+  for (const Touch<Dim>& touch : touches(positions))
+    visit_own(touch.facing, [&](std::size_t i, std::size_t m) { forces[m] += touch.forces[i]; });
+  friction_.visit([&](const auto& facing, const auto& rub) {
+    visit_own(facing, [&](std::size_t i, std::size_t m) { forces[m] -= facing.shares[i] * rub.pull; });
   });
 }
 
-// Of a pair by the rank of its first marker.
+// By the rank of the first marker.
 template <int Dim>
 void Barrier<Dim>::add_energy(const Points<Dim>& positions, std::span<double> of_groups) const {
-  const NearMarkers<Dim>& known = search_.known();
+  const NearMarkers<Dim>& known = near_.search().known();
   const auto add = [&](std::size_t first, double energy) {
     if (known.owns(first)) of_groups[around_.cloths.group_number(first - known.begin())] += energy;
   };
-  for (const Touch& touch : touches(positions)) add(touch.pair->markers[0], touch.energy);
-  friction_.visit([&](const auto& pair, const auto&, const auto& rub) { add(pair.markers[0], rub.energy); });
+  for (const Touch<Dim>& touch : touches(positions)) add(touch.facing.markers[0], touch.energy);
+  friction_.visit([&](const auto& facing, const auto& rub) { add(facing.markers[0], rub.energy); });
 }
 
 template <int Dim>
 void Barrier<Dim>::add_force_rates(const Points<Dim>& positions, const Points<Dim>& direction,
                                    Points<Dim>& rates) const {
   const Points<Dim> all = known(direction);
-  const auto add = [&](const FacetPair<Dim>& pair, const Gap<Dim>& gap, const auto& stiffness) {
+  const auto add = [&](const Facing<Dim>& facing, const auto& stiffness) {
     Point<Dim> way = Point<Dim>::Zero();
-    for (std::size_t i = 0; i < gap.shares.size(); ++i) way += gap.shares[i] * all[pair.markers[i]];
+    for (std::size_t i = 0; i < facing.count; ++i) way += facing.shares[i] * all[facing.markers[i]];
     const Point<Dim> rate = stiffness * way;
-    visit_own(pair, [&](std::size_t i, std::size_t m) { rates[m] -= gap.shares[i] * rate; });
+    visit_own(facing, [&](std::size_t i, std::size_t m) { rates[m] -= facing.shares[i] * rate; });
   };
-  for (const Touch& touch : touches(positions)) add(*touch.pair, touch.gap, touch.block());
-  friction_.visit([&](const auto& pair, const auto& gap, const auto& rub) { add(pair, gap, rub.stiffness); });
-}
-
-// Into the places that were laid out for them.
-template <int Dim>
-void Barrier<Dim>::add_blocks(const FacetPair<Dim>& pair, const Gap<Dim>& gap, const StiffnessBlock<Dim>& block,
-                              std::vector<StiffnessBlock<Dim>>& blocks) const {
-  const std::vector<std::size_t>& numbers = search_.known().numbers();
-  visit_own(pair, [&](std::size_t i, std::size_t m) {
-    const auto row = columns_.begin() + static_cast<long>(rows_[m]),
-               end = columns_.begin() + static_cast<long>(rows_[m + 1]);
-    for (std::size_t j = 0; j < pair.markers.size(); ++j) {
-      const std::size_t column = numbers[pair.markers[j]];
-      const auto place = std::lower_bound(row, end, column);
-      if (place != end && *place == column)
-        blocks[static_cast<std::size_t>(place - columns_.begin())] += gap.shares[i] * gap.shares[j] * block;
-    }
-  });
+  for (const Touch<Dim>& touch : touches(positions)) add(touch.facing, touch.block());
+  friction_.visit([&](const auto& facing, const auto& rub) { add(facing, rub.stiffness); });
 }
 
 template <int Dim>
@@ -251,35 +192,52 @@ void Barrier<Dim>::linearise(const Points<Dim>& positions) {
 }
 
 template <int Dim>
-void Barrier<Dim>::visit_stiffness(const Points<Dim>& positions, GeometricStiffness,
+void Barrier<Dim>::visit_stiffness(const Points<Dim>& positions, GeometricStiffness geometric,
                                    const AddMarkerBlock<Dim>& add) const {
-  std::vector<StiffnessBlock<Dim>> blocks(columns_.size(), StiffnessBlock<Dim>::Zero());
-  for (const Touch& touch : touches(positions)) add_blocks(*touch.pair, touch.gap, touch.block(), blocks);
-  friction_.visit(
-      [&](const auto& pair, const auto& gap, const auto& rub) { add_blocks(pair, gap, rub.stiffness, blocks); });
-  for (std::size_t m = 0; m + 1 < rows_.size(); ++m)
-    for (std::size_t n = rows_[m]; n < rows_[m + 1]; ++n)
-      add(around_.cloths.number_of(m), static_cast<PetscInt>(columns_[n]), blocks[n]);
+  std::vector<StiffnessBlock<Dim>> blocks = places_of_blocks_.zeros();
+  const auto add_along = [&](const Facing<Dim>& facing, const StiffnessBlock<Dim>& block) {
+    const auto of_two = [&](std::size_t i, std::size_t j) -> StiffnessBlock<Dim> {
+      return facing.shares[i] * facing.shares[j] * block;
+    };
+    places_of_blocks_.add(facing, near_.search().known(), of_two, blocks);
+  };
+  for (const Touch<Dim>& touch : touches(positions)) add_along(touch.facing, touch.block());
+  friction_.visit([&](const auto& facing, const auto& rub) { add_along(facing, rub.stiffness); });
+  if (geometric == GeometricStiffness::all) add_curvatures(known(positions), blocks);
+  places_of_blocks_.visit(blocks, add);
+}
+
+template <int Dim>
+void Barrier<Dim>::add_curvatures(const Points<Dim>& all, std::vector<StiffnessBlock<Dim>>& blocks) const {
+  for (const Touch<Dim>& touch : touches_) {
+    const DistanceCurvature<Dim> curvature(touch.facing, all, touch.is_guard);
+    if (!curvature.is_regular()) continue;
+    const StiffnessBlock<Dim> along = touch.taken_off * touch.facing.normal * touch.facing.normal.transpose();
+    const auto block = [&](std::size_t i, std::size_t j) -> StiffnessBlock<Dim> {
+      return touch.facing.shares[i] * touch.facing.shares[j] * along - touch.push * curvature.block(i, j);
+    };
+    places_of_blocks_.add(touch.facing, near_.search().known(), block, blocks);
+  }
 }
 
 template <int Dim>
 void Barrier<Dim>::add_cancelling_size(const Points<Dim>& positions, std::span<double> sizes) const {
-  for (const Touch& touch : touches(positions))
-    visit_own(*touch.pair, [&](std::size_t i, std::size_t m) {
-      sizes[m] += touch.stiffness * std::abs(touch.gap.shares[i]) * positions[m].norm();
+  for (const Touch<Dim>& touch : touches(positions))
+    visit_own(touch.facing, [&](std::size_t i, std::size_t m) {
+      sizes[m] += touch.stiffness * std::abs(touch.facing.shares[i]) * positions[m].norm();
     });
 }
 
-// By the rows' sums of what touched last, and at least as for a pair at a third of d^, which may touch next.
+// By the rows' sums of what touched last, and at least as for two surfaces at a third of d^, which may touch next.
 template <int Dim>
 void Barrier<Dim>::add_bound(std::span<StiffnessBound> bounds) const {
-  const double least = 2 * options_.stiffness / distance_ * barrier(1.0 / 3).second;
+  const double least = 2 * options_.stiffness / distance() * barrier(1.0 / 3).second;
   std::vector<double> sums(bounds.size(), 0.0);
-  for (const Touch& touch : touches_) {
+  for (const Touch<Dim>& touch : touches_) {
     double all = 0;
-    for (const double share : touch.gap.shares) all += std::abs(share);
-    visit_own(*touch.pair, [&](std::size_t i, std::size_t m) {
-      sums[m] += touch.stiffness * std::abs(touch.gap.shares[i]) * all / around_.cloths.marker_areas()[m];
+    for (const double share : touch.facing.shares) all += std::abs(share);
+    visit_own(touch.facing, [&](std::size_t i, std::size_t m) {
+      sums[m] += touch.stiffness * std::abs(touch.facing.shares[i]) * all / around_.cloths.marker_areas()[m];
     });
   }
   for (std::size_t m = 0; m < bounds.size(); ++m) bounds[m].stiffness += 0.25 * std::max(least, sums[m]);
@@ -297,7 +255,7 @@ double Barrier<Dim>::free_part(const Points<Dim>& from, const Points<Dim>& motio
   cover(from, scaled);
   const Points<Dim> starts = known(from), motions = known(scaled);
   double free = 1;
-  for (const auto& pair : pairs_)
+  for (const auto& pair : near_.pairs())
     free = std::min(free, washfsi::free_part<Dim>(pair.kind, pair.at(starts), pair.motions(motions)));
   part *= free;
   return -largest(around_.cloths.comm(), -part);
@@ -315,12 +273,12 @@ void Barrier<Dim>::hold_back(const Points<Dim>& from, Points<Dim>& motion) {
   for (int n = 0;; ++n) {
     const Points<Dim> motions = known(motion);
     std::vector<double> parts(motions.size(), 1.0);
-    for (const auto& pair : pairs_) {
+    for (const auto& pair : near_.pairs()) {
       const double free = washfsi::free_part<Dim>(pair.kind, pair.at(starts), pair.motions(motions));
       if (free == 1) continue;
       for (const std::size_t m : pair.markers) parts[m] = std::min(parts[m], n < most_rounds ? shorter * free : 0);
     }
-    parts = search_.known().least(parts);
+    parts = near_.search().known().least(parts);
     const bool shortens = std::any_of(parts.begin(), parts.end(), [](double part) { return part != 1; });
     if (!any_rank(around_.cloths.comm(), shortens)) return;
     for (std::size_t m = 0; m < motion.size(); ++m) motion[m] *= parts[m];
@@ -329,16 +287,34 @@ void Barrier<Dim>::hold_back(const Points<Dim>& from, Points<Dim>& motion) {
 
 template <int Dim>
 void Barrier<Dim>::add_marker_contact(const Points<Dim>& positions, MarkerContact& contact) const {
-  for (const Touch& touch : touches(positions))
-    visit_own(*touch.pair, [&](std::size_t i, std::size_t m) {
-      contact.normal_force[m] += touch.push * std::abs(touch.gap.shares[i]);
-      contact.area[m] += touch.pair->weight * std::abs(touch.gap.shares[i]);
+  for (const Touch<Dim>& touch : touches(positions))
+    visit_own(touch.facing, [&](std::size_t i, std::size_t m) {
+      contact.normal_force[m] += touch.pressing * std::abs(touch.facing.shares[i]);
+      contact.area[m] += touch.area * std::abs(touch.facing.shares[i]);
     });
-  friction_.visit([&](const auto& pair, const auto& gap, const auto& rub) {
-    visit_own(pair, [&](std::size_t i, std::size_t m) {
-      contact.friction_power[m] += 0.5 * std::abs(gap.shares[i]) * rub.work / friction_.dt();
+  friction_.visit([&](const auto& facing, const auto& rub) {
+    visit_own(facing, [&](std::size_t i, std::size_t m) {
+      contact.friction_power[m] += 0.5 * std::abs(facing.shares[i]) * rub.work / friction_.dt();
     });
   });
+}
+
+template <int Dim>
+TightestContact Barrier<Dim>::tightest() const {
+  TightestContact tightest;
+  for (const Touch<Dim>& touch : touches_) {
+    const double share = touch.facing.distance / near_.begins(touch);
+    if (share >= tightest.share) continue;
+    const auto name = [&](std::size_t marker) {
+      return around_.cloths.name_of(near_.search().known().piece_of(marker));
+    };
+    const std::string first = name(touch.facing.markers[0]),
+                      second = name(touch.facing.markers[touch.facing.count - 1]);
+    tightest = {share, first + " and " + (first == second ? "another part of it" : second) + " are " +
+                           format_text("%.3g m apart", touch.facing.distance) + " at (" +
+                           list_text<Dim>(near_.search().place(touch.facing.markers[0])) + ") m"};
+  }
+  return tightest;
 }
 
 template class Barrier<2>;

@@ -1,20 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "washfsi/contact/barrier_function.hpp"
 #include "washfsi/contact/barrier_options.hpp"
+#include "washfsi/contact/block_places.hpp"
 #include "washfsi/contact/pair_friction.hpp"
-#include "washfsi/contact/pair_search.hpp"
 
 namespace washfsi {
 
-/// Keeps cloths, and the parts of one, from passing through each other (Li et al., ACM Trans. Graph. 39 (2020) 49). A
-/// pair of facets without a common marker, a marker and a triangle or two edges, in the plane a marker and a segment,
-/// at the distance d has the energy
-///   E = kappa w d^ m b(d/d^),     w the undeformed area that the pair stands for, m the mollifier of parallel edges
-/// and pushes its markers by  -kappa w (m b' share n + d^ b dm/dX). The stiffness is the part  kappa w/d^ m b''
-/// (share n)(share n)^T  of its Jacobian, which is never negative. No accepted motion lets facets touch, whatever the
-/// step: `free_part`. Each rank has the pairs with a marker of its own, and knows the markers that are near to these.
+/// Keeps cloths, and the parts of one, from passing through each other (Li et al., ACM Trans. Graph. 39 (2020) 49). Two
+/// surfaces push each other apart where they are nearer than the contact distance d^: the middle of each face, a
+/// sample, at the distance d from another surface, has the energy
+///   E = kappa w d^ b(d/d^),     w half of the undeformed area of the face
+/// and pushes its markers, and those of what it faces (contact/surface_samples.hpp), by -kappa w b' share n. So two
+/// flat sheets at the distance d press each other with -kappa b'(d/d^), wherever they lie. Corners and creases may come
+/// nearer than samples see. So pairs of facets without a common marker, a marker and a triangle or two edges, in the
+/// plane a marker and a segment, guard what is between them: with the same law, of half the contact distance, where
+///   E = kappa w d^/2 m b(2 d/d^),     w the undeformed area that the pair stands for, m the mollifier of parallel
+///   edges
+/// The stiffness is the part  (share n)(share n)^T b''  of the Jacobian, which is never negative; near the solution of
+/// a step, where all of the elastic one is taken too, that of the bending distance is added
+/// (contact/distance_curvature.hpp). No accepted motion lets facets touch, whatever the step: `free_part`. What starts
+/// nearer than d^ has its own (contact/pair_distances.hpp). Each rank has the samples and pairs with a marker of its
+/// own, and knows the markers that are near to these.
 template <int Dim>
 class Barrier : public ContactForce<Dim> {
  public:
@@ -33,7 +40,9 @@ class Barrier : public ContactForce<Dim> {
   void linearise(const Points<Dim>& positions) override;
   void visit_stiffness(const Points<Dim>& positions, GeometricStiffness geometric,
                        const AddMarkerBlock<Dim>& add) const override;
-  long pattern() const override { return pattern_; }
+  long pattern() const override { return places_of_blocks_.pattern(); }
+  bool outgrows_pattern() const override { return places_of_blocks_.leaves_out(); }
+  void renew_pattern() override;
   void add_cancelling_size(const Points<Dim>& positions, std::span<double> sizes) const override;
   void add_bound(std::span<StiffnessBound> bounds) const override;
   bool limits_motion() const override { return true; }
@@ -42,53 +51,36 @@ class Barrier : public ContactForce<Dim> {
 
   void add_marker_contact(const Points<Dim>& positions, MarkerContact& contact) const override;
 
-  double distance() const { return distance_; }
+  double distance() const { return distances().usual(); }
+  PairDistances& distances() override { return near_.distances(); }
+  const PairDistances& distances() const override { return near_.distances(); }
+  TightestContact tightest() const override;
 
  private:
-  /// A pair nearer than d^, and what it does.
-  struct Touch {
-    const FacetPair<Dim>* pair;
-    Gap<Dim> gap;
-    double energy;             ///< [J; per unit depth in the plane]
-    double stiffness;          ///< kappa w/d^ m b'' [N/m]
-    double push;               ///< -kappa w m b', the normal force [N]
-    PairPoints<Dim> forces{};  ///< on its markers [N]
-
-    StiffnessBlock<Dim> block() const { return stiffness * gap.normal * gap.normal.transpose(); }
-  };
-  using Pairs = std::vector<FacetPair<Dim>>;
   void look_round(const Points<Dim>& positions, Before before = Before::forget);
-  void lay_out();
   bool covers(const Points<Dim>& positions) const;
   double farthest_from_places(const Points<Dim>& positions) const;
   void cover(const Points<Dim>& from, const Points<Dim>& motion);
-  Points<Dim> known(const Points<Dim>& own) const { return search_.known().values(own); }
-  double least_reach() const { return distance_ / 8; }
-  const std::vector<Touch>& touches(const Points<Dim>& positions) const;
-  std::vector<Touch> touches_at(const Points<Dim>& all) const;
-  Touch touch(const FacetPair<Dim>& pair, const Gap<Dim>& gap, const PairPoints<Dim>& places) const;
+  Points<Dim> known(const Points<Dim>& own) const { return near_.search().known().values(own); }
+  const std::vector<Touch<Dim>>& touches(const Points<Dim>& positions) const;
   template <class Visit>
-  void visit_own(const FacetPair<Dim>& pair, const Visit& visit) const;
-  void add_blocks(const FacetPair<Dim>& pair, const Gap<Dim>& gap, const StiffnessBlock<Dim>& block,
-                  std::vector<StiffnessBlock<Dim>>& blocks) const;
+  void visit_own(const Facing<Dim>& facing, const Visit& visit) const;
+  void add_curvatures(const Points<Dim>& all, std::vector<StiffnessBlock<Dim>>& blocks) const;
   std::vector<typename PairFriction<Dim>::Pair> rubbing_pairs(const Points<Dim>& all) const;
   void begin_explicit_friction(const Points<Dim>& all, const StepStart<Dim>& start);
 
   BarrierOptions options_;
   Surroundings<Dim> around_;
-  double distance_, spacing_;
-  PairSearch<Dim> search_;
+  double spacing_;
+  BarrierTouches<Dim> near_;
 
-  Pairs pairs_;  ///< that may touch, as long as no marker leaves its reach
   bool has_looked_ = false;
   Points<Dim> places_;           ///< of this rank's markers when it looked round [m]
   std::vector<double> reaches_;  ///< of them from there [m]
-  /// The columns of the stiffness in the rows of this rank's markers, and where each row's begin.
-  std::vector<std::size_t> columns_, rows_;
-  long pattern_ = 0;
+  mutable BlockPlaces<Dim> places_of_blocks_;
 
   mutable Points<Dim> seen_;  ///< places of this rank's markers for which the touches are known
-  mutable std::vector<Touch> touches_;
+  mutable std::vector<Touch<Dim>> touches_;
   mutable PairFriction<Dim> friction_;
 };
 

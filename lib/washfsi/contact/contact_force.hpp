@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <memory>
@@ -8,7 +9,10 @@
 #include "washfsi/body/body.hpp"
 #include "washfsi/body/load.hpp"
 #include "washfsi/cloth/forces.hpp"
+#include "washfsi/contact/pair_distances.hpp"
 #include "washfsi/grid/boundary.hpp"
+#include "washfsi/support/collective.hpp"
+#include "washfsi/support/of_all_ranks.hpp"
 
 namespace washfsi {
 
@@ -52,20 +56,31 @@ struct MarkerContact {
   explicit MarkerContact(std::size_t markers) : normal_force(markers), area(markers), friction_power(markers) {}
 };
 
+/// Where things are nearest to each other, compared to the distance at which their contact begins.
+struct TightestContact {
+  double share = 1;         ///< of that distance; 1: nothing touches
+  std::string description;  ///< who touches, where, and how near they are
+};
+
 /// A force that keeps the markers from others, or from the bodies and the walls of the box.
 template <int Dim>
 class ContactForce : public MarkerForce<Dim> {
  public:
   /// Whether it is with bodies and walls, not between cloths.
   virtual bool is_with_bodies() const { return false; }
+  /// At which distances contact begins; things are the cloths and, behind them, the bodies and the sides of the box.
+  virtual PairDistances& distances() = 0;
+  virtual const PairDistances& distances() const = 0;
+  /// Where this rank's markers are pressed hardest, at the places looked at last. No communication.
+  virtual TightestContact tightest() const = 0;
   /// Adds what it does to this rank's markers at these places. Collective.
   virtual void add_marker_contact(const Points<Dim>& positions, MarkerContact& contact) const = 0;
-  /// Adds what this rank's markers do to the bodies and walls where they are. No communication.
+  /// Adds what this rank's markers do to the bodies and walls where they are. Collective.
   virtual void add_reactions(const Points<Dim>&, ContactLoads<Dim>&) const {}
 };
 
 /// The reactions of all contact forces of this rank's markers at these places, as the last step saw the surroundings.
-/// No communication.
+/// Collective.
 template <int Dim>
 ContactLoads<Dim> contact_loads(const Forces<Dim>& forces, const Points<Dim>& positions, std::size_t bodies) {
   ContactLoads<Dim> loads{Loads<Dim>(bodies), {}};
@@ -73,6 +88,19 @@ ContactLoads<Dim> contact_loads(const Forces<Dim>& forces, const Points<Dim>& po
     if (const auto* contact = dynamic_cast<const ContactForce<Dim>*>(force.get()))
       contact->add_reactions(positions, loads);
   return loads;
+}
+
+/// The contact that is tightest on any rank, in words; empty if nothing touches. Collective.
+template <int Dim>
+std::string tightest_contact(const Forces<Dim>& forces) {
+  TightestContact tightest;
+  for (const auto& force : forces.list())
+    if (const auto* contact = dynamic_cast<const ContactForce<Dim>*>(force.get()))
+      if (TightestContact other = contact->tightest(); other.share < tightest.share) tightest = std::move(other);
+  const double least = -largest(forces.comm(), -tightest.share);
+  const std::string mine = tightest.share == least && least < 1 ? tightest.description + "\n" : "";
+  const std::vector<char> all = of_all_ranks(forces.comm(), std::vector<char>(mine.begin(), mine.end()));
+  return {all.begin(), std::find(all.begin(), all.end(), '\n')};
 }
 
 }  // namespace washfsi

@@ -4,14 +4,18 @@
 #include <algorithm>
 
 #include "washfsi/contact/barrier_function.hpp"
+#include "washfsi/support/collective.hpp"
+#include "washfsi/support/format_text.hpp"
+#include "washfsi/support/text.hpp"
 
 namespace washfsi {
 
 namespace {
 
-// The barrier, below a tenth of its distance as a parabola with the same second derivative.
-BarrierValue softened_barrier(double s) {
-  constexpr double soft = 0.1;
+constexpr double soft_start = 0.1;  // of the contact distance: what starts nearer has a soft barrier
+
+// The barrier, below a share of its distance as a parabola with the same second derivative.
+BarrierValue softened_barrier(double s, double soft) {
   if (s >= soft) return barrier(s);
   const BarrierValue from = barrier(soft);
   const double beyond = s - soft;
@@ -21,10 +25,10 @@ BarrierValue softened_barrier(double s) {
 
 }  // namespace
 
-CushionPush cushion_push(const CushionOptions& options, double distance) {
-  const double p = options.pressure, d = options.distance;
+CushionPush cushion_push(const CushionOptions& options, double distance, double begins, double soft) {
+  const double p = options.pressure, d = begins;
   if (options.law == CushionLaw::barrier) {
-    const BarrierValue b = softened_barrier(distance / d);
+    const BarrierValue b = softened_barrier(distance / d, soft);
     return {p * d * b.value, -p * b.first, p / d * b.second};
   }
   const double s = std::max(0.0, 1 - distance / d);
@@ -40,184 +44,250 @@ MakeForce<Dim> Cushion<Dim>::maker(const CushionOptions& options) {
 
 template <int Dim>
 Cushion<Dim>::Cushion(const CushionOptions& options, const Surroundings<Dim>& surroundings)
-    : options_(options), around_(surroundings) {}
+    : options_(options),
+      around_(surroundings),
+      distances_(options.distance),
+      planes_near_(surroundings, options.law == CushionLaw::barrier) {}
+
+template <int Dim>
+Points<Dim> Cushion<Dim>::with_halo(const Points<Dim>& values) const {
+  if (!has_faces_) return values;
+  Points<Dim> all = values;
+  const Points<Dim> halo = around_.cloths.with_halo(values);
+  all.insert(all.end(), halo.begin(), halo.end());
+  return all;
+}
 
 template <int Dim>
 void Cushion<Dim>::begin_step(const StepStart<Dim>& start) {
   time_ = start.time;
-  planes_.clear();
-  const PosedBodies<Dim> posed(around_.bodies, time_);
-  for (std::size_t m = 0; m < start.positions.size(); ++m) {
-    // what the marker may come near to in the step, with as much to spare
-    const double reach =
-        start.dt > 0 ? 2 * (options_.distance + start.dt * start.velocities[m].norm()) : options_.distance;
-    find_bodies(posed, m, start.positions[m], reach);
-    find_sides(m, start.positions[m], reach);
+  has_faces_ = planes_near_.sees_faces();
+  const Points<Dim> all = with_halo(start.positions), velocities = with_halo(start.velocities);
+  std::vector<double> speeds;
+  for (const auto& velocity : velocities) speeds.push_back(velocity.norm());
+  planes_ = planes_near_.find(all, speeds, options_.distance, time_, start.dt);
+  has_faces_ = any_rank(around_.cloths.comm(), std::ranges::any_of(planes_, &Plane::is_of_face));
+  follow_distances();
+  begin_friction(start, velocities);
+}
+
+// Only a barrier is so hard that it would throw off what starts in it.
+template <int Dim>
+void Cushion<Dim>::follow_distances() {
+  if (options_.law != CushionLaw::barrier) return;
+  const std::size_t cloths = around_.cloths.pieces().size(), bodies = around_.bodies.size();
+  const bool starts = !distances_.has_started();
+  if (starts || !distances_.less().empty()) {
+    PairDistances::Nearest nearest;
+    for (const Plane& plane : planes_)
+      if (const double now = plane.before * options_.distance / plane.begins; now < options_.distance)
+        note(nearest, plane.piece, plane.thing(cloths, bodies), now);
+    if (starts)
+      distances_.start(around_.cloths.comm(), nearest);
+    else
+      distances_.follow(around_.cloths.comm(), nearest, options_.distance);
   }
-  begin_friction(start);
+  if (distances_.less().empty()) return;
+  for (Plane& plane : planes_)
+    plane.begins *= distances_.of(plane.piece, plane.thing(cloths, bodies)) / options_.distance;
 }
 
 // With the normal forces of the step's start; in no time nothing slides. In an explicit step markers and surfaces slide
 // as they do at its start.
 template <int Dim>
-void Cushion<Dim>::begin_friction(const StepStart<Dim>& start) {
+void Cushion<Dim>::begin_friction(const StepStart<Dim>& start, const Points<Dim>& velocities) {
   rubbing_.clear();
   const bool held = start.held.dt > 0;
   const double dt = held ? start.held.dt : start.dt;
   std::vector<Rub<Dim>> rubs;
-  if (options_.friction > 0 && dt > 0) {
-    const PosedBodies<Dim> posed(around_.bodies, time_ - start.dt);
-    for (Plane plane : planes_) {
-      if (plane.body < posed.size()) plane.distance = posed.distance(plane.body, around_.grid.folded(plane.start));
-      const double limit = options_.friction * push(plane, start.positions).pressure;
+  if (options_.friction > 0 && dt > 0)
+    for (const Plane& plane : planes_) {
+      const double limit = options_.friction * push(plane, plane.before).pressure;
       if (limit == 0) continue;
-      const Point<Dim> way = dt * velocity_of_surface(plane, time_ - 0.5 * start.dt);
-      rubbing_.push_back({plane, held ? Point<Dim>(way - dt * start.velocities[plane.marker]) : way});
-      rubs.push_back({plane.normal, limit, held ? 2 * dt * dt * limit * start.held.mobilities[plane.marker] : 0});
+      const Point<Dim> way = dt * planes_near_.velocity_of_surface(plane, time_ - 0.5 * start.dt);
+      rubbing_.push_back({plane, held ? Point<Dim>(way - dt * plane.place(velocities)) : way});
+      double mobility = 0;
+      if (held)
+        visit_own(plane, [&](std::size_t, std::size_t m) { mobility = std::max(mobility, start.held.mobilities[m]); });
+      rubs.push_back({plane.normal, limit, 2 * dt * dt * limit * mobility});
     }
-  }
   friction_.begin(std::move(rubs), dt, start.share);
 }
 
 template <int Dim>
-Point<Dim> Cushion<Dim>::velocity_of_surface(const Plane& plane, double time) const {
-  const Point<Dim> place = around_.grid.folded(plane.start);
-  if (plane.body < around_.bodies.size()) return around_.bodies[plane.body].motion.velocity(place, time);
-  const Side<Dim>& side = around_.boundary.side(plane.axis, plane.end);
-  return side.motion ? side.motion(place, time) : side.velocity;
-}
-
-template <int Dim>
-Points<Dim> Cushion<Dim>::ways(const Points<Dim>& positions) const {
+Points<Dim> Cushion<Dim>::ways(const Points<Dim>& all) const {
   Points<Dim> ways;
-  for (const Rubbing& rubbing : rubbing_)
-    ways.push_back(positions[rubbing.plane.marker] - rubbing.plane.start - rubbing.way);
+  for (const Rubbing& rubbing : rubbing_) ways.push_back(rubbing.plane.place(all) - rubbing.plane.start - rubbing.way);
   return ways;
 }
 
 // visit(plane, what friction does there)
 template <int Dim>
 template <class Visit>
-void Cushion<Dim>::visit_rubs(const Points<Dim>& positions, const Visit& visit) const {
-  const std::vector<RubForce<Dim>> forces = friction_.forces(ways(positions));
+void Cushion<Dim>::visit_rubs(const Points<Dim>& all, const Visit& visit) const {
+  const std::vector<RubForce<Dim>> forces = friction_.forces(ways(all));
   for (std::size_t r = 0; r < forces.size(); ++r) visit(rubbing_[r].plane, forces[r]);
 }
 
+// visit(which of the plane's markers, its number among this rank's)
 template <int Dim>
-void Cushion<Dim>::find_bodies(const PosedBodies<Dim>& posed, std::size_t marker, const Point<Dim>& start,
-                               double reach) {
-  const Point<Dim> place = around_.grid.folded(start);
-  for (std::size_t b = 0; b < posed.size(); ++b) {
-    const double distance = posed.distance(b, place);
-    if (distance < reach)
-      planes_.push_back({marker, start, posed.normal(b, place, 1e-3 * options_.distance), distance, b});
-  }
+template <class Visit>
+void Cushion<Dim>::visit_own(const Plane& plane, const Visit& visit) const {
+  for (std::size_t i = 0; i < plane.count(); ++i)
+    if (plane.own[i] != SeenFaces<Dim>::none) visit(i, static_cast<std::size_t>(plane.own[i]));
 }
 
 template <int Dim>
-void Cushion<Dim>::find_sides(std::size_t marker, const Point<Dim>& start, double reach) {
-  for (int axis = 0; axis < Dim; ++axis)
-    for (const End end : {End::lower, End::upper}) {
-      const BoundaryKind kind = around_.boundary.side(axis, end).kind;
-      if (kind != BoundaryKind::wall && kind != BoundaryKind::slip) continue;
-      const bool upper = end == End::upper;
-      const double distance =
-          upper ? around_.grid.upper()[axis] - start[axis] : start[axis] - around_.grid.lower()[axis];
-      if (distance < reach)
-        planes_.push_back(
-            {marker, start, (upper ? -1 : 1) * Point<Dim>::Unit(axis), distance, around_.bodies.size(), axis, end});
-    }
+double Cushion<Dim>::softness(const Plane& plane) const {
+  return plane.distance < soft_start * plane.begins ? soft_start : 0;
 }
 
-// Of a marker with this undeformed area.
+// On the area that the point stands for.
 template <int Dim>
-CushionPush Cushion<Dim>::push(const Plane& plane, const Points<Dim>& positions) const {
-  const double distance = plane.distance + plane.normal.dot(positions[plane.marker] - plane.start);
-  const double area = around_.cloths.marker_areas()[plane.marker];
-  const CushionPush push = cushion_push(options_, distance);
-  return {area * push.energy, area * push.pressure, area * push.stiffness};
-}
-
-template <int Dim>
-Point<Dim> Cushion<Dim>::force(const Plane& plane, const Points<Dim>& positions) const {
-  return push(plane, positions).pressure * plane.normal;
+CushionPush Cushion<Dim>::push(const Plane& plane, double gap) const {
+  const CushionPush push = cushion_push(options_, gap, plane.begins, softness(plane));
+  return {plane.area * push.energy, plane.area * push.pressure, plane.area * push.stiffness};
 }
 
 template <int Dim>
 void Cushion<Dim>::add_force(const Points<Dim>& positions, const Points<Dim>&, Points<Dim>& forces) const {
-  for (const Plane& plane : planes_) forces[plane.marker] += force(plane, positions);
-  visit_rubs(positions, [&](const Plane& plane, const RubForce<Dim>& rub) { forces[plane.marker] -= rub.pull; });
+  const Points<Dim> all = with_halo(positions);
+  for (const Plane& plane : planes_) {
+    const Point<Dim> force = push(plane, all).pressure * plane.normal;
+    visit_own(plane, [&](std::size_t i, std::size_t m) { forces[m] += plane.shares[i] * force; });
+  }
+  visit_rubs(all, [&](const Plane& plane, const RubForce<Dim>& rub) {
+    visit_own(plane, [&](std::size_t i, std::size_t m) { forces[m] -= plane.shares[i] * rub.pull; });
+  });
 }
 
 template <int Dim>
 void Cushion<Dim>::add_energy(const Points<Dim>& positions, std::span<double> of_groups) const {
-  for (const Plane& plane : planes_)
-    of_groups[around_.cloths.group_number(plane.marker)] += push(plane, positions).energy;
-  visit_rubs(positions, [&](const Plane& plane, const RubForce<Dim>& rub) {
-    of_groups[around_.cloths.group_number(plane.marker)] += rub.energy;
-  });
+  const Points<Dim> all = with_halo(positions);
+  const auto add = [&](const Plane& plane, double energy) {
+    if (plane.counts()) of_groups[around_.cloths.pieces()[plane.piece].group] += energy;
+  };
+  for (const Plane& plane : planes_) add(plane, push(plane, all).energy);
+  visit_rubs(all, [&](const Plane& plane, const RubForce<Dim>& rub) { add(plane, rub.energy); });
 }
 
 template <int Dim>
 void Cushion<Dim>::add_force_rates(const Points<Dim>& positions, const Points<Dim>& direction,
                                    Points<Dim>& rates) const {
+  const Points<Dim> all = with_halo(positions), ways = with_halo(direction);
+  const auto add = [&](const Plane& plane, const Point<Dim>& rate) {
+    visit_own(plane, [&](std::size_t i, std::size_t m) { rates[m] -= plane.shares[i] * rate; });
+  };
   for (const Plane& plane : planes_)
-    rates[plane.marker] -= push(plane, positions).stiffness * plane.normal.dot(direction[plane.marker]) * plane.normal;
-  visit_rubs(positions, [&](const Plane& plane, const RubForce<Dim>& rub) {
-    rates[plane.marker] -= rub.stiffness * direction[plane.marker];
-  });
+    add(plane, push(plane, all).stiffness * plane.normal.dot(plane.place(ways)) * plane.normal);
+  visit_rubs(all, [&](const Plane& plane, const RubForce<Dim>& rub) { add(plane, rub.stiffness * plane.place(ways)); });
 }
 
-// One block for each marker, whether it touches anything or not: so the pattern never changes.
+// One block for each marker, and for each two of a face, whether they touch anything or not: so the pattern never
+// changes.
 template <int Dim>
 void Cushion<Dim>::visit_stiffness(const Points<Dim>& positions, GeometricStiffness,
                                    const AddMarkerBlock<Dim>& add) const {
-  std::vector<StiffnessBlock<Dim>> blocks(positions.size(), StiffnessBlock<Dim>::Zero());
+  const Points<Dim> all = with_halo(positions);
+  using Block = StiffnessBlock<Dim>;
+  const auto& faces = planes_near_.faces().list();
+  std::vector<Block> of_markers(positions.size(), Block::Zero());
+  std::vector<std::array<Block, Dim * Dim>> of_faces(planes_near_.sees_faces() ? faces.size() : 0);
+  for (auto& blocks : of_faces) blocks.fill(Block::Zero());
+  const auto add_block = [&](const Plane& plane, const Block& block) {
+    if (!plane.is_of_face()) {
+      of_markers[plane.markers[0]] += block;
+    } else {
+      for (std::size_t i = 0; i < Dim; ++i)
+        for (std::size_t j = 0; j < Dim; ++j)
+          of_faces[plane.face][i * Dim + j] += plane.shares[i] * plane.shares[j] * block;
+    }
+  };
   for (const Plane& plane : planes_)
-    blocks[plane.marker] += push(plane, positions).stiffness * plane.normal * plane.normal.transpose();
-  visit_rubs(positions, [&](const Plane& plane, const RubForce<Dim>& rub) { blocks[plane.marker] += rub.stiffness; });
-  for (std::size_t m = 0; m < blocks.size(); ++m) {
-    const PetscInt marker = around_.cloths.number_of(m);
-    add(marker, marker, blocks[m]);
-  }
+    add_block(plane, push(plane, all).stiffness * plane.normal * plane.normal.transpose());
+  visit_rubs(all, [&](const Plane& plane, const RubForce<Dim>& rub) { add_block(plane, rub.stiffness); });
+  for (std::size_t m = 0; m < of_markers.size(); ++m)
+    add(around_.cloths.number_of(m), around_.cloths.number_of(m), of_markers[m]);
+  for (std::size_t f = 0; f < of_faces.size(); ++f)
+    for (std::size_t i = 0; i < Dim; ++i)
+      for (std::size_t j = 0; j < Dim; ++j)
+        if (faces[f].own[i] != SeenFaces<Dim>::none)
+          add(faces[f].numbers[i], faces[f].numbers[j], of_faces[f][i * Dim + j]);
 }
 
-// Of a marker on the surface; of the barrier, which grows so much, at a third of d0, or where the nearest one starts.
+// For a marker on the surface; with the barrier, which grows so much, for one at a third of d0, or where the nearest
+// one starts.
 template <int Dim>
 void Cushion<Dim>::add_bound(std::span<StiffnessBound> bounds) const {
   double nearest = options_.law == CushionLaw::barrier ? options_.distance / 3 : 0;
   if (options_.law == CushionLaw::barrier)
-    for (const Plane& plane : planes_) nearest = std::min(nearest, plane.distance);
-  for (StiffnessBound& bound : bounds) bound.stiffness += 0.25 * cushion_push(options_, nearest).stiffness;
+    for (const Plane& plane : planes_) nearest = std::min(nearest, plane.distance * options_.distance / plane.begins);
+  const CushionPush push = cushion_push(options_, nearest, options_.distance, soft_start);
+  for (StiffnessBound& bound : bounds) bound.stiffness += 0.25 * push.stiffness;
+}
+
+// A tenth of each distance is kept. A soft barrier does not stop what goes through it.
+template <int Dim>
+double Cushion<Dim>::free_part(const Points<Dim>& from, const Points<Dim>& motion) {
+  constexpr double kept = 0.1;
+  const Points<Dim> starts = with_halo(from), ways = with_halo(motion);
+  double part = 1;
+  for (const Plane& plane : planes_) {
+    if (softness(plane) > 0) continue;
+    const double start = gap(plane, starts), nearer = -plane.normal.dot(plane.place(ways));
+    if (nearer > (1 - kept) * start) part = std::min(part, (1 - kept) * start / nearer);
+  }
+  return -largest(around_.cloths.comm(), -part);
 }
 
 template <int Dim>
 void Cushion<Dim>::add_marker_contact(const Points<Dim>& positions, MarkerContact& contact) const {
+  const Points<Dim> all = with_halo(positions);
   for (const Plane& plane : planes_) {
-    const double pressed = push(plane, positions).pressure;
-    contact.normal_force[plane.marker] += pressed;
-    if (pressed > 0) contact.area[plane.marker] += around_.cloths.marker_areas()[plane.marker];
+    const double pressed = push(plane, all).pressure;
+    visit_own(plane, [&](std::size_t i, std::size_t m) {
+      contact.normal_force[m] += plane.shares[i] * pressed;
+      if (pressed > 0 && !plane.is_of_face()) contact.area[m] += plane.area;
+    });
   }
-  visit_rubs(positions, [&](const Plane& plane, const RubForce<Dim>& rub) {
-    contact.friction_power[plane.marker] += rub.work / friction_.dt();
+  visit_rubs(all, [&](const Plane& plane, const RubForce<Dim>& rub) {
+    visit_own(plane, [&](std::size_t i, std::size_t m) {
+      contact.friction_power[m] += plane.shares[i] * rub.work / friction_.dt();
+    });
   });
 }
 
 template <int Dim>
 void Cushion<Dim>::add_reactions(const Points<Dim>& positions, ContactLoads<Dim>& loads) const {
-  for (const Plane& plane : planes_) add_reaction(plane, positions, -force(plane, positions), loads);
-  visit_rubs(positions,
-             [&](const Plane& plane, const RubForce<Dim>& rub) { add_reaction(plane, positions, rub.pull, loads); });
+  const Points<Dim> all = with_halo(positions);
+  for (const Plane& plane : planes_) add_reaction(plane, all, -push(plane, all).pressure * plane.normal, loads);
+  visit_rubs(all, [&](const Plane& plane, const RubForce<Dim>& rub) { add_reaction(plane, all, rub.pull, loads); });
 }
 
 template <int Dim>
-void Cushion<Dim>::add_reaction(const Plane& plane, const Points<Dim>& positions, const Point<Dim>& reaction,
+void Cushion<Dim>::add_reaction(const Plane& plane, const Points<Dim>& all, const Point<Dim>& reaction,
                                 ContactLoads<Dim>& loads) const {
-  const Point<Dim> place = around_.grid.folded(positions[plane.marker]);
+  if (!plane.counts()) return;
+  const Point<Dim> place = around_.grid.folded(plane.place(all));
   if (plane.body < loads.bodies.size())
     loads.bodies[plane.body].add(place - around_.bodies[plane.body].motion.center_at(time_), reaction);
   else
     loads.sides[plane.axis][plane.end == End::upper ? 1 : 0].add(place - middle(), reaction);
+}
+
+// As the step begins.
+template <int Dim>
+TightestContact Cushion<Dim>::tightest() const {
+  TightestContact tightest;
+  for (const Plane& plane : planes_) {
+    const double share = plane.distance / plane.begins;
+    if (share >= tightest.share) continue;
+    const std::string thing = plane.body < around_.bodies.size() ? "body " + around_.bodies[plane.body].name
+                                                                 : std::string("a side of the box");
+    tightest = {share, around_.cloths.name_of(plane.piece) + " is " + format_text("%.3g m", plane.distance) + " from " +
+                           thing + " at (" + list_text<Dim>(plane.start) + ") m"};
+  }
+  return tightest;
 }
 
 template class Cushion<2>;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "washfsi/contact/contact_force.hpp"
 #include "washfsi/contact/friction.hpp"
+#include "washfsi/contact/tangent_planes.hpp"
 
 namespace washfsi {
 
@@ -21,18 +21,21 @@ struct CushionOptions {
 struct CushionPush {
   double energy = 0, pressure = 0, stiffness = 0;  ///< [J/m2, Pa, N/m3]
 };
-CushionPush cushion_push(const CushionOptions& options, double distance);
+/// With contact that begins at `begins` [m]; below the share `soft` of that the barrier is a parabola.
+CushionPush cushion_push(const CushionOptions& options, double distance, double begins, double soft = 0);
 
 /// A cushion on bodies and on the walls of the box that keeps cloth out of them: a marker nearer than d0 is pushed
 /// along the outward normal with the force per undeformed area
 ///   P0 s^2,  s = (d0 - Phi)/d0 > 0,      energy P0 d0/3 s^3,      stiffness 2 P0/d0 s n n^T
 /// or, with the law of the barrier between cloths (contact/barrier_function.hpp),
 ///   -P0 b'(Phi/d0),                      energy P0 d0 b,          stiffness P0/d0 b'' n n^T
-/// which below d0/10, where a moving body may have a marker before the step is solved for, goes on with the same
-/// stiffness. No-slip alone lets markers drift into the staircase of the sharp mask. In a step Phi is linear about
-/// where the marker starts, with the bodies at the step's end: so the energy is convex, and its stiffness exact and
-/// never negative. Friction is that of the barrier between cloths (contact/friction.hpp), with the normal force of the
-/// step's start, over the way that the surface goes in the step.
+/// In a step Phi is that from a plane that moves with the body (contact/tangent_planes.hpp): so the energy is convex,
+/// and its stiffness exact and never negative. With the barrier no motion goes through the plane (`free_part`); only a
+/// marker that a moving body has at the step's end, before the step is solved for, below d0/10 has a barrier that goes
+/// on with the same stiffness from there. What a body may come nearest to is not a marker but a place in a face, as a
+/// post or an edge does: this place is pushed likewise from d0/2 on, with the area of the face. What starts nearer than
+/// d0 has its own distance (contact/pair_distances.hpp). Friction is that of the barrier between cloths
+/// (contact/friction.hpp), with the normal force of the step's start, over the way that the surface goes in the step.
 template <int Dim>
 class Cushion : public ContactForce<Dim> {
  public:
@@ -50,43 +53,50 @@ class Cushion : public ContactForce<Dim> {
   void visit_stiffness(const Points<Dim>& positions, GeometricStiffness geometric,
                        const AddMarkerBlock<Dim>& add) const override;
   void add_bound(std::span<StiffnessBound> bounds) const override;
-  void linearise(const Points<Dim>& positions) override { friction_.linearise(ways(positions)); }
+  void linearise(const Points<Dim>& positions) override { friction_.linearise(ways(with_halo(positions))); }
+  bool limits_motion() const override { return options_.law == CushionLaw::barrier; }
+  double free_part(const Points<Dim>& from, const Points<Dim>& motion) override;
+  PairDistances& distances() override { return distances_; }
+  const PairDistances& distances() const override { return distances_; }
+  TightestContact tightest() const override;
   bool is_with_bodies() const override { return true; }
   void add_marker_contact(const Points<Dim>& positions, MarkerContact& contact) const override;
   void add_reactions(const Points<Dim>& positions, ContactLoads<Dim>& loads) const override;
 
  private:
-  /// The tangent plane of a surface near a marker: of a body, or of a side of the box.
-  struct Plane {
-    std::size_t marker;
-    Point<Dim> start, normal;  ///< where the marker starts [m]; out of the body
-    double distance;           ///< there, at the step's end [m]
-    std::size_t body;          ///< its number; that of the bodies for a side
-    int axis = 0;
-    End end = End::lower;
+  using Plane = TangentPlane<Dim>;
+  /// A point of a cloth that rubs on a plane in this step.
+  struct Rubbing {
+    Plane plane;
+    Point<Dim> way;  ///< of the surface in the step, of an explicit one over its point [m]
   };
-  void find_bodies(const PosedBodies<Dim>& posed, std::size_t marker, const Point<Dim>& start, double reach);
-  void find_sides(std::size_t marker, const Point<Dim>& start, double reach);
-  void begin_friction(const StepStart<Dim>& start);
-  Point<Dim> velocity_of_surface(const Plane& plane, double time) const;
-  Points<Dim> ways(const Points<Dim>& positions) const;
+  /// The values of this rank's markers, and behind them those with halo where faces need these. Collective.
+  Points<Dim> with_halo(const Points<Dim>& values) const;
+  void follow_distances();
+  void begin_friction(const StepStart<Dim>& start, const Points<Dim>& velocities);
+  Points<Dim> ways(const Points<Dim>& all) const;
   template <class Visit>
-  void visit_rubs(const Points<Dim>& positions, const Visit& visit) const;
+  void visit_rubs(const Points<Dim>& all, const Visit& visit) const;
+  template <class Visit>
+  void visit_own(const Plane& plane, const Visit& visit) const;
   Point<Dim> middle() const { return 0.5 * (around_.grid.lower() + around_.grid.upper()); }
-  void add_reaction(const Plane& plane, const Points<Dim>& positions, const Point<Dim>& reaction,
+  void add_reaction(const Plane& plane, const Points<Dim>& all, const Point<Dim>& reaction,
                     ContactLoads<Dim>& loads) const;
-  CushionPush push(const Plane& plane, const Points<Dim>& positions) const;
-  Point<Dim> force(const Plane& plane, const Points<Dim>& positions) const;
+  double gap(const Plane& plane, const Points<Dim>& all) const {
+    return plane.distance + plane.normal.dot(plane.place(all) - plane.start);
+  }
+  /// Below which share of the distance at which contact begins the barrier is soft.
+  double softness(const Plane& plane) const;
+  CushionPush push(const Plane& plane, double gap) const;
+  CushionPush push(const Plane& plane, const Points<Dim>& all) const { return push(plane, gap(plane, all)); }
 
   CushionOptions options_;
   Surroundings<Dim> around_;
+  PairDistances distances_;
+  TangentPlanes<Dim> planes_near_;
   double time_ = 0;  ///< the step's end [s]
   std::vector<Plane> planes_;
-  /// A marker that rubs on a plane in this step.
-  struct Rubbing {
-    Plane plane;
-    Point<Dim> way;  ///< of the surface in the step, of an explicit one over its marker [m]
-  };
+  bool has_faces_ = false;  ///< whether any rank has a plane of a face
   std::vector<Rubbing> rubbing_;
   Friction<Dim> friction_;
 };

@@ -6,6 +6,13 @@
 
 namespace washfsi {
 
+template <int Dim>
+double part_along(const Point<Dim>& from, const Point<Dim>& to, const Point<Dim>& place) {
+  const Point<Dim> edge = to - from;
+  const double length2 = edge.squaredNorm();
+  return length2 > 0 ? std::clamp(edge.dot(place - from) / length2, 0.0, 1.0) : 0;
+}
+
 namespace {
 
 template <int Dim>
@@ -16,14 +23,6 @@ Point<Dim> way_of(const Shares<Dim>& shares, const PairPoints<Dim>& places) {
   Point<Dim> way = Point<Dim>::Zero();
   for (std::size_t i = 0; i < places.size(); ++i) way += shares[i] * places[i];
   return way;
-}
-
-// Where along a segment the point nearest to a place lies, from 0 to 1.
-template <int Dim>
-double part_along(const Point<Dim>& from, const Point<Dim>& to, const Point<Dim>& place) {
-  const Point<Dim> edge = to - from;
-  const double length2 = edge.squaredNorm();
-  return length2 > 0 ? std::clamp(edge.dot(place - from) / length2, 0.0, 1.0) : 0;
 }
 
 // Of the first marker with the edge between two others.
@@ -94,6 +93,8 @@ Gap<Dim> gap_of(PairKind kind, const PairPoints<Dim>& places) {
   return {distance, distance > 0 ? Point<Dim>(way / distance) : Point<Dim>(Point<Dim>::Unit(0)), shares};
 }
 
+template double part_along<2>(const Point<2>&, const Point<2>&, const Point<2>&);
+template double part_along<3>(const Point<3>&, const Point<3>&, const Point<3>&);
 template Gap<2> gap_of<2>(PairKind, const PairPoints<2>&);
 template Gap<3> gap_of<3>(PairKind, const PairPoints<3>&);
 

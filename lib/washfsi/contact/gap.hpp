@@ -42,4 +42,8 @@ struct Gap {
 template <int Dim>
 Gap<Dim> gap_of(PairKind kind, const PairPoints<Dim>& places);
 
+/// Where along a segment the point nearest to a place lies, from 0 to 1.
+template <int Dim>
+double part_along(const Point<Dim>& from, const Point<Dim>& to, const Point<Dim>& place);
+
 }  // namespace washfsi

@@ -10,8 +10,8 @@ void PairFriction<Dim>::begin(std::vector<Pair> pairs, const Points<Dim>& starts
   pairs_ = std::move(pairs);
   std::vector<Rub<Dim>> rubs;
   for (Pair& pair : pairs_) {
-    rubs.push_back({pair.gap.normal, pair.limit, pair.stops});
-    for (std::size_t i = 0; i < pair_markers<Dim>; ++i) pair.starts[i] = starts[pair.facets.markers[i]];
+    rubs.push_back({pair.facing.normal, pair.limit, pair.stops});
+    for (std::size_t i = 0; i < pair.facing.count; ++i) pair.starts[i] = starts[pair.facing.markers[i]];
   }
   friction_.begin(std::move(rubs), dt, share);
   forces_.clear();
@@ -32,7 +32,7 @@ void PairFriction<Dim>::set_stops(std::vector<Pair>& pairs, const NearMarkers<Di
                                   const std::vector<double>& mobilities, double dt) {
   std::vector<double> limits(known.size(), 0.0);
   const auto over_markers = [](const Pair& pair, const auto& visit) {
-    for (std::size_t i = 0; i < pair_markers<Dim>; ++i) visit(pair.facets.markers[i], std::abs(pair.gap.shares[i]));
+    for (std::size_t i = 0; i < pair.facing.count; ++i) visit(pair.facing.markers[i], std::abs(pair.facing.shares[i]));
   };
   for (const Pair& pair : pairs)
     over_markers(pair, [&](std::size_t marker, double share) { limits[marker] += share * pair.limit; });
@@ -50,14 +50,14 @@ void PairFriction<Dim>::linearise(const Points<Dim>& all) {
   look_at(all);
 }
 
-// Of the first facet of each pair over its second.
+// The ways of the first part of each pair over its second.
 template <int Dim>
 Points<Dim> PairFriction<Dim>::ways(const Points<Dim>& all) const {
   Points<Dim> ways(pairs_.size(), Point<Dim>::Zero());
   for (std::size_t r = 0; r < ways.size(); ++r)
-    for (std::size_t i = 0; i < pair_markers<Dim>; ++i) {
-      const std::size_t marker = pairs_[r].facets.markers[i];
-      ways[r] += pairs_[r].gap.shares[i] * (all[marker] - pairs_[r].starts[i]);
+    for (std::size_t i = 0; i < pairs_[r].facing.count; ++i) {
+      const std::size_t marker = pairs_[r].facing.markers[i];
+      ways[r] += pairs_[r].facing.shares[i] * (all[marker] - pairs_[r].starts[i]);
     }
   return ways;
 }

@@ -6,17 +6,17 @@
 
 namespace washfsi {
 
-/// Friction between facets of cloths that touch when a step begins, of which each has a marker of this rank. Places and
+/// Friction between parts of cloths that touch when a step begins, of which each has a marker of this rank. Places and
 /// velocities are those of all markers that it knows.
 template <int Dim>
 class PairFriction {
  public:
   struct Pair {
-    FacetPair<Dim> facets;
-    Gap<Dim> gap;              ///< at the step's start
-    double limit;              ///< friction coefficient times normal force there [N; per unit depth in the plane]
-    double stops = 0;          ///< as of a `Rub`
-    PairPoints<Dim> starts{};  ///< of its markers; of an explicit step where they would have come from [m]
+    Facing<Dim> facing;  ///< at the step's start
+    double limit;        ///< friction coefficient times normal force there [N; per unit depth in the plane]
+    double stops = 0;    ///< as of a `Rub`
+    /// Where its markers start; in an explicit step where they would have come from [m].
+    std::array<Point<Dim>, 2 * Dim> starts{};
   };
 
   /// A step of length dt from these places begins; dt = 0: nothing slides. The share is that of `Friction::begin`.
@@ -29,7 +29,7 @@ class PairFriction {
   template <class Place>
   void renumber(const Place& place) {
     for (Pair& pair : pairs_)
-      for (std::size_t& marker : pair.facets.markers) marker = place(marker);
+      for (std::size_t i = 0; i < pair.facing.count; ++i) pair.facing.markers[i] = place(pair.facing.markers[i]);
   }
   /// Newton's method goes on from these places.
   void linearise(const Points<Dim>& all);
@@ -37,10 +37,10 @@ class PairFriction {
   void look_at(const Points<Dim>& all) { forces_ = friction_.forces(ways(all)); }
   double dt() const { return friction_.dt(); }
 
-  /// visit(facets, gap at the step's start, what they do)
+  /// visit(what faced each other at the step's start, what they do)
   template <class Visit>
   void visit(const Visit& visit) const {
-    for (std::size_t r = 0; r < forces_.size(); ++r) visit(pairs_[r].facets, pairs_[r].gap, forces_[r]);
+    for (std::size_t r = 0; r < forces_.size(); ++r) visit(pairs_[r].facing, forces_[r]);
   }
 
  private:

@@ -12,14 +12,15 @@ template <int Dim>
 struct PairSearch<Dim>::Query {
   const Points<Dim>& all;
   const std::vector<double>& reaches;
-  double distance;
+  double most;
+  const ContactDistance& distance;
 
   /// Where a facet may be, with half of the distance round it.
   template <class Markers>
   Bounds<Dim> bounds(const Markers& markers) const {
     std::vector<Bounds<Dim>> boxes;
     for (const std::size_t m : markers)
-      boxes.push_back(Bounds<Dim>::round(all[m], Point<Dim>::Constant(reaches[m] + 0.5 * distance)));
+      boxes.push_back(Bounds<Dim>::round(all[m], Point<Dim>::Constant(reaches[m] + 0.5 * most)));
     return hull(boxes);
   }
   template <class Facet>
@@ -112,13 +113,17 @@ bool share_a_marker(const First& first, const Second& second) {
 }  // namespace
 
 template <int Dim>
-std::vector<FacetPair<Dim>> PairSearch<Dim>::find(const Points<Dim>& positions, const std::vector<double>& reaches,
-                                                  double distance, Before before) {
+void PairSearch<Dim>::look_round(const Points<Dim>& positions, const std::vector<double>& reaches, double distance,
+                                 Before before) {
   if (known_.choose(positions, reaches, distance, before)) facets_ = Facets<Dim>(cloths_, known_);
+  all_ = known_.values(positions);
+  reaches_ = known_.values(reaches);
+}
+
+template <int Dim>
+std::vector<FacetPair<Dim>> PairSearch<Dim>::pairs(const ContactDistance& distance, double most) const {
   std::vector<FacetPair<Dim>> found;
-  const Points<Dim> all = known_.values(positions);
-  const std::vector<double> all_reaches = known_.values(reaches);
-  const Query query{all, all_reaches, distance};
+  const Query query{all_, reaches_, most, distance};
   if (!facets_.faces.empty()) find_points_and_faces(query, found);
   if constexpr (Dim == 3)
     if (!facets_.edges.empty()) find_edges(query, found);
@@ -186,7 +191,8 @@ void PairSearch<Dim>::keep_if_near(const Query& query, FacetPair<Dim> pair, std:
     reach = std::max(reach, query.reaches[pair.markers[i]]);
   }
   pair.start = gap_of<Dim>(pair.kind, pair.at(query.all)).distance;
-  if (pair.start < query.distance + first + second) found.push_back(pair);
+  const double distance = query.distance(pair.markers.front(), pair.markers.back());
+  if (pair.start < distance + first + second) found.push_back(pair);
 }
 
 // To the image of the second facet that is nearest to the first.

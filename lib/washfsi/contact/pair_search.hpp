@@ -3,9 +3,7 @@
 
 #include <algorithm>
 
-#include "washfsi/cloth/facets.hpp"
-#include "washfsi/contact/gap.hpp"
-#include "washfsi/geometry/near_search.hpp"
+#include "washfsi/contact/surface_samples.hpp"
 
 namespace washfsi {
 
@@ -44,15 +42,24 @@ class PairSearch {
   PairSearch(const Cloths<Dim>& cloths, const PeriodicSpace<Dim>& space)
       : cloths_(cloths), space_(space), known_(cloths, space), facets_(cloths, known_) {}
 
-  /// The pairs that may be as near as `distance`, while each marker moves from its place by its reach at most; places
-  /// and reaches are those of this rank's markers. What was known before stays known if it is to be kept, elsewhere
-  /// perhaps. Collective.
-  std::vector<FacetPair<Dim>> find(const Points<Dim>& positions, const std::vector<double>& reaches, double distance,
-                                   Before before = Before::forget);
+  /// Learns of all markers that may come as near as `distance` to a facet of this rank, while each marker moves from
+  /// its place by its reach at most; places and reaches are those of this rank's markers. What was known before stays
+  /// known if it is to be kept, elsewhere perhaps. Collective.
+  void look_round(const Points<Dim>& positions, const std::vector<double>& reaches, double distance,
+                  Before before = Before::forget);
+  /// The pairs of facets that may come as near as their contact distance, which must be at most `most`, and that not
+  /// larger than the distance of the last look round. No communication.
+  std::vector<FacetPair<Dim>> pairs(const ContactDistance& distance, double most) const;
+  /// The same of samples of surfaces, half of the distance of the last look round at most. No communication.
+  std::vector<SurfaceSample<Dim>> samples(const ContactDistance& distance, double most) const {
+    return find_samples<Dim>(known_, facets_, all_, reaches_, distance, most, space_);
+  }
 
   /// The markers that the pairs are of, and their facets, until the next search.
   const NearMarkers<Dim>& known() const { return known_; }
   const Facets<Dim>& facets() const { return facets_; }
+  /// Where a marker was at the last look round [m].
+  const Point<Dim>& place(std::size_t marker) const { return all_[marker]; }
 
  private:
   struct Query;
@@ -71,6 +78,8 @@ class PairSearch {
   PeriodicSpace<Dim> space_;
   NearMarkers<Dim> known_;
   Facets<Dim> facets_;
+  Points<Dim> all_;              ///< places of all that is known at the last look round [m]
+  std::vector<double> reaches_;  ///< from there [m]
 };
 
 extern template class PairSearch<2>;

@@ -248,18 +248,9 @@ void IntersectionCount<Dim>::share_example() {
               Point<Dim>(numbers.data() + 2)};
 }
 
-// Numbered in its group, from 1.
-template <int Dim>
-std::string IntersectionCount<Dim>::name_of_piece(std::size_t piece) const {
-  const std::size_t group = cloths_.pieces()[piece].group;
-  std::size_t number = 1;
-  for (std::size_t p = 0; p < piece; ++p) number += cloths_.pieces()[p].group == group ? 1 : 0;
-  return cloths_.groups()[group].name + " " + std::to_string(number);
-}
-
 template <int Dim>
 std::string IntersectionCount<Dim>::describe() const {
-  const std::string first = name_of_piece(example_->first), second = name_of_piece(example_->second);
+  const std::string first = cloths_.name_of(example_->first), second = cloths_.name_of(example_->second);
   const std::string who = first == second ? first + " goes through itself" : first + " goes through " + second;
   return who + " at (" + list_text<Dim>(example_->place) + ") m";
 }

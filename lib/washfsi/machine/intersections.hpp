@@ -35,7 +35,6 @@ class IntersectionCount {
 
  private:
   void add_patch(const Patch& patch);
-  std::string name_of_piece(std::size_t piece) const;
   template <class Slabs, class Edges, class Faces>
   void count_among(const Slabs& slabs, const Edges& edges, const Faces& faces);
   template <class Edge, class Face>

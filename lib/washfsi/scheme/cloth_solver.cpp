@@ -10,6 +10,12 @@
 
 namespace washfsi {
 
+namespace {
+
+constexpr PetscInt iterations_of_a_matrix = 4;  // before one is laid out anew: most solutions need no more
+
+}  // namespace
+
 template <int Dim>
 ClothSolver<Dim>::ClothSolver(Forces<Dim>& forces, const Points<Dim>& positions, const ClothSolverDefaults& defaults)
     : forces_(forces) {
@@ -23,6 +29,8 @@ ClothSolver<Dim>::ClothSolver(Forces<Dim>& forces, const Points<Dim>& positions,
   if (plan_.searches_descent) search_.attach(solver_, matrix_);
   if (plan_.uses_product || plan_.searches_descent)
     WASH_PETSC(SNESSetConvergenceTest(solver_, &ClothSolver::test_convergence, this, nullptr));
+  // the line search looks after what the linear solver could not solve
+  if (plan_.searches_descent) WASH_PETSC(SNESSetMaxLinearSolveFailures(solver_, 1000));
   WASH_PETSC(SNESSetTolerances(solver_, 0, 1e-10, defaults.approximate ? 1e-7 : 1e-10, 60, 10000));
   refuse_deadly_options("cloth_");
   const petsc::MutedErrors muted;
@@ -95,9 +103,13 @@ PetscErrorCode ClothSolver<Dim>::test_convergence(SNES solver, PetscInt iteratio
                                                   PetscReal residual, SNESConvergedReason* reason, void* context) {
   return petsc::guarded([&] {
     WASH_PETSC(SNESConvergedDefault(solver, iteration, unknown, step, residual, reason, nullptr));
-    const auto& self = *static_cast<ClothSolver*>(context);
+    auto& self = *static_cast<ClothSolver*>(context);
     if (*reason == SNES_CONVERGED_SNORM_RELATIVE && self.search_.was_stopped()) *reason = SNES_CONVERGED_ITERATING;
     if (*reason == SNES_CONVERGED_ITERATING && self.search_.is_round_off()) *reason = SNES_CONVERGED_SNORM_RELATIVE;
+    if (*reason == SNES_CONVERGED_ITERATING && iteration >= iterations_of_a_matrix && self.forces_.outgrow_pattern()) {
+      self.is_outgrown_ = true;
+      *reason = SNES_CONVERGED_ITS;
+    }
     if (*reason != SNES_CONVERGED_ITERATING || !self.equation_->is_solved) return;
     Vec value = nullptr;
     WASH_PETSC(SNESGetFunction(solver, &value, nullptr, nullptr));
@@ -148,13 +160,17 @@ void ClothSolver<Dim>::aim_at(double residual) {
 }
 
 template <int Dim>
+void ClothSolver<Dim>::fit_matrix() {
+  if (!any_rank(forces_.comm(), pattern_ != forces_.pattern())) return;
+  lay_out_matrix();
+  if (plan_.searches_descent) search_.attach(solver_, matrix_);
+  WASH_PETSC(SNESSetJacobian(solver_, matrix_free_ ? matrix_free_ : matrix_, matrix_, &ClothSolver::linearise, this));
+}
+
+template <int Dim>
 void ClothSolver<Dim>::start(const ClothEquation<Dim>& equation, double tolerance) {
   forget_last_solve();
-  if (any_rank(forces_.comm(), pattern_ != forces_.pattern())) {
-    lay_out_matrix();
-    if (plan_.searches_descent) search_.attach(solver_, matrix_);
-    WASH_PETSC(SNESSetJacobian(solver_, matrix_free_ ? matrix_free_ : matrix_, matrix_, &ClothSolver::linearise, this));
-  }
+  fit_matrix();
   equation_ = &equation;
   search_.start(equation);
   failure_ = nullptr;
@@ -168,17 +184,31 @@ void ClothSolver<Dim>::start(const ClothEquation<Dim>& equation, double toleranc
   if (aims_linear_solver_) aim_at(enough);
 }
 
+// Goes on from where it is as often as what touches has outgrown the matrix.
+template <int Dim>
+SNESConvergedReason ClothSolver<Dim>::run() {
+  constexpr int most_matrices = 30;
+  SNESConvergedReason reason = SNES_CONVERGED_ITERATING;
+  for (int n = 0; n < most_matrices; ++n) {
+    is_outgrown_ = false;
+    WASH_PETSC(SNESSolve(solver_, nullptr, unknown_));
+    if (failure_) std::rethrow_exception(failure_);
+    WASH_PETSC(SNESGetConvergedReason(solver_, &reason));
+    if (!is_outgrown_) return reason;
+    forces_.renew_pattern();
+    fit_matrix();
+  }
+  return SNES_DIVERGED_MAX_IT;
+}
+
 template <int Dim>
 PetscInt ClothSolver<Dim>::solve(const ClothEquation<Dim>& equation, double tolerance, Points<Dim>& velocities) {
   start(equation, tolerance);
   to_vector<Dim>(velocities, unknown_);
-  WASH_PETSC(SNESSolve(solver_, nullptr, unknown_));
-  if (failure_) std::rethrow_exception(failure_);
-  SNESConvergedReason reason = SNES_CONVERGED_ITERATING;
-  WASH_PETSC(SNESGetConvergedReason(solver_, &reason));
+  const SNESConvergedReason reason = run();
   if (reason < 0)
     throw DivergedError(std::string("cloth: its equations could not be solved (") + SNESConvergedReasons[reason] +
-                        "); a shorter step" + (plan_.uses_product ? " or -coupling_mobility row_sums" : "") +
+                        "); a shorter step" + (plan_.has_mobility ? " or -coupling_mobility row_sums" : "") +
                         " may help");
   velocities = to_points<Dim>(unknown_);
   return evaluations_;

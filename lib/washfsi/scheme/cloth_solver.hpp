@@ -35,6 +35,8 @@ class ClothSolver {
   void create_matrix_free_jacobian();
   void set_up_linear_solver(const Points<Dim>& positions);
   void start(const ClothEquation<Dim>& equation, double tolerance);
+  void fit_matrix();
+  SNESConvergedReason run();
   void forget_last_solve();
   void aim_at(double residual);
 
@@ -48,6 +50,7 @@ class ClothSolver {
   const ClothEquation<Dim>* equation_ = nullptr;  ///< during `solve`
   std::exception_ptr failure_;  ///< of the physics, thrown in a callback: it must not cross PETSc's frames
   PetscInt evaluations_ = 0;
+  bool is_outgrown_ = false;  ///< whether the solution has stopped, to go on with a matrix that has places for more
   bool user_sets_atol_ = false;
   bool aims_linear_solver_ = false;  ///< whether its tolerance follows that of the equation
 };

@@ -11,20 +11,25 @@ void set_preconditioner(const ClothSolverDefaults& defaults, bool only_precondit
   if (petsc::option_given("cloth_", "-pc_type")) return;
   if (only_preconditions && dim == 3) {
     petsc::set_default_option("-cloth_pc_type", "bjacobi");
-    petsc::set_default_option("-cloth_sub_pc_type", "ilu");
+    petsc::set_default_option("-cloth_sub_pc_type", defaults.symmetric ? "icc" : "ilu");
+    if (defaults.symmetric) petsc::set_default_option("-cloth_sub_pc_factor_shift_type", "positive_definite");
   } else {
     petsc::set_default_option("-cloth_pc_type", "redundant");
     petsc::set_default_option("-cloth_redundant_pc_type", defaults.symmetric ? "cholesky" : "lu");
   }
 }
 
-// With the preconditioner on the right the linear solver sees the residual itself, and can aim at it.
+// Conjugate gradients go down a potential however early they stop, as Newton's inexact steps need it. Else with the
+// preconditioner on the right: so the linear solver sees the residual itself, and can aim at it.
 void set_krylov_method(const ClothSolverDefaults& defaults, bool only_preconditions, bool uses_product) {
   const bool chosen = petsc::option_given("cloth_", "-ksp_type");
-  petsc::set_default_option("-cloth_ksp_type", only_preconditions ? "gmres" : "preonly");
+  const bool goes_down = only_preconditions && defaults.symmetric && uses_product;
+  petsc::set_default_option("-cloth_ksp_type", goes_down ? "cg" : only_preconditions ? "gmres" : "preonly");
   if (!only_preconditions) return;
-  if (uses_product && !chosen) petsc::set_default_option("-cloth_ksp_pc_side", "right");
   petsc::set_default_option("-cloth_ksp_rtol", defaults.approximate ? "1e-3" : "1e-2");
+  if (goes_down && !chosen) petsc::set_default_option("-cloth_ksp_norm_type", "unpreconditioned");
+  if (goes_down) return;
+  if (uses_product && !chosen) petsc::set_default_option("-cloth_ksp_pc_side", "right");
   petsc::set_default_option("-cloth_ksp_gmres_restart", "200");  // stiff short waves that water hardly moves
 }
 
@@ -44,6 +49,7 @@ ClothSolverPlan set_cloth_solver_defaults(SNES solver, const ClothSolverDefaults
   plan.newton = chosen == SNESNEWTONLS || chosen == SNESNEWTONTR;
   plan.searches_descent = plan.newton && type == SNESNEWTONLS;
   plan.uses_product = defaults.approximate && plan.newton;
+  plan.has_mobility = plan.uses_product && !defaults.symmetric;
   plan.solves_linearly = plan.newton || chosen == SNESQN;
   if (chosen == SNESQN) set_quasi_newton();
   if (!plan.solves_linearly) return plan;

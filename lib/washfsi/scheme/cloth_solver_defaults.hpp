@@ -17,6 +17,7 @@ struct ClothSolverPlan {
   bool newton = false;               ///< a method of Newton
   bool searches_descent = false;     ///< with steps shortened by `DescentSearch`
   bool uses_product = false;         ///< with the equation's own product of the Jacobian
+  bool has_mobility = false;         ///< and this product holds that of markers in water
   bool solves_linearly = false;      ///< with a linear solver for the matrix
   bool applies_matrix_free = false;  ///< with a Jacobian other than the assembled matrix
 };

@@ -115,16 +115,17 @@ void CouplingOptions::read_solution(Options& options) {
 
 namespace {
 
-// Explicit, unless the user or a contact that limits the motion wants it implicit.
+// Explicit, unless the user or a contact that limits the motion wants it implicit. The scheme that water has by default
+// leaves the choice open.
 template <int Dim>
 std::unique_ptr<CouplingScheme<Dim>> cloth_alone(const CouplingOptions& options, System<Dim>& system) {
-  if (options.scheme_given && options.scheme != "explicit" && options.scheme != "implicit")
-    throw InputError("-" + options.scheme_option + " " + options.scheme +
-                     ": without fluid (-fluid none) only explicit or implicit");
+  if (options.scheme == "midpoint")
+    throw InputError("-" + options.scheme_option + " midpoint: without fluid (-fluid none) only explicit or implicit");
   for (const auto& group : system.model.cloths.groups())
     if (group.excess_mass == 0)
       throw InputError("-" + group.name + "_excess_mass 0: without fluid (-fluid none) cloth needs a mass");
-  const bool is_implicit = options.scheme_given ? options.scheme == "implicit" : system.model.forces.limit_motion();
+  const bool is_chosen = options.scheme_given && options.scheme != "semi_implicit";
+  const bool is_implicit = is_chosen ? options.scheme == "implicit" : system.model.forces.limit_motion();
   if (is_implicit) return std::make_unique<ImplicitClothAlone<Dim>>(system, options);
   return std::make_unique<ClothAlone<Dim>>();
 }

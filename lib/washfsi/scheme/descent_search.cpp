@@ -69,12 +69,14 @@ double DescentSearch<Dim>::free_part(Vec x, Vec direction) const {
   return equation_->free_part ? equation_->free_part(to_points<Dim>(x), -1.0 * to_points<Dim>(direction)) : 1;
 }
 
-// How fast the potential falls along Newton's direction. Where the matrix was not positive definite and it rises, the
-// direction is found anew with one that is.
+// How fast the potential falls along Newton's direction. Where it rises, or the linear solver fails, since the matrix
+// was not positive definite, the direction is found anew with one that is.
 template <int Dim>
 double DescentSearch<Dim>::slope_towards_descent(Vec x, Vec f, Vec direction) {
+  KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
+  WASH_PETSC(KSPGetConvergedReason(linear_solver(), &reason));
   const double slope = slope_along(f, direction);
-  if (slope > 0) return slope;
+  if (slope > 0 && reason > 0) return slope;
   geometric_ = GeometricStiffness::of_tension;
   Mat jacobian = nullptr, matrix = nullptr;
   WASH_PETSC(KSPGetOperators(linear_solver(), &jacobian, &matrix));
@@ -82,7 +84,49 @@ double DescentSearch<Dim>::slope_towards_descent(Vec x, Vec f, Vec direction) {
   WASH_PETSC(SNESComputeJacobian(solver_, x, jacobian, matrix));
   WASH_PETSC(KSPSetOperators(linear_solver(), jacobian, matrix));
   WASH_PETSC(KSPSolve(linear_solver(), f, direction));
+  const double falls = slope_along(f, direction);
+  return falls > 0 ? falls : slope_of_exact_step(f, direction);
+}
+
+// An early end of the linear solver may leave more of what is soft than the step itself has of it.
+template <int Dim>
+double DescentSearch<Dim>::slope_of_exact_step(Vec f, Vec direction) {
+  constexpr double exact = 1e-9;
+  double rtol = 0, atol = 0, dtol = 0;
+  PetscInt most = 0;
+  WASH_PETSC(KSPGetTolerances(linear_solver(), &rtol, &atol, &dtol, &most));
+  WASH_PETSC(KSPSetTolerances(linear_solver(), exact, 0, dtol, most));
+  WASH_PETSC(KSPSolve(linear_solver(), f, direction));
+  WASH_PETSC(KSPSetTolerances(linear_solver(), rtol, atol, dtol, most));
   return slope_along(f, direction);
+}
+
+// A potential that falls along the whole of a step as steeply as at its start bends down beyond: Newton's method leaves
+// a saddle, as of cloth that buckles, in few steps if these are made longer as long as it falls.
+template <int Dim>
+double DescentSearch<Dim>::lengthened(Vec x, Vec direction, double slope, double before, Vec trial, Vec f) {
+  constexpr int most_doublings = 10;
+  constexpr double straight = 0.75;
+  double part = 1, least = potential_at(trial);
+  if (before - least < straight * slope) return part;
+  for (int n = 0; n < most_doublings; ++n) {
+    WASH_PETSC(VecWAXPY(trial, -2 * part, direction, x));
+    if (!is_free(x, trial)) break;
+    const double now = potential_at(trial);
+    if (now >= least) break;
+    least = now;
+    part *= 2;
+  }
+  WASH_PETSC(VecWAXPY(trial, -part, direction, x));
+  WASH_PETSC(SNESComputeFunction(solver_, trial, f));
+  return part;
+}
+
+template <int Dim>
+bool DescentSearch<Dim>::is_free(Vec from, Vec to) const {
+  if (!equation_->free_part) return true;
+  const Points<Dim> start = to_points<Dim>(from);
+  return equation_->free_part(start, to_points<Dim>(to) - start) == 1;
 }
 
 template <int Dim>
@@ -125,7 +169,9 @@ void DescentSearch<Dim>::search(SNESLineSearch search) {
     is_round_off_ = !has_potential && now <= equation_->round_off;
     const bool lowers = is_small || is_round_off_ || now <= (1 - sufficient * part) * size;
     if (lowers || (has_potential && potential_at(trial) <= before - sufficient * part * slope)) {
-      if (has_potential && equation_->free_part && !is_small) part = lowest_part(x, direction, part, trial, f);
+      if (has_potential && !is_small && part == 1) part = lengthened(x, direction, slope, before, trial, f);
+      if (has_potential && equation_->free_part && !is_small && part <= 1)
+        part = lowest_part(x, direction, part, trial, f);
       return accept(search, part);
     }
   }
@@ -142,7 +188,7 @@ void DescentSearch<Dim>::accept(SNESLineSearch search, double part) {
   WASH_PETSC(SNESLineSearchSetReason(search, SNES_LINESEARCH_SUCCEEDED));
   WASH_PETSC(SNESLineSearchComputeNorms(search));
   was_stopped_ = part < 1 && equation_->free_part;
-  geometric_ = part == 1 && equation_->potential ? GeometricStiffness::all : GeometricStiffness::of_tension;
+  geometric_ = part >= 1 && equation_->potential ? GeometricStiffness::all : GeometricStiffness::of_tension;
 }
 
 template class DescentSearch<2>;

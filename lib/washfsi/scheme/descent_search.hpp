@@ -40,6 +40,9 @@ class DescentSearch {
   double potential_at(Vec place) const;
   double size_of(Vec residual, Vec work) const;
   double slope_towards_descent(Vec x, Vec f, Vec direction);
+  double slope_of_exact_step(Vec f, Vec direction);
+  double lengthened(Vec x, Vec direction, double slope, double before, Vec trial, Vec f);
+  bool is_free(Vec from, Vec to) const;
   double slope_along(Vec f, Vec direction) const;
   double free_part(Vec x, Vec direction) const;
   KSP linear_solver() const;

@@ -93,10 +93,28 @@ Points<Dim> ImplicitClothAlone<Dim>::guess(System<Dim>& system, double dt, const
   return best;
 }
 
+// A step whose equations cannot be solved is taken in two halves, and these again.
 template <int Dim>
 void ImplicitClothAlone<Dim>::take(System<Dim>& system, double dt) {
+  take_part(system, system.state.clock.time, dt, 0);
+}
+
+template <int Dim>
+void ImplicitClothAlone<Dim>::take_part(System<Dim>& system, double start, double dt, int halvings) {
+  constexpr int most_halvings = 6;
+  try {
+    solve(system, start, dt);
+  } catch (const DivergedError&) {
+    if (halvings == most_halvings) throw;
+    take_part(system, start, 0.5 * dt, halvings + 1);
+    take_part(system, start + 0.5 * dt, 0.5 * dt, halvings + 1);
+  }
+}
+
+template <int Dim>
+void ImplicitClothAlone<Dim>::solve(System<Dim>& system, double start, double dt) {
   auto& [model, state, step] = system;
-  begin_step(system, state.positions, state.clock.time + dt, dt);
+  begin_step(system, state.positions, start + dt, dt);
   const ClothEquation<Dim> equation = this->equation(system, dt);
   Points<Dim> velocities = guess(system, dt, equation);
   step.cloth_iterations += static_cast<double>(solver_.solve(equation, tolerance(system, dt), velocities));

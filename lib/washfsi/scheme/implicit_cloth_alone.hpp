@@ -5,6 +5,7 @@
 // on places, and weight and loads G:
 //   1. markers   m (W - V^n)/dt + c A W = F(X^n + dt W) + G, the gradient of a potential, by Newton's method with steps
 //                that are shortened to what is free
+//                (in two halves where this fails, and these again)
 //   2. markers   X^(n+1) = X^n + dt W;  V^(n+1) = W
 // It damps by itself; -..._damping is not used.
 #pragma once
@@ -24,6 +25,8 @@ class ImplicitClothAlone : public CouplingScheme<Dim> {
 
  private:
   void take(System<Dim>& system, double dt) override;
+  void take_part(System<Dim>& system, double start, double dt, int halvings);
+  void solve(System<Dim>& system, double start, double dt);
   ClothEquation<Dim> equation(System<Dim>& system, double dt);
   Points<Dim> guess(System<Dim>& system, double dt, const ClothEquation<Dim>& equation) const;
   double tolerance(const System<Dim>& system, double dt) const;

@@ -6,6 +6,7 @@
 
 #include "washfsi/output/field_slab.hpp"
 #include "washfsi/scheme/coupling_operations.hpp"
+#include "washfsi/simulation/shared_arrays.hpp"
 #include "washfsi/support/errors.hpp"
 #include "washfsi/support/options.hpp"
 
@@ -176,12 +177,6 @@ void read_wall_law(Hdf5File& file, System<Dim>& system) {
   law->go_on();
 }
 
-// A short array that all ranks hold; rank 0 writes it.
-Slab shared_slab(MPI_Comm comm, std::size_t size, bool writing) {
-  const bool silent = writing && rank_of(comm) != 0;
-  return {{size}, {0}, {silent ? hsize_t{0} : size}};
-}
-
 constexpr const char* driving_guess = "/driving";
 
 // The mean pressure gradient from which the next step's is found.
@@ -189,7 +184,7 @@ template <int Dim>
 void write_driving(Hdf5File& file, const System<Dim>& system) {
   const auto kept = system.model.fluid.driving().kept();
   if (!system.model.fluid.driving().is_there()) return;
-  file.write_sealed(driving_guess, shared_slab(system.model.grid.comm(), Dim, true), {kept.begin(), kept.end()});
+  write_shared(file, system.model.grid.comm(), driving_guess, {kept.begin(), kept.end()});
 }
 
 // What is driven otherwise than before finds it by itself.
@@ -197,8 +192,7 @@ template <int Dim>
 void read_driving(Hdf5File& file, System<Dim>& system) {
   Driving<Dim>& driving = system.model.fluid.driving();
   if (!driving.is_there() || !file.has(driving_guess)) return;
-  const std::vector<double> kept =
-      file.read_sealed(driving_guess, shared_slab(system.model.grid.comm(), Dim, false), Hdf5File::Readers::whole);
+  const std::vector<double> kept = read_shared(file, driving_guess);
   for (int d = 0; d < Dim; ++d)
     if (driving.keeps_bulk(d)) driving.kept()[static_cast<std::size_t>(d)] = kept[static_cast<std::size_t>(d)];
 }
@@ -239,7 +233,7 @@ void write_checkpoint(const std::string& folder, const System<Dim>& system, Meas
   file.set_attribute("/", "format", format);
   const std::vector<double> numbers = numbers_of(system, state);
   for (std::size_t n = 0; n < numbers.size(); ++n) file.set_attribute("/", number_names[n], numbers[n]);
-  file.write_sealed("/numbers", shared_slab(comm, numbers.size(), true), numbers);
+  write_shared(file, comm, "/numbers", numbers);
   for (const auto& [name, vector] : system.model.fluid.face_state())
     write_vector(file, "/fluid/" + name, field_slab(system.model.grid, Dim), vector);
   for (const auto& [name, vector] : system.model.fluid.cell_state())
@@ -259,15 +253,12 @@ void write_checkpoint(const std::string& folder, const System<Dim>& system, Meas
   write_wall_forces(file, system);
   write_wall_law(file, system);
   write_driving(file, system);
-  const std::vector<double> letters(state.options.begin(), state.options.end());
-  file.write_sealed("/options", shared_slab(comm, letters.size(), true), letters);
-  const std::vector<double> same = identity(system);
-  file.write_sealed("/identity", shared_slab(comm, same.size(), true), same);
-  const std::vector<double>& taken = measures.quantities().taken();
-  file.write_sealed("/measured", shared_slab(comm, taken.size(), true), taken);
+  write_contact_distances(file, system.model.forces);
+  write_shared(file, comm, "/options", {state.options.begin(), state.options.end()});
+  write_shared(file, comm, "/identity", identity(system));
+  write_shared(file, comm, "/measured", measures.quantities().taken());
   for (const auto& [name, kept, others] : measures.quantities().kept())
-    file.write_sealed("/totals/" + name, shared_slab(comm, kept.size(), true),
-                      std::vector<double>(kept.begin(), kept.end()));
+    write_shared(file, comm, "/totals/" + name, {kept.begin(), kept.end()});
   file.close();
   const bool committed = rank_of(comm) != 0 || commit_file(temporary, path, folder + "/checkpoint_before.h5");
   if (any_rank(comm, !committed)) throw FileError(path + ": cannot be written");
@@ -277,17 +268,16 @@ namespace {
 
 // What goes on from step to step in the measures.
 template <int Dim>
-void read_totals(MPI_Comm comm, Hdf5File& file, Measures<Dim>& measures) {
+void read_totals(Hdf5File& file, Measures<Dim>& measures) {
   QuantityList& quantities = measures.quantities();
   const std::size_t taken = quantities.taken().size();
   if (file.shape("/measured").at(0) == taken)  // no other measures than before
-    quantities.set_taken(file.read_sealed("/measured", shared_slab(comm, taken, false), Hdf5File::Readers::whole));
+    quantities.set_taken(read_shared(file, "/measured"));
   for (const auto& [name, kept, others] : quantities.kept()) {
     const std::string path = "/totals/" + name;
     if (others == QuantityList::IfOthers::begin_anew && (!file.has(path) || file.shape(path).at(0) != kept.size()))
       continue;
-    std::ranges::copy(file.read_sealed(path, shared_slab(comm, kept.size(), false), Hdf5File::Readers::whole),
-                      kept.begin());
+    std::ranges::copy(read_shared(file, path), kept.begin());
   }
 }
 
@@ -301,8 +291,7 @@ RunState read_checkpoint(const std::string& path, System<Dim>& system, Measures<
     if (file.attribute("/", "format") != format)
       throw InputError(path + ": its format is " + to_text(file.attribute("/", "format")) + ", this program reads " +
                        to_text(format));
-    const std::vector<double> numbers = identity(system);
-    if (file.read_sealed("/identity", shared_slab(comm, numbers.size(), false), Hdf5File::Readers::whole) != numbers)
+    if (read_shared(file, "/identity") != identity(system))
       throw InputError(path + ": the box or the cloths' markers are others");
     for (const auto& [name, vector] : system.model.fluid.face_state())
       read_vector(file, "/fluid/" + name, field_slab(system.model.grid, Dim), vector);
@@ -319,10 +308,10 @@ RunState read_checkpoint(const std::string& path, System<Dim>& system, Measures<
       measures.cloth().time_integrals() =
           file.read_sealed("/cloth/time_integrals", slab_of_integrals(system.model.cloths));
     }
-    read_totals(comm, file, measures);
+    read_totals(file, measures);
+    read_contact_distances(file, system.model.forces);
     system.model.locate_cloth(system.state.positions);
-    const std::vector<double> read =
-        file.read_sealed("/numbers", shared_slab(comm, number_names.size(), false), Hdf5File::Readers::whole);
+    const std::vector<double> read = read_shared(file, "/numbers");
     system.state.clock = {read[1], static_cast<long>(read[0])};
     system.model.boundary.set_outflow_time(system.state.clock.time);
     system.model.mask.update(system.state.clock.time);
@@ -333,8 +322,7 @@ RunState read_checkpoint(const std::string& path, System<Dim>& system, Measures<
     system.model.fluid.set_last_steps(read[5], read[6]);
     system.model.fluid.set_counts({.momentum = read[7], .pressure = read[8]});
     system.step.cloth_iterations = read[9];
-    const std::vector<double> letters =
-        file.read_sealed("/options", shared_slab(comm, file.shape("/options").at(0), false), Hdf5File::Readers::whole);
+    const std::vector<double> letters = read_shared(file, "/options");
     return {read[2], read[3], static_cast<int>(read[4]), std::string(letters.begin(), letters.end())};
   } catch (const InputError& error) {
     throw InputError(std::string("-restart ") + error.what() +

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "washfsi/scheme/coupling_operations.hpp"
 #include "washfsi/simulation/changed_options.hpp"
 #include "washfsi/simulation/report_lines.hpp"
 #include "washfsi/simulation/size_check.hpp"
@@ -63,6 +64,7 @@ Simulation<Dim>::Simulation(Options& options, const std::string& case_name) : pr
 // Of the system at t = 0, where a restart goes on from too.
 template <int Dim>
 void Simulation<Dim>::judge_start() {
+  begin_step(*system_, system_->state.positions, clock().time, 0);  // forces look at what is near
   at_start_ = start_findings(*system_, measures_->cycles(),
                              {.end = run_.time_end,
                               .checkpoint_interval = run_.checkpoint_interval,
@@ -116,9 +118,8 @@ void Simulation<Dim>::run() {
     end(stopped ? "stopped" : "finished");
   } catch (const DivergedError& error) {
     end("failed");
-    throw DivergedError("diverged in step " + std::to_string(attempted_step_) +
-                        " after t = " + format_text("%.6g", attempt_start_) + " s: " + error.what() +
-                        "; the velocity was last seen largest " + place_of_largest_velocity());
+    throw DivergedError("diverged in step " + std::to_string(attempted_step_) + " after t = " +
+                        format_text("%.6g", attempt_start_) + " s: " + error.what() + "; " + where_it_failed());
   }
 }
 
@@ -213,9 +214,13 @@ void Simulation<Dim>::check_velocity() const {
 }
 
 template <int Dim>
-std::string Simulation<Dim>::place_of_largest_velocity() const {
+std::string Simulation<Dim>::where_it_failed() const {
+  const std::string contact = tightest_contact(system_->model.forces);
   const Located& worst = measures_->flow().courant;
-  return "at (" + list_text<Dim>(Point<Dim>(worst.place)) + ") m" + format_text(", CFL number %.3g", worst.value);
+  const std::string touches = contact.empty() ? "" : "the tightest contact: " + contact;
+  if (!system_->model.has_fluid) return touches.empty() ? "nothing touches" : touches;
+  return (touches.empty() ? "" : touches + "; ") + "the velocity was last seen largest at (" +
+         list_text<Dim>(Point<Dim>(worst.place)) + ") m" + format_text(", CFL number %.3g", worst.value);
 }
 
 template <int Dim>

@@ -35,7 +35,7 @@ class Simulation {
   void watch_step_bound();
   void check_markers() const;
   void check_velocity() const;
-  std::string place_of_largest_velocity() const;
+  std::string where_it_failed() const;
   bool due(double interval, double time) const;
   bool measures_all(double time) const;
   bool ends(long step, double time, int steps_at_rest) const;

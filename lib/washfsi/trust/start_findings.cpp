@@ -8,6 +8,7 @@
 #include "washfsi/machine/crossings.hpp"
 #include "washfsi/support/collective.hpp"
 #include "washfsi/support/format_text.hpp"
+#include "washfsi/trust/contact_findings.hpp"
 #include "washfsi/trust/resting_sides.hpp"
 
 namespace washfsi {
@@ -313,7 +314,9 @@ Findings start_findings(const System<Dim>& system, const Cycles& cycles, const R
   if (model.has_fluid) std::ranges::move(resting_side_findings(model, time), std::back_inserter(findings));
   if (model.has_fluid)
     for (const auto& group : model.cloths.groups()) add_cloth<Dim>(group, model, findings);
-  if constexpr (Dim == 3) add_distance(system, findings);
+  if constexpr (Dim == 3)
+    if (model.has_fluid) add_distance(system, findings);
+  std::ranges::move(contact_findings(system), std::back_inserter(findings));
   add_times(times, cycles, std::ranges::any_of(model.bodies, [](const auto& body) { return !body.motion.at_rest(); }),
             findings);
   return findings;

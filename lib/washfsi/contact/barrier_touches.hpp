@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/contact/pair_distances.hpp"
+#include "washfsi/contact/pair_search.hpp"
+
+namespace washfsi {
+
+/// Two parts of cloths that are nearer than their contact begins, and what the barrier does there.
+template <int Dim>
+struct Touch {
+  Facing<Dim> facing;
+  double energy;     ///< [J; per unit depth in the plane]
+  double stiffness;  ///< [N/m]; 0 where it would be negative,
+  double taken_off;  ///< which is this then [N/m]
+  double push;       ///< the normal force [N]; negative where the barrier of an edge or a corner is taken off
+  double pressing;   ///< the share of the normal force that friction and measures count [N]
+  double area;       ///< undeformed, that a sample stands for [m2; m in the plane]
+  bool is_guard;     ///< of a pair of facets
+  std::array<Point<Dim>, 2 * Dim> forces;  ///< on its markers [N]
+
+  StiffnessBlock<Dim> block() const { return stiffness * facing.normal * facing.normal.transpose(); }
+};
+
+/// Finds what touches: the samples of surfaces, and the pairs of facets that guard what these do not see. Their laws
+/// are told in contact/barrier.hpp.
+template <int Dim>
+class BarrierTouches {
+ public:
+  using Pairs = std::vector<FacetPair<Dim>>;
+  using Samples = std::vector<SurfaceSample<Dim>>;
+
+  /// The distance of pairs of facets over that of surfaces.
+  static constexpr double of_guards = 0.5;
+
+  /// `stiffness` is kappa [Pa], `distance` the usual contact distance [m]. Collective.
+  BarrierTouches(double stiffness, double distance, const Cloths<Dim>& cloths, const PeriodicSpace<Dim>& space)
+      : comm_(cloths.comm()), stiffness_(stiffness), distances_(distance), search_(cloths, space) {}
+
+  /// Looks for what may touch, while each of this rank's markers moves from its place by its reach at most. Collective.
+  void look_round(const Points<Dim>& positions, const std::vector<double>& reaches, Before before);
+  /// What touches at these places of all markers that are known. No communication.
+  std::vector<Touch<Dim>> at(const Points<Dim>& all) const;
+
+  /// Lets the contact distances of what starts in contact follow it. Collective.
+  void follow_distances(const Points<Dim>& all);
+  PairDistances& distances() { return distances_; }
+  const PairDistances& distances() const { return distances_; }
+  /// The distance at which this contact begins [m].
+  double begins(const Touch<Dim>& touch) const;
+  /// A reach that markers have at least [m].
+  double least_reach() const { return distances_.usual() / 8; }
+
+  const Pairs& pairs() const { return pairs_; }
+  const Samples& samples() const { return samples_; }
+  const PairSearch<Dim>& search() const { return search_; }
+
+ private:
+  void add_surface_touches(const SurfaceSample<Dim>& sample, const Points<Dim>& all,
+                           std::vector<Touch<Dim>>& touches) const;
+  void add_guard_touch(const FacetPair<Dim>& pair, const Points<Dim>& all, std::vector<Touch<Dim>>& touches) const;
+  Touch<Dim> touch(const Facing<Dim>& facing, double weight, double distance) const;
+  double distance_of(std::size_t marker, std::size_t other) const {
+    return distances_.of(search_.known().piece_of(marker), search_.known().piece_of(other));
+  }
+  PairDistances::Nearest nearest(const Points<Dim>& all) const;
+
+  MPI_Comm comm_;
+  double stiffness_;
+  PairDistances distances_;
+  PairSearch<Dim> search_;
+  Pairs pairs_;  ///< that may touch, as long as no marker leaves its reach
+  Samples samples_;
+};
+
+extern template class BarrierTouches<2>;
+extern template class BarrierTouches<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <utility>
+#include <vector>
+
+#include <mpi.h>
+
+namespace washfsi {
+
+/// The distance at which the contact of two things begins. Things that start nearer to each other than the usual
+/// distance have a smaller one: that at which they start, so that contact does not throw them apart. It grows as they
+/// part, and never shrinks. All ranks have the same ones. Things have numbers.
+class PairDistances {
+ public:
+  using Pair = std::pair<std::size_t, std::size_t>;
+  /// The distance of each pair of things that a rank sees nearer than usual [m]. The lesser number comes first.
+  using Nearest = std::map<Pair, double>;
+
+  explicit PairDistances(double usual) : usual_(usual) {}
+
+  double usual() const { return usual_; }
+  double of(std::size_t one, std::size_t other) const {
+    if (less_.empty()) return usual_;
+    const auto place = less_.find(std::minmax(one, other));
+    return place == less_.end() ? usual_ : place->second;
+  }
+  /// Whether the things have started.
+  bool has_started() const { return has_started_; }
+  /// The pairs with a smaller distance.
+  const Nearest& less() const { return less_; }
+
+  /// The things start like this. Collective.
+  void start(MPI_Comm comm, const Nearest& nearest);
+  /// They are like this now. Pairs that no rank sees are farther apart than their distance by `beyond` [m]. Collective.
+  void follow(MPI_Comm comm, const Nearest& nearest, double beyond);
+
+  /// What is kept for a run that goes on: three numbers for each pair with a smaller distance.
+  std::vector<double> kept() const;
+  void take(const std::vector<double>& kept);
+
+ private:
+  double usual_;
+  bool has_started_ = false;
+  Nearest less_;
+};
+
+/// Notes a distance of two things.
+inline void note(PairDistances::Nearest& nearest, std::size_t one, std::size_t other, double distance) {
+  const auto [place, is_new] = nearest.try_emplace(std::minmax(one, other), distance);
+  if (!is_new && distance < place->second) place->second = distance;
+}
+
+}  // namespace washfsi

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/cloth/cloths.hpp"
+
+namespace washfsi {
+
+/// The faces that have a marker of this rank: triangles, each cell of a lattice split into two, or segments in the
+/// plane.
+template <int Dim>
+class SeenFaces {
+ public:
+  static constexpr std::ptrdiff_t none = -1;
+
+  struct Face {
+    std::array<std::size_t, Dim> seen;    ///< its markers, by where they are in an array with halo
+    std::array<std::ptrdiff_t, Dim> own;  ///< and in this rank's arrays; `none`
+    std::array<PetscInt, Dim> numbers;    ///< and among those of all ranks
+    std::size_t piece;
+    double area;  ///< undeformed [m2; m in the plane]
+
+    /// Whether this rank counts it, in sums over all ranks.
+    bool counts() const { return own[0] != none; }
+  };
+
+  explicit SeenFaces(const Cloths<Dim>& cloths);
+  const std::vector<Face>& list() const { return faces_; }
+
+ private:
+  void add_patch(const Cloths<Dim>& cloths, const Patch& patch);
+  void add(const Patch& patch, const std::array<std::size_t, Dim>& places, double area);
+
+  std::vector<Face> faces_;
+};
+
+extern template class SeenFaces<2>;
+extern template class SeenFaces<3>;
+
+}  // namespace washfsi

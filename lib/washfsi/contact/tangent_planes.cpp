@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/contact/tangent_planes.hpp"
+
+#include <algorithm>
+
+#include "washfsi/contact/nearest_in_face.hpp"
+
+namespace washfsi {
+
+/// One look round, at the ends of a step.
+template <int Dim>
+struct TangentPlanes<Dim>::Look {
+  const Points<Dim>& all;
+  const std::vector<double>& speeds;
+  double distance, dt;
+  PosedBodies<Dim> start, end;
+  std::vector<std::vector<double>> distances = {};  ///< from each body at the step's end, of all places [m]
+
+  // What a point may come near to in the step, with as much to spare.
+  double reach(double contact, double speed) const { return dt > 0 ? 2 * (contact + dt * speed) : contact; }
+};
+
+template <int Dim>
+TangentPlanes<Dim>::TangentPlanes(const Surroundings<Dim>& around, bool sees_faces)
+    : around_(around), sees_faces_(sees_faces && !around.bodies.empty()), faces_(around.cloths) {}
+
+template <int Dim>
+std::vector<TangentPlane<Dim>> TangentPlanes<Dim>::find(const Points<Dim>& all, const std::vector<double>& speeds,
+                                                        double distance, double time, double dt) const {
+  Look look{
+      all, speeds, distance, dt, PosedBodies<Dim>(around_.bodies, time - dt), PosedBodies<Dim>(around_.bodies, time)};
+  for (std::size_t body = 0; body < look.end.size(); ++body) {
+    std::vector<double>& distances = look.distances.emplace_back();
+    for (const auto& place : all) distances.push_back(look.end.distance(body, around_.grid.folded(place)));
+  }
+  std::vector<TangentPlane<Dim>> planes;
+  add_markers(look, planes);
+  if (sees_faces_) add_faces(look, planes);
+  return planes;
+}
+
+template <int Dim>
+void TangentPlanes<Dim>::add_markers(const Look& look, std::vector<TangentPlane<Dim>>& planes) const {
+  const Cloths<Dim>& cloths = around_.cloths;
+  for (std::size_t m = 0; m < cloths.owned(); ++m) {
+    TangentPlane<Dim> plane;
+    plane.markers[0] = m;
+    plane.shares[0] = 1;
+    plane.own[0] = static_cast<std::ptrdiff_t>(m);
+    plane.piece = cloths.piece_of_marker()[m];
+    plane.area = cloths.marker_areas()[m];
+    plane.begins = look.distance;
+    plane.start = look.all[m];
+    const double reach = look.reach(look.distance, look.speeds[m]);
+    for (plane.body = 0; plane.body < look.end.size(); ++plane.body) {
+      plane.distance = look.distances[plane.body][m];
+      if (plane.distance >= reach) continue;
+      set_plane(look, plane);
+      planes.push_back(plane);
+    }
+    add_sides(plane, reach, planes);
+  }
+}
+
+template <int Dim>
+void TangentPlanes<Dim>::add_sides(const TangentPlane<Dim>& marker, double reach,
+                                   std::vector<TangentPlane<Dim>>& planes) const {
+  TangentPlane<Dim> plane = marker;
+  for (plane.axis = 0; plane.axis < Dim; ++plane.axis)
+    for (const End end : {End::lower, End::upper}) {
+      const BoundaryKind kind = around_.boundary.side(plane.axis, end).kind;
+      if (kind != BoundaryKind::wall && kind != BoundaryKind::slip) continue;
+      const bool upper = end == End::upper;
+      plane.end = end;
+      plane.distance = plane.before = upper ? around_.grid.upper()[plane.axis] - plane.start[plane.axis]
+                                            : plane.start[plane.axis] - around_.grid.lower()[plane.axis];
+      plane.normal = (upper ? -1 : 1) * Point<Dim>::Unit(plane.axis);
+      if (plane.distance < reach) planes.push_back(plane);
+    }
+}
+
+// The body has run over the point if it holds it at the end and did not at the start.
+template <int Dim>
+void TangentPlanes<Dim>::set_plane(const Look& look, TangentPlane<Dim>& plane) const {
+  const Point<Dim> place = around_.grid.folded(plane.start);
+  const double step = 1e-3 * look.distance;
+  plane.before = look.start.distance(plane.body, place);
+  if (plane.distance >= 0 || plane.before < 0) {
+    plane.normal = look.end.normal(plane.body, place, step);
+    return;
+  }
+  const Point<Dim> normal = look.start.normal(plane.body, place, step), foot = place - plane.before * normal;
+  const auto carried = [&](const Point<Dim>& point) {
+    return look.end.in_space(plane.body, look.start.in_body_frame(plane.body, point));
+  };
+  plane.normal = carried(place) - carried(place - normal);
+  plane.distance = plane.normal.dot(place - carried(foot));
+}
+
+template <int Dim>
+void TangentPlanes<Dim>::add_faces(const Look& look, std::vector<TangentPlane<Dim>>& planes) const {
+  for (std::size_t face = 0; face < faces_.list().size(); ++face)
+    for (std::size_t body = 0; body < look.end.size(); ++body) add_face(look, face, body, planes);
+}
+
+// A face that comes nearest at a marker, as it does to whatever is wide, is kept away by that marker.
+template <int Dim>
+void TangentPlanes<Dim>::add_face(const Look& look, std::size_t number, std::size_t body,
+                                  std::vector<TangentPlane<Dim>>& planes) const {
+  const auto& face = faces_.list()[number];
+  const std::size_t owned = around_.cloths.owned();
+  std::array<Point<Dim>, Dim> corners;
+  std::array<double, Dim> at_corners;
+  double speed = 0, nearest = INFINITY, longest = 0;
+  for (std::size_t i = 0; i < Dim; ++i) {
+    const std::size_t marker = owned + face.seen[i];
+    corners[i] = look.all[marker];
+    at_corners[i] = look.distances[body][marker];
+    speed = std::max(speed, look.speeds[marker]);
+    nearest = std::min(nearest, at_corners[i]);
+    longest = std::max(longest, (corners[i] - corners[0]).norm());
+  }
+  const double begins = of_faces * look.distance, reach = look.reach(begins, speed);
+  if (nearest > reach + longest) return;
+  const auto distance = [&](const Point<Dim>& place) { return look.end.distance(body, around_.grid.folded(place)); };
+  const NearestInFace<Dim> found = nearest_in_face<Dim>(corners, at_corners, reach, distance);
+  if (found.distance >= reach || found.distance > nearest - 1e-3 * look.distance) return;
+  TangentPlane<Dim> plane;
+  plane.face = number;
+  for (std::size_t i = 0; i < Dim; ++i) plane.markers[i] = owned + face.seen[i];
+  plane.shares = found.shares;
+  plane.own = face.own;
+  plane.piece = face.piece;
+  plane.area = face.area;
+  plane.begins = begins;
+  plane.start = plane.place(look.all);
+  plane.body = body;
+  plane.distance = found.distance;
+  set_plane(look, plane);
+  planes.push_back(plane);
+}
+
+template <int Dim>
+Point<Dim> TangentPlanes<Dim>::velocity_of_surface(const TangentPlane<Dim>& plane, double time) const {
+  const Point<Dim> place = around_.grid.folded(plane.start);
+  if (plane.body < around_.bodies.size()) return around_.bodies[plane.body].motion.velocity(place, time);
+  const Side<Dim>& side = around_.boundary.side(plane.axis, plane.end);
+  return side.motion ? side.motion(place, time) : side.velocity;
+}
+
+template class TangentPlanes<2>;
+template class TangentPlanes<3>;
+
+}  // namespace washfsi

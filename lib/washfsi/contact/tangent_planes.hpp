@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/contact/contact_force.hpp"
+#include "washfsi/contact/seen_faces.hpp"
+
+namespace washfsi {
+
+/// The tangent plane of a surface, of a body or of a side of the box, near a point of a cloth. The point is a marker,
+/// or where in a face it comes nearest to the body.
+template <int Dim>
+struct TangentPlane {
+  static constexpr std::size_t no_face = static_cast<std::size_t>(-1);
+
+  std::size_t face = no_face;              ///< in the list of seen faces; `no_face`: a marker
+  std::array<std::size_t, Dim> markers{};  ///< in an array of own values and those with halo; of a marker the first
+  std::array<double, Dim> shares{};        ///< of them, that sum up to 1
+  std::array<std::ptrdiff_t, Dim> own{};   ///< in this rank's arrays; `SeenFaces::none`
+  std::size_t piece = 0;
+  double area = 0;  ///< undeformed, that the point stands for [m2; m in the plane]
+  Point<Dim> start = Point<Dim>::Zero(), normal = Point<Dim>::Zero();  ///< where the point starts [m]; out of the body
+  double distance = 0;                                                 ///< there, at the step's end [m]
+  double before = 0;                                                   ///< there, at the step's start [m]
+  double begins = 0;                                                   ///< the distance at which contact begins [m]
+  std::size_t body = 0;                                                ///< its number; that of the bodies for a side
+  int axis = 0;
+  End end = End::lower;
+
+  bool is_of_face() const { return face != no_face; }
+  /// How many markers the point lies between.
+  std::size_t count() const { return is_of_face() ? Dim : 1; }
+  /// Whether this rank counts it, in sums over all ranks.
+  bool counts() const { return own[0] != SeenFaces<Dim>::none; }
+  Point<Dim> place(const Points<Dim>& all) const {
+    Point<Dim> sum = shares[0] * all[markers[0]];
+    for (std::size_t i = 1; i < count(); ++i) sum += shares[i] * all[markers[i]];
+    return sum;
+  }
+  /// The number of what it is of, behind those of all cloths.
+  std::size_t thing(std::size_t cloths, std::size_t bodies) const {
+    return cloths + body + (body < bodies ? 0 : 2 * static_cast<std::size_t>(axis) + (end == End::upper ? 1 : 0));
+  }
+};
+
+/// Finds the planes near cloths when a step begins. In a step the distance from a body is taken as that from the plane,
+/// with the body where it is at the step's end: linear in the places of the markers. Where the body would have run over
+/// a point by then, the plane is that of the start, carried along with the body, so that the point stays on its side.
+template <int Dim>
+class TangentPlanes {
+ public:
+  /// Planes of faces are looked for in addition to those of markers if `sees_faces`; only those count that are nearer
+  /// than the share `of_faces` of the distance at which contact with markers begins.
+  TangentPlanes(const Surroundings<Dim>& around, bool sees_faces);
+
+  static constexpr double of_faces = 0.5;
+
+  /// Those that points may come nearer to than `distance` in this step, with as much to spare; `all` are the places of
+  /// the markers and those with halo, `speeds` those of the markers and with halo [m/s]. No communication.
+  std::vector<TangentPlane<Dim>> find(const Points<Dim>& all, const std::vector<double>& speeds, double distance,
+                                      double time, double dt) const;
+  const SeenFaces<Dim>& faces() const { return faces_; }
+  bool sees_faces() const { return sees_faces_; }
+  /// The velocity of the surface at a plane at some time [m/s].
+  Point<Dim> velocity_of_surface(const TangentPlane<Dim>& plane, double time) const;
+
+ private:
+  struct Look;
+  void add_markers(const Look& look, std::vector<TangentPlane<Dim>>& planes) const;
+  void add_faces(const Look& look, std::vector<TangentPlane<Dim>>& planes) const;
+  void add_face(const Look& look, std::size_t face, std::size_t body, std::vector<TangentPlane<Dim>>& planes) const;
+  void add_sides(const TangentPlane<Dim>& marker, double reach, std::vector<TangentPlane<Dim>>& planes) const;
+  void set_plane(const Look& look, TangentPlane<Dim>& plane) const;
+
+  Surroundings<Dim> around_;
+  bool sees_faces_;
+  SeenFaces<Dim> faces_;
+};
+
+extern template class TangentPlanes<2>;
+extern template class TangentPlanes<3>;
+
+}  // namespace washfsi
