@@ -22,7 +22,7 @@ template <int Dim, class Visit>
 void visit_contact(const Forces<Dim>& forces, const Visit& visit) {
   for (const auto& force : forces.list())
     if (auto* contact = dynamic_cast<ContactForce<Dim>*>(force.get()))
-      visit(*contact, std::string("/contact/") + (contact->is_with_bodies() ? "body_distances" : "distances"));
+      visit(*contact, contact->is_with_bodies() ? "/body_contact_distances" : "/contact_distances");
 }
 
 }  // namespace
