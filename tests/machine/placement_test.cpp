@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/machine/placement.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "washfsi/body/combinations.hpp"
 #include "washfsi/body/primitives.hpp"
+#include "washfsi/body/repeat_bodies.hpp"
 #include "washfsi/body/vaned.hpp"
 #include "washfsi/machine/plate_mode.hpp"
 #include "washfsi/support/errors.hpp"
@@ -40,13 +43,13 @@ PlacementOptions<2> placed(PlacementRule rule, PetscInt seed = 1) {
   return options;
 }
 
-const Point<2> lower(-0.3456, -0.3456), upper(0.3456, 0.3456);
+const PeriodicSpace<2> space{Point<2>::Constant(-0.3456), Point<2>::Constant(0.6912), {}};
 
 TEST(RandomPlacement, KeepsClearOfBodiesAndOfEachOther) {
   const Cloths<2> cloths(PETSC_COMM_WORLD, {group("long", 10, 0.2592, 24), group("short", 10, 0.1728, 16)});
   const std::vector<Body<2>> bodies = washtub();
   const Points<2> places =
-      place_cloths<2>(cloths, {placed(PlacementRule::random), placed(PlacementRule::random, 2)}, bodies, lower, upper);
+      place_cloths<2>(cloths, {placed(PlacementRule::random), placed(PlacementRule::random, 2)}, bodies, space);
   ASSERT_EQ(places.size(), 400U);
   for (const auto& place : places) EXPECT_GE(nearest_distance<2>(bodies, place, 0), 0.012 - 1e-12);
   for (const Piece& a : cloths.pieces())
@@ -61,12 +64,39 @@ TEST(RandomPlacement, KeepsClearOfBodiesAndOfEachOther) {
     }
 }
 
+// A post on the left side, which is the right one too, between cloths that may lie across it.
+TEST(RandomPlacement, KeepsClearOfImagesBehindPeriodicSides) {
+  const Grid<2> grid(PETSC_COMM_WORLD,
+                     {.cells = {32, 32}, .lower = space.lower, .upper = -space.lower, .periodic = {true, true}});
+  std::vector<Body<2>> post(1);
+  post[0].name = "post";
+  post[0].shape = std::make_unique<Sphere<2>>(0.1);
+  post[0].motion.center = {-0.3456, 0.02};
+  const std::vector<Body<2>> bodies = repeat_bodies<2>(grid, std::move(post));
+  const Cloths<2> cloths(PETSC_COMM_WORLD, {group("towel", 12, 0.2592, 24)});
+  PlacementOptions<2> options = placed(PlacementRule::random);
+  options.radius = 0.6;
+  const Points<2> places = place_cloths<2>(cloths, {options}, bodies, periods_of<2>(grid));
+  const auto images_apart = [](Point<2> apart) {
+    for (int d = 0; d < 2; ++d) apart[d] -= 0.6912 * std::round(apart[d] / 0.6912);
+    return apart.norm();
+  };
+  bool any_beyond = false;
+  for (std::size_t m = 0; m < places.size(); ++m) {
+    any_beyond = any_beyond || places[m].cwiseAbs().maxCoeff() > 0.3456;
+    EXPECT_GE(images_apart(places[m] - bodies[0].motion.center), 0.112 - 1e-12);
+    for (std::size_t other = 24 * (m / 24 + 1); other < places.size(); ++other)
+      EXPECT_GE(images_apart(places[m] - places[other]), 0.012 - 1e-12);
+  }
+  EXPECT_TRUE(any_beyond);
+}
+
 TEST(RandomPlacement, DependsOnTheSeedOnly) {
   const Cloths<2> cloths(PETSC_COMM_WORLD, {group("towel", 5, 0.2, 10)});
   const std::vector<Body<2>> bodies = washtub();
-  const Points<2> first = place_cloths<2>(cloths, {placed(PlacementRule::random, 7)}, bodies, lower, upper);
-  EXPECT_EQ(first, place_cloths<2>(cloths, {placed(PlacementRule::random, 7)}, bodies, lower, upper));
-  EXPECT_NE(first, place_cloths<2>(cloths, {placed(PlacementRule::random, 8)}, bodies, lower, upper));
+  const Points<2> first = place_cloths<2>(cloths, {placed(PlacementRule::random, 7)}, bodies, space);
+  EXPECT_EQ(first, place_cloths<2>(cloths, {placed(PlacementRule::random, 7)}, bodies, space));
+  EXPECT_NE(first, place_cloths<2>(cloths, {placed(PlacementRule::random, 8)}, bodies, space));
 }
 
 TEST(Placement, StartsAllClothsUnstretched) {
@@ -76,19 +106,19 @@ TEST(Placement, StartsAllClothsUnstretched) {
     PlacementOptions<2> options = placed(rule);
     options.center =
         rule == PlacementRule::radial || rule == PlacementRule::random ? Point<2>(0, 0) : Point<2>(-0.15, 0);
-    const Points<2> places = place_cloths<2>(cloths, {options}, {}, lower, upper);
+    const Points<2> places = place_cloths<2>(cloths, {options}, {}, space);
     for (std::size_t k = 1; k < 8; ++k) EXPECT_NEAR((places[k] - places[k - 1]).norm(), 0.01, 1e-15) << name_of(rule);
   }
 }
 
 TEST(Placement, RefusesClothInASolid) {
   const Cloths<2> cloths(PETSC_COMM_WORLD, {group("towel", 1, 0.2, 10)});
-  EXPECT_THROW((void)place_cloths<2>(cloths, {placed(PlacementRule::line)}, washtub(), lower, upper), InputError);
+  EXPECT_THROW((void)place_cloths<2>(cloths, {placed(PlacementRule::line)}, washtub(), space), InputError);
 }
 
 TEST(RandomPlacement, SaysSoWhenThereIsNoRoom) {
   const Cloths<2> cloths(PETSC_COMM_WORLD, {group("carpet", 1, 0.7, 10)});
-  EXPECT_THROW((void)place_cloths<2>(cloths, {placed(PlacementRule::random)}, washtub(), lower, upper), InputError);
+  EXPECT_THROW((void)place_cloths<2>(cloths, {placed(PlacementRule::random)}, washtub(), space), InputError);
 }
 
 FlatCloth<3> rectangle(const Point<3>& middle, const Eigen::Matrix3d& axes = Eigen::Matrix3d::Identity()) {
@@ -128,7 +158,7 @@ ClothGroup<3> towels(PetscInt count) {
   return result;
 }
 
-const Point<3> floor_corner(-0.36, -0.36, 0), lid_corner(0.36, 0.36, 0.24);
+const PeriodicSpace<3> tub_space{Point<3>(-0.36, -0.36, 0), Point<3>(0.72, 0.72, 0.24), {}};
 
 PlacementOptions<3> in_the_tub(PlacementRule rule, double height) {
   PlacementOptions<3> options;
@@ -146,7 +176,7 @@ TEST(Placement, StartsSheetsUnstretched) {
     options.tilt = 0.05;
     options.distance = 0.01;
     if (options.rule == PlacementRule::line) options.center[0] = -0.25;
-    const Points<3> places = place_cloths<3>(cloths, {options}, {}, floor_corner, lid_corner);
+    const Points<3> places = place_cloths<3>(cloths, {options}, {}, tub_space);
     ASSERT_EQ(places.size(), 120U);
     for (std::size_t k = 0; k < 30; ++k) {
       if (k % 5 > 0) {
@@ -164,8 +194,7 @@ TEST(Placement, LaysCornersOfNodalLatticesOnTheEdges) {
   ClothGroup<3> cloth = towels(1);
   cloth.sheet.lattice = MarkerLattice::nodal;
   const Cloths<3> cloths(PETSC_COMM_WORLD, {cloth});
-  const Points<3> places =
-      place_cloths<3>(cloths, {in_the_tub(PlacementRule::line, 0.1)}, {}, floor_corner, lid_corner);
+  const Points<3> places = place_cloths<3>(cloths, {in_the_tub(PlacementRule::line, 0.1)}, {}, tub_space);
   for (const std::size_t k : {0U, 4U, 25U, 29U})
     EXPECT_LE((places[k] - Point<3>(k < 25 ? -0.075 : 0.075, k % 5 == 0 ? -0.06 : 0.06, 0.1)).norm(), 1e-16) << k;
 }
@@ -177,7 +206,7 @@ TEST(Placement, RefiningANodalFibreKeepsItsNodes) {
     fibre.shape = ClothShape::mode;
     PlacementOptions<2> options = placed(PlacementRule::line);
     options.direction = {1, 2};
-    return place_cloths<2>(Cloths<2>(PETSC_COMM_WORLD, {fibre}), {options}, {}, lower, upper);
+    return place_cloths<2>(Cloths<2>(PETSC_COMM_WORLD, {fibre}), {options}, {}, space);
   };
   const Points<2> coarse = places_of(9), fine = places_of(17);
   for (std::size_t k = 0; k < 9; ++k) EXPECT_LE((coarse[k] - fine[2 * k]).norm(), 1e-16) << k;
@@ -187,7 +216,7 @@ TEST(RadialPlacement, StandsFinsRoundThePost) {
   const Cloths<3> cloths(PETSC_COMM_WORLD, {towels(8)});
   PlacementOptions<3> options = in_the_tub(PlacementRule::radial, 0.1);
   options.inner_radius = 0.1;
-  const Points<3> places = place_cloths<3>(cloths, {options}, {}, floor_corner, lid_corner);
+  const Points<3> places = place_cloths<3>(cloths, {options}, {}, tub_space);
   for (std::size_t cloth = 0; cloth < 8; ++cloth) {
     const Point<3> first = places[30 * cloth], out = places[30 * cloth + 25], up = places[30 * cloth + 4];
     EXPECT_NEAR(first.head<2>().norm(), 0.1 + 0.0125, 1e-12);
@@ -202,7 +231,7 @@ TEST(RandomPlacement, KeepsSheetsApart) {
   PlacementOptions<3> options = in_the_tub(PlacementRule::random, 0.12);
   options.clearance = 0.008;
   options.seed = 5;
-  const Points<3> places = place_cloths<3>(cloths, {options}, {}, floor_corner, lid_corner);
+  const Points<3> places = place_cloths<3>(cloths, {options}, {}, tub_space);
   for (std::size_t a = 0; a < places.size(); ++a)
     for (std::size_t b = a + 1; b < places.size(); ++b)
       if (a / 30 != b / 30) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "washfsi/body/images.hpp"
 #include "washfsi/body/motion.hpp"
 #include "washfsi/body/shape.hpp"
 
@@ -32,17 +33,21 @@ struct BodyTreatment {
   static BodyTreatment from_options(Options& options);
 };
 
+template <int Dim>
+class PosedBody;
+
 /// A named solid: a shape that moves rigidly.
 template <int Dim>
 struct Body {
   std::string name;
   ShapePtr<Dim> shape;
   RigidMotion<Dim> motion;
+  Repeats<Dim> repeats = {};  ///< along periodic sides, see `repeat_bodies`
 
-  /// Signed distance Phi [m]: negative in the solid.
-  double distance(const Point<Dim>& place, double time) const {
-    return shape->distance(motion.in_body_frame(place, time));
-  }
+  /// As it is at one moment. The body must outlive it.
+  PosedBody<Dim> at(double time) const { return {*this, time}; }
+  /// Signed distance Phi from the nearest image [m]: negative in the solid.
+  double distance(const Point<Dim>& place, double time) const { return at(time).distance(place); }
 
   /// `sample_spacing` [m]: default for shapes that are kept on a lattice. Errors: InputError. Collective.
   static Body from_options(Options& options, const std::string& name, double sample_spacing);
@@ -56,23 +61,67 @@ std::vector<typename RigidMotion<Dim>::State> motions_at(const std::vector<Body<
   return states;
 }
 
+/// A body at one moment, for many places. Where it repeats itself, places are taken beside the image that is nearest.
+template <int Dim>
+class PosedBody {
+ public:
+  using State = typename RigidMotion<Dim>::State;
+
+  PosedBody(const Body<Dim>& body, double time)
+      : shape_(body.shape.get()),
+        motion_(body.motion.state(time)),
+        pose_(Pose<Dim>::at(motion_.center, motion_.angle)),
+        images_(body.repeats, pose_) {}
+
+  const State& motion() const { return motion_; }
+  const Pose<Dim>& pose() const { return pose_; }
+  /// Signed distance [m]: negative in the solid.
+  double distance(const Point<Dim>& place) const { return nearest(place).distance; }
+  /// Which image is nearest: how many periods from the body itself.
+  Index<Dim> image(const Point<Dim>& place) const { return images_.any() ? nearest(place).image : Index<Dim>{}; }
+  /// How far it is to its next image, about [m]; infinite without one.
+  double gap() const { return images_.gap(); }
+  /// Where the body itself has what its nearest image has at a place.
+  Point<Dim> beside(const Point<Dim>& place) const {
+    return images_.any() ? Point<Dim>(place - images_.shift(nearest(place).image)) : place;
+  }
+  /// From the centre of the nearest image [m].
+  Point<Dim> arm(const Point<Dim>& place) const { return beside(place) - motion_.center; }
+  /// Of the body's material at a place [m/s, m/s2].
+  Point<Dim> velocity(const Point<Dim>& place) const { return motion_.velocity_at(turns() ? beside(place) : place); }
+  Point<Dim> acceleration(const Point<Dim>& place) const {
+    return motion_.acceleration_at(turns() ? beside(place) : place);
+  }
+
+ private:
+  typename Images<Dim>::Nearest nearest(const Point<Dim>& place) const {
+    return images_.nearest(place,
+                           [&](const Point<Dim>& beside) { return shape_->distance(pose_.in_body_frame(beside)); });
+  }
+  bool turns() const { return motion_.angular_velocity != 0 || motion_.angular_acceleration != 0; }
+
+  const Shape<Dim>* shape_;
+  State motion_;
+  Pose<Dim> pose_;
+  Images<Dim> images_;
+};
+
 /// All bodies at one moment, for many places.
 template <int Dim>
 class PosedBodies {
  public:
   /// The bodies must outlive it.
-  PosedBodies(const std::vector<Body<Dim>>& bodies, double time) : bodies_(bodies), motions_(motions_at(bodies, time)) {
-    for (const auto& body : bodies) poses_.push_back(body.motion.pose(time));
+  PosedBodies(const std::vector<Body<Dim>>& bodies, double time) {
+    for (const auto& body : bodies) bodies_.push_back(body.at(time));
   }
   std::size_t size() const { return bodies_.size(); }
-  const typename RigidMotion<Dim>::State& motion(std::size_t body) const { return motions_[body]; }
+  const PosedBody<Dim>& operator[](std::size_t body) const { return bodies_[body]; }
+  const typename RigidMotion<Dim>::State& motion(std::size_t body) const { return bodies_[body].motion(); }
   /// Signed distance of one body [m]: negative in the solid.
-  double distance(std::size_t body, const Point<Dim>& place) const {
-    return bodies_[body].shape->distance(poses_[body].in_body_frame(place));
-  }
-  Point<Dim> in_space(std::size_t body, const Point<Dim>& arm) const { return poses_[body].in_space(arm); }
+  double distance(std::size_t body, const Point<Dim>& place) const { return bodies_[body].distance(place); }
+  Point<Dim> in_space(std::size_t body, const Point<Dim>& arm) const { return bodies_[body].pose().in_space(arm); }
   Point<Dim> in_body_frame(std::size_t body, const Point<Dim>& place) const {
-    return poses_[body].in_body_frame(place);
+    return bodies_[body].pose().in_body_frame(place);
   }
   /// Unit vector out of a body: the direction in which its distance grows, over differences of `step` [m].
   Point<Dim> normal(std::size_t body, const Point<Dim>& place, double step) const {
@@ -91,9 +140,7 @@ class PosedBodies {
   }
 
  private:
-  const std::vector<Body<Dim>>& bodies_;
-  std::vector<typename RigidMotion<Dim>::State> motions_;
-  std::vector<typename RigidMotion<Dim>::Pose> poses_;
+  std::vector<PosedBody<Dim>> bodies_;
 };
 
 /// All bodies named by -bodies, in a grid whose smallest cell is `cell` wide [m]. Errors: InputError. Collective.

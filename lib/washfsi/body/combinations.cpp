@@ -7,6 +7,17 @@
 
 namespace washfsi {
 
+namespace {
+
+template <int Dim>
+std::vector<Extent<Dim>> extents_of(const ShapeList<Dim>& parts) {
+  std::vector<Extent<Dim>> extents;
+  for (const auto& part : parts) extents.push_back(part->extent());
+  return extents;
+}
+
+}  // namespace
+
 template <int Dim>
 double Union<Dim>::distance(const Point<Dim>& place) const {
   double least = std::numeric_limits<double>::max();
@@ -15,10 +26,20 @@ double Union<Dim>::distance(const Point<Dim>& place) const {
 }
 
 template <int Dim>
+Extent<Dim> Union<Dim>::extent() const {
+  return Extent<Dim>::of_union(extents_of(parts_));
+}
+
+template <int Dim>
 double Intersection<Dim>::distance(const Point<Dim>& place) const {
   double largest = std::numeric_limits<double>::lowest();
   for (const auto& part : parts_) largest = std::max(largest, part->distance(place));
   return largest;
+}
+
+template <int Dim>
+Extent<Dim> Intersection<Dim>::extent() const {
+  return Extent<Dim>::of_intersection(extents_of(parts_));
 }
 
 template <int Dim>
@@ -32,6 +53,13 @@ double Repeated<Dim>::distance(const Point<Dim>& place) const {
   double least = std::numeric_limits<double>::max();
   for (const auto& pose : poses_) least = std::min(least, inner_->distance(pose.in_body_frame(place)));
   return least;
+}
+
+template <int Dim>
+Extent<Dim> Repeated<Dim>::extent() const {
+  std::vector<Extent<Dim>> extents;
+  for (const auto& pose : poses_) extents.push_back(inner_->extent().in_space(pose));
+  return Extent<Dim>::of_union(extents);
 }
 
 template <int Dim>

@@ -15,6 +15,7 @@ class Union : public Shape<Dim> {
  public:
   explicit Union(ShapeList<Dim> parts) : parts_(std::move(parts)) {}
   double distance(const Point<Dim>& place) const override;
+  Extent<Dim> extent() const override;
   void add_parts(const Pose<Dim>& pose, std::vector<typename Shape<Dim>::Part>& parts) const override {
     for (const auto& part : parts_) part->add_parts(pose, parts);
   }
@@ -29,6 +30,7 @@ class Intersection : public Shape<Dim> {
  public:
   explicit Intersection(ShapeList<Dim> parts) : parts_(std::move(parts)) {}
   double distance(const Point<Dim>& place) const override;
+  Extent<Dim> extent() const override;
 
  private:
   ShapeList<Dim> parts_;  ///< at least one
@@ -40,6 +42,7 @@ class Inverted : public Shape<Dim> {
  public:
   explicit Inverted(ShapePtr<Dim> inner) : inner_(std::move(inner)) {}
   double distance(const Point<Dim>& place) const override { return -inner_->distance(place); }
+  Extent<Dim> extent() const override { return inner_->extent().inverted(); }
 
  private:
   ShapePtr<Dim> inner_;
@@ -51,6 +54,7 @@ class Rounded : public Shape<Dim> {
  public:
   Rounded(ShapePtr<Dim> inner, double radius) : inner_(std::move(inner)), radius_(radius) {}
   double distance(const Point<Dim>& place) const override { return inner_->distance(place) - radius_; }
+  Extent<Dim> extent() const override { return inner_->extent().grown(radius_); }
 
  private:
   ShapePtr<Dim> inner_;
@@ -63,6 +67,7 @@ class Placed : public Shape<Dim> {
  public:
   Placed(ShapePtr<Dim> inner, const Pose<Dim>& pose) : inner_(std::move(inner)), pose_(pose) {}
   double distance(const Point<Dim>& place) const override { return inner_->distance(pose_.in_body_frame(place)); }
+  Extent<Dim> extent() const override { return inner_->extent().in_space(pose_); }
   void add_parts(const Pose<Dim>& pose, std::vector<typename Shape<Dim>::Part>& parts) const override {
     inner_->add_parts(pose.in_space(pose_), parts);
   }
@@ -78,6 +83,7 @@ class Repeated : public Shape<Dim> {
  public:
   Repeated(ShapePtr<Dim> inner, int copies);
   double distance(const Point<Dim>& place) const override;
+  Extent<Dim> extent() const override;
   void add_parts(const Pose<Dim>& pose, std::vector<typename Shape<Dim>::Part>& parts) const override {
     for (const auto& copy : poses_) inner_->add_parts(pose.in_space(copy), parts);
   }

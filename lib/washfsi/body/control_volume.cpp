@@ -11,7 +11,7 @@ namespace washfsi {
 
 namespace {
 
-constexpr double width_in_cells = 16;
+constexpr double width_in_cells = 16, least_width_in_cells = 4;
 
 /// From 1 for x <= 1/4 to 0 for x >= 3/4, with two continuous derivatives.
 double smooth_step(double x) {
@@ -34,12 +34,13 @@ ControlVolumes<Dim>::ControlVolumes(const Grid<Dim>& grid, const Boundary<Dim>& 
     : grid_(grid),
       boundary_(boundary),
       bodies_(bodies),
-      width_(width_in_cells * grid.spacing().maxCoeff()),
       all_at_rest_(std::all_of(bodies.begin(), bodies.end(), [](const auto& body) { return body.motion.at_rest(); })),
       weights_(bodies.size()),
       mean_velocity_(grid.face_vector()) {
   const PosedBodies<Dim> posed(bodies_, 0);
+  const double cell = grid.spacing().maxCoeff();
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    widths_.push_back(std::max(std::min(width_in_cells * cell, 0.5 * posed[b].gap()), least_width_in_cells * cell));
     WASH_PETSC(DMCreateLocalVector(grid.cell_dm(), weights_[b].put()));
     weigh(posed, b, weights_[b]);
   }
@@ -62,7 +63,7 @@ double ControlVolumes<Dim>::weight_at(const PosedBodies<Dim>& posed, std::size_t
     if (b < body || (b > body && own > 0)) others = std::min(others, posed.distance(b, place));
   const bool held_by_earlier = own <= 0 && body > 0 && others <= 0 && grid_.contains(place);
   if (own <= 0) return held_by_earlier ? 0 : 1;
-  return others <= 0 ? 0 : smooth_step(own / std::min(own + others, width_));
+  return others <= 0 ? 0 : smooth_step(own / std::min(own + others, widths_[body]));
 }
 
 template <int Dim>
@@ -71,7 +72,8 @@ void ControlVolumes<Dim>::weigh(const PosedBodies<Dim>& posed, std::size_t body,
   const CellView<Dim> w(grid_.cell_dm(), weight);
   const auto weigh_cell = [&](const Index<Dim>& cell) { w(cell) = weight_at(posed, body, grid_.cell_center(cell)); };
   subdivide<Dim>(
-      grid_, grid_.owned().widened(), width_, [&](const Point<Dim>& place) { return posed.distance(body, place); },
+      grid_, grid_.owned().widened(), widths_[body],
+      [&](const Point<Dim>& place) { return posed.distance(body, place); },
       [&](const Box<Dim>& part, int sign) {
         if (sign < 0) for_each<Dim>(part, weigh_cell);
       },
@@ -88,9 +90,9 @@ Loads<Dim> ControlVolumes<Dim>::loads(const Step& step) {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     if (!all_at_rest_) weigh(posed, b, weights_[b]);
     with_viscosity<Dim>(grid_, step.viscosity, [&](const auto& viscosity) {
-      add_stress(step, viscosity, weights_[b], local_velocity, bodies_[b].motion.center_at(middle), loads[b]);
+      add_stress(step, viscosity, weights_[b], local_velocity, posed[b], loads[b]);
     });
-    add_inertia(step, weights_[b], bodies_[b].motion, loads[b]);
+    add_inertia(step, weights_[b], posed[b], loads[b]);
   }
   return ordered_sum<Dim>(grid_.comm(), loads);
 }
@@ -98,7 +100,7 @@ Loads<Dim> ControlVolumes<Dim>::loads(const Step& step) {
 template <int Dim>
 template <class Form>
 void ControlVolumes<Dim>::add_stress(const Step& step, const Form& viscosity, Vec weight, Vec local_velocity,
-                                     const Point<Dim>& center, Load<Dim>& load) const {
+                                     const PosedBody<Dim>& body, Load<Dim>& load) const {
   const ConstCellView<Dim> w(grid_.cell_dm(), weight), p(grid_.cell_dm(), step.pressure);
   const ConstFaceView<Dim> u(grid_.face_dm(), local_velocity), rho(grid_.face_dm(), step.density);
   const Point<Dim> h = grid_.spacing();
@@ -112,19 +114,16 @@ void ControlVolumes<Dim>::add_stress(const Step& step, const Form& viscosity, Ve
     const Gradient<Dim> rate = velocity_gradient<Dim>(u, cell, spacing);
     const Point<Dim> viscous = viscosity.scale * viscosity.in_cell(cell) * (rate + rate.transpose()) * slope;
     const Point<Dim> carried = rho(cell, 0) * velocity.dot(slope) * velocity;
-    load.add(grid_.cell_center(cell) - center, grid_.cell_volume() * (carried + p(cell) * slope - viscous));
+    load.add(body.arm(grid_.cell_center(cell)), grid_.cell_volume() * (carried + p(cell) * slope - viscous));
   });
 }
 
 template <int Dim>
-void ControlVolumes<Dim>::add_inertia(const Step& step, Vec weight, const RigidMotion<Dim>& motion,
-                                      Load<Dim>& load) const {
+void ControlVolumes<Dim>::add_inertia(const Step& step, Vec weight, const PosedBody<Dim>& body, Load<Dim>& load) const {
   const ConstCellView<Dim> w(grid_.cell_dm(), weight);
   const ConstFaceView<Dim> before(grid_.face_dm(), step.velocity_before), after(grid_.face_dm(), step.velocity);
   const ConstFaceView<Dim> rho(grid_.face_dm(), step.density), f(grid_.face_dm(), step.force);
   const ConstFaceView<Dim> fraction(grid_.face_dm(), step.fluid_fraction);
-  const double middle = step.time - 0.5 * step.dt;
-  const Point<Dim> center = motion.center_at(middle);
   grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
     const double share = 0.5 * (w(face) + w(shifted<Dim>(face, c, -1)));
     if (share == 0) return;
@@ -132,10 +131,10 @@ void ControlVolumes<Dim>::add_inertia(const Step& step, Vec weight, const RigidM
     double inertia = f(face, c) - step.mean_gradient[c] - rho(face, c) * (after(face, c) - before(face, c)) / step.dt;
     inertia *= share;
     if (share == 1 && fraction(face, c) < 1)
-      inertia += (1 - fraction(face, c)) * rho(face, c) * motion.acceleration(place, middle)[c];
+      inertia += (1 - fraction(face, c)) * rho(face, c) * body.acceleration(place)[c];
     Point<Dim> part = Point<Dim>::Zero();
     part[c] = grid_.cell_volume() * inertia;
-    load.add(place - center, part);
+    load.add(body.arm(place), part);
   });
 }
 

@@ -36,15 +36,16 @@ class ControlVolumes {
   double weight_at(const PosedBodies<Dim>& posed, std::size_t body, const Point<Dim>& place) const;
   double distance_to_sides(const Point<Dim>& place) const;
   template <class Form>
-  void add_stress(const Step& step, const Form& viscosity, Vec weight, Vec local_velocity, const Point<Dim>& center,
+  void add_stress(const Step& step, const Form& viscosity, Vec weight, Vec local_velocity, const PosedBody<Dim>& body,
                   Load<Dim>& load) const;
-  void add_inertia(const Step& step, Vec weight, const RigidMotion<Dim>& motion, Load<Dim>& load) const;
+  void add_inertia(const Step& step, Vec weight, const PosedBody<Dim>& body, Load<Dim>& load) const;
 
   const Grid<Dim>& grid_;
   const Boundary<Dim>& boundary_;
   const std::vector<Body<Dim>>& bodies_;
-  double width_;  ///< of the layer round a body in which its weight falls [m]
   bool all_at_rest_;
+  /// Of the layer round each body in which its weight falls: it ends before the middle of the way to an image [m].
+  std::vector<double> widths_;
   std::vector<petsc::Vector> weights_;  ///< of each body, in cells, local
   petsc::Vector mean_velocity_;
 };

@@ -16,6 +16,7 @@ namespace washfsi {
 namespace {
 
 constexpr double deep_inside = -std::numeric_limits<double>::max();
+constexpr double rounding = 1e-9;  // [cells], so that what lies on a surface does so wherever the body is
 
 double smoothing_of(const BodyTreatment& treatment, double cell) {
   if (treatment.method == BodyMethod::direct_forcing) return cell;
@@ -36,13 +37,13 @@ Mask<Dim>::Mask(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies, con
   create_fields();
   const PosedBodies<Dim> posed(bodies_, 0);
   for (std::size_t b = 0; b < bodies_.size(); ++b)
-    if (bodies_[b].motion.at_rest()) place(posed, b, 0);
+    if (bodies_[b].motion.at_rest()) place(posed, b);
   if (any_moves_) {
     resting_fraction_ = petsc::copy_of(fraction_);
     if (share_) resting_share_ = petsc::copy_of(share_);
     resting_body_ = petsc::copy_of(body_);
   }
-  if (treatment_.method == BodyMethod::cut_stencil) find_cuts(posed, 0);
+  if (treatment_.method == BodyMethod::cut_stencil) find_cuts(posed);
   update(0);
 }
 
@@ -70,8 +71,8 @@ void Mask<Dim>::update(double time) {
   WASH_PETSC(VecCopy(resting_body_, body_));
   WASH_PETSC(VecZeroEntries(solid_velocity_));
   for (std::size_t b = 0; b < bodies_.size(); ++b)
-    if (!bodies_[b].motion.at_rest()) place(posed, b, time);
-  if (treatment_.method == BodyMethod::cut_stencil) find_cuts(posed, time);
+    if (!bodies_[b].motion.at_rest()) place(posed, b);
+  if (treatment_.method == BodyMethod::cut_stencil) find_cuts(posed);
 }
 
 template <int Dim>
@@ -86,7 +87,8 @@ void Mask<Dim>::count_as_water(Vec near) {
 // H as a function of the signed distance (thesis 4.2).
 template <int Dim>
 double Mask<Dim>::fraction_at(double distance) const {
-  if (std::abs(distance) >= smoothing_) return distance > 0 ? 1 : distance < 0 ? 0 : 0.5;
+  const double on_surface = rounding * grid_.spacing().minCoeff();
+  if (std::abs(distance) >= smoothing_) return distance > on_surface ? 1 : distance < -on_surface ? 0 : 0.5;
   const double x = distance / smoothing_;
   return 0.5 * (1 + x + std::sin(std::numbers::pi * x) / std::numbers::pi);
 }
@@ -121,18 +123,17 @@ void Mask<Dim>::for_each_inside(const PosedBodies<Dim>& posed, std::size_t body,
 
 // Where bodies overlap, a face is held by the one that leaves the water least; among equals, by the one named first.
 template <int Dim>
-void Mask<Dim>::place(const PosedBodies<Dim>& posed, std::size_t body, double time) {
+void Mask<Dim>::place(const PosedBodies<Dim>& posed, std::size_t body) {
   const FaceView<Dim> share(grid_.face_dm(), fluid_share()), solid(grid_.face_dm(), solid_velocity_);
   const FaceView<Dim> holder(grid_.face_dm(), body_), fraction(grid_.face_dm(), fraction_);
   const bool moves = !bodies_[body].motion.at_rest();
-  const auto motion = bodies_[body].motion.state(time);
   const auto number = static_cast<double>(body);
   const auto hold = [&](const Index<Dim>& face, int c, const Point<Dim>& place, double distance) {
     const double H = fraction_at(distance), before = share(face, c);
     if (H == 1 || H > before || (H == before && holder(face, c) < number)) return;
     share(face, c) = H;
     holder(face, c) = number;
-    solid(face, c) = moves ? motion.velocity_at(place)[c] : 0;
+    solid(face, c) = moves ? posed[body].velocity(place)[c] : 0;
   };
   for_each_inside(posed, body, smoothing_, hold);
   const double held = held_depths_[body];
@@ -153,7 +154,7 @@ Covered<Dim> Mask<Dim>::covered(const Point<Dim>& place, const Point<Dim>& own, 
     const double H = fraction_at(posed.distance(b, place));
     if (H >= least) continue;
     least = H;
-    velocity = H * own + (1 - H) * posed.motion(b).velocity_at(place);
+    velocity = H * own + (1 - H) * posed[b].velocity(place);
     if (H == 0) break;
   }
   return {velocity, 1 - least};
@@ -182,7 +183,7 @@ Constraint<Dim> Mask<Dim>::constraint() const {
 }
 
 template <int Dim>
-void Mask<Dim>::find_cuts(const PosedBodies<Dim>& posed, double time) {
+void Mask<Dim>::find_cuts(const PosedBodies<Dim>& posed) {
   constexpr double shortest = 1e-3;
   const petsc::LocalVector local_body(grid_.face_dm(), body_);
   const ConstFaceView<Dim> near_body(grid_.face_dm(), local_body);
@@ -198,7 +199,7 @@ void Mask<Dim>::find_cuts(const PosedBodies<Dim>& posed, double time) {
     const double here = posed.distance(body, from), there = posed.distance(body, to);
     const double length = std::max(shortest, here / (here - there));
     holder(cut.face, cut.component) = static_cast<double>(body);  // what holds this face back is the body's load
-    return {true, length, bodies_[body].motion.velocity(from + length * (to - from), time)[cut.component]};
+    return {true, length, posed[body].velocity(from + length * (to - from))[cut.component]};
   };
   grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
     if (near_body(face, c) >= 0) return;
@@ -229,7 +230,7 @@ void Mask<Dim>::extrapolate(Vec local_velocity, double time) {
     if (depth > reach) return;
     const Point<Dim> normal = posed.normal(body, place, 1e-3 * reach);
     const Point<Dim> wall = place + depth * normal, probe = wall + reach * normal;
-    const double wall_velocity = bodies_[body].motion.velocity(wall, time)[c];
+    const double wall_velocity = posed[body].velocity(wall)[c];
     held(face, c) = wall_velocity + depth / reach * (wall_velocity - interpolate_face<Dim>(grid_, u, probe, c));
   });
 }

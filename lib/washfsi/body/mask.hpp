@@ -79,11 +79,11 @@ class Mask {
   void create_fields();
   template <class Visit>
   void for_each_inside(const PosedBodies<Dim>& posed, std::size_t body, double reach, const Visit& visit) const;
-  void place(const PosedBodies<Dim>& posed, std::size_t body, double time);
+  void place(const PosedBodies<Dim>& posed, std::size_t body);
   double fraction_at(double distance) const;
   Covered<Dim> covered(const Point<Dim>& place, const Point<Dim>& own, const PosedBodies<Dim>& posed,
                        bool by_moving) const;
-  void find_cuts(const PosedBodies<Dim>& posed, double time);
+  void find_cuts(const PosedBodies<Dim>& posed);
   void add_constraint_force(Vec constraint_force, Vec density, double time, Loads<Dim>& loads) const;
   void add_wall_pressure(Vec pressure, double time, Loads<Dim>& loads) const;
   template <class Form>

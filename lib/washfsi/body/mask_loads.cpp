@@ -10,26 +10,27 @@ namespace washfsi {
 
 namespace {
 
-/// Sums forces on faces body by body. Arms are counted in cells from the grid's lower corner until all is summed.
+/// Sums forces on faces body by body. Arms are counted in cells from the grid's lower corner until all is summed, those
+/// beside an image of a body as if they were beside itself.
 template <int Dim>
 class FaceForces {
  public:
-  explicit FaceForces(std::size_t bodies) : sums_(bodies) {}
+  FaceForces(const Grid<Dim>& grid, const PosedBodies<Dim>& posed) : grid_(grid), posed_(posed), sums_(posed.size()) {}
 
   void add(std::size_t body, const Index<Dim>& face, int axis, double force) {
     Sum& sum = sums_[body][axis];
     sum.force += force;
-    for (int d = 0; d < Dim; ++d) sum.moments[d] += static_cast<double>(face[d]) * force;
+    const Index<Dim> image = posed_[body].image(grid_.face_center(face, axis));
+    for (int d = 0; d < Dim; ++d) sum.moments[d] += static_cast<double>(face[d] - image[d] * grid_.cells()[d]) * force;
   }
 
   // Adds them about the bodies' centres.
-  void add_to(Loads<Dim>& loads, const Grid<Dim>& grid,
-              const std::vector<typename RigidMotion<Dim>::State>& motions) const {
+  void add_to(Loads<Dim>& loads) const {
     for (std::size_t b = 0; b < sums_.size(); ++b)
       for (int axis = 0; axis < Dim; ++axis) {
         const auto& [force, moments] = sums_[b][axis];
-        const Point<Dim> arm = grid.face_center(Index<Dim>{}, axis) - motions[b].center;
-        const Point<Dim> leverage = force * arm + grid.spacing().cwiseProduct(moments);
+        const Point<Dim> arm = grid_.face_center(Index<Dim>{}, axis) - posed_.motion(b).center;
+        const Point<Dim> leverage = force * arm + grid_.spacing().cwiseProduct(moments);
         loads[b].force[axis] += force;
         loads[b].torque += cross<Dim>(leverage, Point<Dim>::Unit(axis));
       }
@@ -40,6 +41,8 @@ class FaceForces {
     double force = 0;
     Point<Dim> moments = Point<Dim>::Zero();  ///< over cells' widths
   };
+  const Grid<Dim>& grid_;
+  const PosedBodies<Dim>& posed_;
   std::vector<std::array<Sum, Dim>> sums_;
 };
 
@@ -49,19 +52,19 @@ template <int Dim>
 void Mask<Dim>::add_constraint_force(Vec constraint_force, Vec density, double time, Loads<Dim>& loads) const {
   const ConstFaceView<Dim> f(grid_.face_dm(), constraint_force), rho(grid_.face_dm(), density);
   const ConstFaceView<Dim> holder(grid_.face_dm(), body_), fraction(grid_.face_dm(), fluid_share());
-  const auto motions = motions_at(bodies_, time);
+  const PosedBodies<Dim> posed(bodies_, time);
   std::vector<char> move;
   for (const auto& body : bodies_) move.push_back(body.motion.at_rest() ? 0 : 1);
-  FaceForces<Dim> forces(bodies_.size());
+  FaceForces<Dim> forces(grid_, posed);
   grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
     if (holder(face, c) < 0) return;
     const auto b = static_cast<std::size_t>(holder(face, c));
     double force = -f(face, c);
     if (move[b] && fraction(face, c) < 1)
-      force += (1 - fraction(face, c)) * rho(face, c) * motions[b].acceleration_at(grid_.face_center(face, c))[c];
+      force += (1 - fraction(face, c)) * rho(face, c) * posed[b].acceleration(grid_.face_center(face, c))[c];
     forces.add(b, face, c, grid_.cell_volume() * force);
   });
-  forces.add_to(loads, grid_, motions);
+  forces.add_to(loads);
 }
 
 template <int Dim>
@@ -70,14 +73,15 @@ Loads<Dim> Mask<Dim>::inner_momentum(Vec velocity, Vec density, double time) con
   const ConstFaceView<Dim> u(grid_.face_dm(), velocity), rho(grid_.face_dm(), density);
   const ConstFaceView<Dim> holder(grid_.face_dm(), body_), fraction(grid_.face_dm(), fluid_share());
   const ConstFaceView<Dim> solid(grid_.face_dm(), solid_velocity_);
-  FaceForces<Dim> sums(bodies_.size());
+  const PosedBodies<Dim> posed(bodies_, time);
+  FaceForces<Dim> sums(grid_, posed);
   grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
     if (holder(face, c) < 0 || fraction(face, c) == 1) return;
     const double speed = u(face, c) - solid(face, c);
     const double inside = grid_.cell_volume() * (1 - fraction(face, c)) * rho(face, c);
     sums.add(static_cast<std::size_t>(holder(face, c)), face, c, inside * speed);
   });
-  sums.add_to(momenta, grid_, motions_at(bodies_, time));
+  sums.add_to(momenta);
   return ordered_sum<Dim>(grid_.comm(), momenta);
 }
 
@@ -95,7 +99,7 @@ void Mask<Dim>::add_wall_pressure(Vec pressure, double time, Loads<Dim>& loads) 
         if (b == bodies_.size()) return;
         Point<Dim> force = Point<Dim>::Zero();
         force[axis] = area * p(cell);
-        loads[b].add(place - posed.motion(b).center, force);
+        loads[b].add(posed[b].arm(place), force);
       });
     }
 }
@@ -142,7 +146,7 @@ void Mask<Dim>::add_hidden_shear(const Boundary<Dim>& boundary, int axis, End en
                                  const Form& viscosity, double time, Loads<Dim>& loads) const {
   const ConstFaceView<Dim> holder(grid_.face_dm(), body_), fraction(grid_.face_dm(), fluid_share());
   const double spacing = grid_.spacing()[axis], area = grid_.cell_volume() / spacing;
-  const auto motions = motions_at(bodies_, time);
+  const PosedBodies<Dim> posed(bodies_, time);
   const int outwards = end == End::upper ? 1 : -1;
   for (int c = 0; c < Dim; ++c) {
     if (c == axis) continue;
@@ -157,7 +161,7 @@ void Mask<Dim>::add_hidden_shear(const Boundary<Dim>& boundary, int axis, End en
       const double mu = viscosity.scale * viscosity.on_side(face, c, axis, outwards);
       const double rate = (u(face, c) - u(shifted<Dim>(face, axis, outwards), c)) / spacing;
       force[c] = share * area * mu * rate;  // on water beside the body it is the water's
-      loads[b].add(place - motions[b].center, force);
+      loads[b].add(posed[b].arm(place), force);
     });
   }
 }

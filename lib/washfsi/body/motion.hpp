@@ -44,6 +44,8 @@ struct RigidMotion {
   bool turns_steadily() const { return !table && !programme && frequency == 0 && translation.isZero(0); }
   /// Whether the centre never moves.
   bool only_turns() const { return table ? table->only_turns() : programme || translation.isZero(0); }
+  /// Whether it ever turns.
+  bool turns() const { return largest_speed(1) > largest_speed(0); }
   /// Time after which the motion repeats [s]; 0 if it does not, as a steady one.
   double period() const;
   /// The shortest time that steps have to see, and the option that gives it; infinite for a steady motion.

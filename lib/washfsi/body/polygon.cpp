@@ -31,6 +31,12 @@ double Polygon::distance(const Point<2>& place) const {
   return (inside ? -1 : 1) * std::sqrt(nearest2);
 }
 
+Extent<2> Polygon::extent() const {
+  Bounds<2> bounds{edges_.front().from, edges_.front().from};
+  for (const Edge& edge : edges_) bounds.include({edge.from, edge.from});
+  return {bounds};
+}
+
 namespace {
 
 double cross_product(const Point<2>& a, const Point<2>& b) {

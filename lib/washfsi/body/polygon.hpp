@@ -15,6 +15,7 @@ class Polygon : public Shape<2> {
   enum class Kind { outline, profile };
   explicit Polygon(Points<2> vertices, Kind kind = Kind::outline);
   double distance(const Point<2>& place) const override;
+  Extent<2> extent() const override;
 
   /// What makes these corners no polygon, in words; empty if nothing does.
   static std::string flaw(const Points<2>& vertices);

@@ -11,6 +11,9 @@ class Sphere : public Shape<Dim> {
  public:
   explicit Sphere(double radius) : radius_(radius) {}
   double distance(const Point<Dim>& place) const override { return place.norm() - radius_; }
+  Extent<Dim> extent() const override {
+    return {Bounds<Dim>::round(Point<Dim>::Zero(), Point<Dim>::Constant(radius_))};
+  }
 
  private:
   double radius_;
@@ -23,6 +26,7 @@ class Cuboid : public Shape<Dim> {
   /// Lengths of its sides [m].
   explicit Cuboid(const Point<Dim>& size) : half_(0.5 * size) {}
   double distance(const Point<Dim>& place) const override;
+  Extent<Dim> extent() const override { return {Bounds<Dim>::round(Point<Dim>::Zero(), half_)}; }
 
  private:
   Point<Dim> half_;
@@ -35,6 +39,7 @@ class HalfSpace : public Shape<Dim> {
   /// `normal` points out of the solid; any length but 0.
   explicit HalfSpace(const Point<Dim>& normal) : normal_(normal.normalized()) {}
   double distance(const Point<Dim>& place) const override { return place.dot(normal_); }
+  Extent<Dim> extent() const override;
 
  private:
   Point<Dim> normal_;
@@ -47,6 +52,10 @@ class Capsule : public Shape<Dim> {
   Capsule(const Point<Dim>& from, const Point<Dim>& to, double radius)
       : from_(from), axis_(to - from), radius_(radius) {}
   double distance(const Point<Dim>& place) const override;
+  Extent<Dim> extent() const override {
+    const Point<Dim> to = from_ + axis_;
+    return Extent<Dim>{{from_.cwiseMin(to), from_.cwiseMax(to)}}.grown(radius_);
+  }
 
  private:
   Point<Dim> from_, axis_;
@@ -55,6 +64,8 @@ class Capsule : public Shape<Dim> {
 
 extern template class Cuboid<2>;
 extern template class Cuboid<3>;
+extern template class HalfSpace<2>;
+extern template class HalfSpace<3>;
 extern template class Capsule<2>;
 extern template class Capsule<3>;
 

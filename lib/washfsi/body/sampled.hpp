@@ -34,6 +34,7 @@ class Sampled : public Shape<Dim> {
   /// One value per point, x first.
   Sampled(const Lattice<Dim>& lattice, std::vector<double> values);
   double distance(const Point<Dim>& place) const override;
+  Extent<Dim> extent() const override { return {{lattice_.lower, upper_}}; }
 
   /// Samples a shape; each rank does a part, and all get the whole. Collective.
   static std::unique_ptr<Sampled> of(MPI_Comm comm, const Shape<Dim>& shape, const Lattice<Dim>& lattice);

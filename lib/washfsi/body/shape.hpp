@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "washfsi/body/extent.hpp"
 #include "washfsi/body/pose.hpp"
 
 namespace washfsi {
@@ -18,6 +19,8 @@ class Shape {
   Shape& operator=(const Shape&) = delete;
   virtual ~Shape() = default;
   virtual double distance(const Point<Dim>& place) const = 0;
+  /// Where it lies in its frame.
+  virtual Extent<Dim> extent() const { return Extent<Dim>::infinite(); }
 
   /// A shape in its place.
   struct Part {

@@ -19,6 +19,13 @@ class Extruded : public Shape<3> {
     return std::hypot(std::max(beyond_outline, 0.0), std::max(beyond_ends, 0.0)) +
            std::min(std::max(beyond_outline, beyond_ends), 0.0);
   }
+  Extent<3> extent() const override {
+    const auto [plan, of_opening] = outline_->extent();
+    Extent<3> result = Extent<3>::infinite();
+    if (!of_opening) result.bounds.lower << plan.lower, -half_height_;
+    if (!of_opening) result.bounds.upper << plan.upper, half_height_;
+    return result;
+  }
 
  private:
   ShapePtr<2> outline_;
@@ -32,6 +39,11 @@ class Revolved : public Shape<3> {
   explicit Revolved(ShapePtr<2> profile) : profile_(std::move(profile)) {}
   double distance(const Point<3>& place) const override {
     return profile_->distance({place.head<2>().norm(), place[2]});
+  }
+  Extent<3> extent() const override {
+    const Bounds<2> profile = profile_->extent().bounds;
+    const double radius = profile.upper[0];
+    return {{{-radius, -radius, profile.lower[1]}, {radius, radius, profile.upper[1]}}};
   }
 
  private:

@@ -15,7 +15,7 @@ bool holds_always(const Body<Dim>& body, const Point<Dim>& place, double spacing
   if (body.distance(place, 0) > 0) return false;
   if (body.motion.at_rest()) return true;
   if (!body.motion.only_turns()) return false;
-  const Point<Dim> arm = place - body.motion.center_at(0);
+  const Point<Dim> arm = body.at(0).arm(place);
   const double radius = arm.template head<2>().norm();
   double angle = 0;
   while (angle < 2 * std::numbers::pi) {

@@ -270,7 +270,7 @@ void Cushion<Dim>::add_reaction(const Plane& plane, const Points<Dim>& all, cons
   if (!plane.counts()) return;
   const Point<Dim> place = around_.grid.folded(plane.place(all));
   if (plane.body < loads.bodies.size())
-    loads.bodies[plane.body].add(place - around_.bodies[plane.body].motion.center_at(time_), reaction);
+    loads.bodies[plane.body].add(around_.bodies[plane.body].at(time_).arm(place), reaction);
   else
     loads.sides[plane.axis][plane.end == End::upper ? 1 : 0].add(place - middle(), reaction);
 }

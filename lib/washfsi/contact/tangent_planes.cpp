@@ -90,8 +90,9 @@ void TangentPlanes<Dim>::set_plane(const Look& look, TangentPlane<Dim>& plane) c
     return;
   }
   const Point<Dim> normal = look.start.normal(plane.body, place, step), foot = place - plane.before * normal;
-  const auto carried = [&](const Point<Dim>& point) {
-    return look.end.in_space(plane.body, look.start.in_body_frame(plane.body, point));
+  const Point<Dim> shift = place - look.start[plane.body].beside(place);  // of the nearest image
+  const auto carried = [&](const Point<Dim>& point) -> Point<Dim> {
+    return look.end.in_space(plane.body, look.start.in_body_frame(plane.body, point - shift)) + shift;
   };
   plane.normal = carried(place) - carried(place - normal);
   plane.distance = plane.normal.dot(place - carried(foot));
@@ -143,7 +144,7 @@ void TangentPlanes<Dim>::add_face(const Look& look, std::size_t number, std::siz
 template <int Dim>
 Point<Dim> TangentPlanes<Dim>::velocity_of_surface(const TangentPlane<Dim>& plane, double time) const {
   const Point<Dim> place = around_.grid.folded(plane.start);
-  if (plane.body < around_.bodies.size()) return around_.bodies[plane.body].motion.velocity(place, time);
+  if (plane.body < around_.bodies.size()) return around_.bodies[plane.body].at(time).velocity(place);
   const Side<Dim>& side = around_.boundary.side(plane.axis, plane.end);
   return side.motion ? side.motion(place, time) : side.velocity;
 }

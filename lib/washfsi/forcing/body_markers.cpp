@@ -43,6 +43,7 @@ BodyMarkers<Dim>::BodyMarkers(const Grid<Dim>& grid, const std::vector<Body<Dim>
   std::vector<Surface<Dim>> surfaces;
   for (const Body<Dim>& body : bodies) {
     layout.inside = InnerWater::of(body, grid, layout.inner_water_slides);
+    for (int d = 0; d < Dim; ++d) layout.period[d] = body.repeats.spans(d) ? body.repeats.period[d] : 0;
     surfaces.push_back({body.shape.get(), region(body), layout});
   }
   by_body_ = surface_markers<Dim>(surfaces);
@@ -69,9 +70,33 @@ void BodyMarkers<Dim>::follow_own(const MarkerLayout<Dim>& layout) {
   seen_.assign(sharp_.size() * bodies_.size(), {Point<Dim>::Zero(), -depth_});
 }
 
-// A body at rest keeps its angle.
+// Where it repeats itself all of it is in the box; where it spans that, one period of it.
 template <int Dim>
 Bounds<Dim> BodyMarkers<Dim>::region(const Body<Dim>& body) const {
+  Bounds<Dim> region = region_of_one(body);
+  const Repeats<Dim>& repeats = body.repeats;
+  const Bounds<Dim>& own = repeats.extent.bounds;
+  const auto take_all = [&](int axis) {
+    if (!repeats.extent.is_finite(axis)) return;
+    region.lower[axis] = own.lower[axis] - 2 * grid_.spacing().maxCoeff();  // with room for seeds
+    region.upper[axis] = own.upper[axis] + 2 * grid_.spacing().maxCoeff();
+  };
+  const auto repeats_along = [&](int axis) { return repeats.period[axis] > 0 && !repeats.spans(axis); };
+  const auto pose = body.motion.pose(0);
+  const bool turned = body.motion.turns() || pose.sine != 0 || pose.cosine != 1;
+  for (int d = 0; d < Dim; ++d) {
+    const bool with_other = d < 2 && turned && (repeats_along(0) || repeats_along(1));
+    if (repeats_along(d) || with_other) take_all(d);
+    if (!repeats.spans(d)) continue;
+    region.lower[d] = -0.5 * repeats.period[d];
+    region.upper[d] = 0.5 * repeats.period[d];
+  }
+  return region;
+}
+
+// A body at rest keeps its angle.
+template <int Dim>
+Bounds<Dim> BodyMarkers<Dim>::region_of_one(const Body<Dim>& body) const {
   const RigidMotion<Dim>& motion = body.motion;
   const Point<Dim> low = grid_.lower(), high = grid_.upper();
   if (motion.at_rest()) {
@@ -96,6 +121,10 @@ bool BodyMarkers<Dim>::is_covered(const PosedBodies<Dim>& posed, std::size_t bod
                                   const Point<Dim>& place) {
   for (std::size_t other = 0; other < posed.size(); ++other) {
     if (other == body) continue;
+    if (bodies_[other].repeats.any()) {  // images do not turn about the body's centre with its frame
+      if (posed.distance(other, place) < -depth_) return true;
+      continue;
+    }
     const Point<Dim> now = posed.in_body_frame(other, place);
     auto& [then, distance] = seen_[(marker - start(own_.begin)) * posed.size() + other];
     if ((now - then).norm() >= std::abs(distance + depth_)) {

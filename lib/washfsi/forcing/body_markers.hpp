@@ -46,6 +46,7 @@ class BodyMarkers {
   State at(const PosedBodies<Dim>& posed, std::size_t patch, std::size_t marker);
 
  private:
+  Bounds<Dim> region_of_one(const Body<Dim>& body) const;
   void follow_own(const MarkerLayout<Dim>& layout);
   bool is_covered(const PosedBodies<Dim>& posed, std::size_t body, std::size_t marker, const Point<Dim>& place);
   bool rubs_a_wall(const Body<Dim>& body, const Point<Dim>& place) const;

@@ -68,7 +68,7 @@ bool BodyWallLaw<Dim>::is_free(const PosedBodies<Dim>& posed, const WallPoint<Di
                                const Point<Dim>& place) const {
   if (!grid_.contains(place)) return false;
   for (std::size_t b = 0; b < bodies_.size(); ++b)
-    if (b != point.body && posed.distance(b, place) < 0.5 * point.along) return false;
+    if ((b != point.body || bodies_[b].repeats.any()) && posed.distance(b, place) < 0.5 * point.along) return false;
   return true;
 }
 

@@ -205,7 +205,8 @@ template <int Dim>
 class Assembly {
  public:
   // Adds those of the parts that are no copies of each other to a list.
-  Assembly(const Surface<Dim>& surface, std::vector<Surface<Dim>>& distinct_parts) : layout_(surface.layout) {
+  Assembly(const Surface<Dim>& surface, std::vector<Surface<Dim>>& distinct_parts)
+      : layout_(surface.layout), region_(surface.region) {
     surface.shape->add_parts({}, parts_);
     std::map<const Shape<Dim>*, std::size_t> numbers;
     for (const auto& [part, pose] : parts_) {
@@ -237,7 +238,8 @@ class Assembly {
     }
   }
 
-  // Without those that hold what lies within another part, and those too near to one of a part before.
+  // Without those that hold what lies within another part or in the next period, and those too near to one of a part,
+  // or of a period, before.
   MarkerPatches<Dim> distinct_patches() const {
     MarkerPatches<Dim> result;
     const std::vector<Bounds<Dim>> bounds = bounds_of(places_);
@@ -246,7 +248,7 @@ class Assembly {
     std::size_t m = 0;
     for (const std::size_t end : ends_) {
       for (; m < end; ++m) {
-        stays[m] = !is_hidden(m) && !is_crowded(m, stays, search);
+        stays[m] = is_in_period(m) && !is_hidden(m) && !is_crowded(m, stays, search);
         if (!stays[m]) continue;
         result.markers.push_back(places_[m]);
         result.feet.push_back(feet_[m]);
@@ -263,16 +265,29 @@ class Assembly {
         return true;
     return false;
   }
+  bool is_in_period(std::size_t m) const {
+    for (int d = 0; d < Dim; ++d)
+      if (layout_.period[d] > 0 && (places_[m][d] < region_.lower[d] || places_[m][d] >= region_.upper[d]))
+        return false;
+    return true;
+  }
   bool is_crowded(std::size_t m, const std::vector<char>& stays, const NearSearch<Dim>& search) const {
     const Point<Dim> limit = 0.7 * marker_spacing * layout_.cell;
-    for (const std::size_t other : search.near(Bounds<Dim>::round(places_[m], limit)))
-      if (stays[other] && part_of_[other] != part_of_[m] &&
-          (places_[other] - places_[m]).cwiseQuotient(limit).norm() < 1)
-        return true;
-    return false;
+    const auto meets = [&](const Point<Dim>& place, auto&& counts) {
+      return std::ranges::any_of(search.near(Bounds<Dim>::round(place, limit)), [&](std::size_t other) {
+        return stays[other] && counts(other) && (places_[other] - place).cwiseQuotient(limit).norm() < 1;
+      });
+    };
+    for (int d = 0; d < Dim; ++d)
+      for (const int way : {-1, 1})
+        if (layout_.period[d] > 0 &&
+            meets(places_[m] + way * layout_.period[d] * Point<Dim>::Unit(d), [](std::size_t) { return true; }))
+          return true;
+    return meets(places_[m], [&](std::size_t other) { return part_of_[other] != part_of_[m]; });
   }
 
   MarkerLayout<Dim> layout_;
+  Bounds<Dim> region_;
   std::vector<typename Shape<Dim>::Part> parts_;
   std::vector<std::size_t> number_of_;  ///< of each part in the list
   Points<Dim> places_, feet_;

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <Eigen/Geometry>
 
+#include "washfsi/grid/index.hpp"
 #include "washfsi/support/errors.hpp"
 
 namespace washfsi {
@@ -67,7 +69,7 @@ Eigen::Matrix3d small_turn(const Point<3>& angles) {
 template <int Dim>
 class Placer {
  public:
-  explicit Placer(const std::vector<Body<Dim>>& bodies) : bodies_(bodies) {}
+  Placer(const std::vector<Body<Dim>>& bodies, const PeriodicSpace<Dim>& space) : bodies_(bodies), space_(space) {}
 
   FlatCloth<Dim> place(const ClothGroup<Dim>& group, const PlacementOptions<Dim>& options, PetscInt number,
                        Uniform& uniform) {
@@ -122,9 +124,29 @@ class Placer {
   bool is_free(const FlatCloth<Dim>& cloth, const PlacementOptions<Dim>& options) const {
     if (!is_within(cloth, options)) return false;
     const bool clear_of_cloths = std::all_of(placed_.begin(), placed_.end(), [&](const FlatCloth<Dim>& other) {
-      return distance(cloth, other) >= options.clearance;
+      return distance_of_images(cloth, other) >= options.clearance;
     });
     return clear_of_cloths && is_clear_of_bodies(cloth, options.clearance);
+  }
+
+  // Of those of the other one.
+  double distance_of_images(const FlatCloth<Dim>& cloth, const FlatCloth<Dim>& other) const {
+    Box<Dim> images{};
+    FlatCloth<Dim> nearest = other;
+    for (int d = 0; d < Dim; ++d) {
+      images.lower[d] = space_.periodic[d] ? -1 : 0;
+      images.upper[d] = 1 - images.lower[d];
+      if (!space_.periodic[d]) continue;
+      const double apart = (other.middle[d] - cloth.middle[d]) / space_.length[d];
+      nearest.middle[d] -= space_.length[d] * std::floor(apart + 0.5);
+    }
+    double least = std::numeric_limits<double>::infinity();
+    for_each<Dim>(images, [&](const Index<Dim>& number) {
+      FlatCloth<Dim> image = nearest;
+      for (int d = 0; d < Dim; ++d) image.middle[d] += static_cast<double>(number[d]) * space_.length[d];
+      least = std::min(least, distance(cloth, image));
+    });
+    return least;
   }
 
   // Whether all corners lie in the disc.
@@ -163,14 +185,19 @@ class Placer {
   }
 
   const std::vector<Body<Dim>>& bodies_;
+  PeriodicSpace<Dim> space_;
   std::vector<FlatCloth<Dim>> placed_;
 };
 
 template <int Dim>
 void check_start(const ClothGroup<Dim>& group, const std::vector<Body<Dim>>& bodies, const Point<Dim>& place,
-                 const Point<Dim>& lower, const Point<Dim>& upper) {
+                 const PeriodicSpace<Dim>& space) {
   std::string where = "outside the grid";
-  bool bad = !((place - lower).minCoeff() > 0 && (upper - place).minCoeff() > 0);
+  bool bad = false;
+  for (int d = 0; d < Dim; ++d) {
+    const double from_lower = place[d] - space.lower[d];
+    bad = bad || (!space.periodic[d] && !(from_lower > 0 && from_lower < space.length[d]));
+  }
   for (const auto& body : bodies)
     if (!bad && body.distance(place, 0.0) <= 0) {
       bad = true;
@@ -219,16 +246,16 @@ PlacementOptions<Dim> PlacementOptions<Dim>::from_options(Options& options, cons
 
 template <int Dim>
 Points<Dim> place_cloths(const Cloths<Dim>& cloths, const std::vector<PlacementOptions<Dim>>& placements,
-                         const std::vector<Body<Dim>>& bodies, const Point<Dim>& lower, const Point<Dim>& upper) {
+                         const std::vector<Body<Dim>>& bodies, const PeriodicSpace<Dim>& space) {
   Points<Dim> positions;
-  Placer<Dim> placer(bodies);
+  Placer<Dim> placer(bodies, space);
   for (std::size_t g = 0; g < cloths.groups().size(); ++g) {
     const ClothGroup<Dim>& group = cloths.groups()[g];
     Uniform uniform(placements[g].seed);
     for (PetscInt number = 0; number < group.count; ++number) {
       const FlatCloth<Dim> flat = placer.place(group, placements[g], number, uniform);
       for (const Point<Dim>& place : shaped_cloth<Dim>(group, placements[g].shape, flat, uniform)) {
-        check_start<Dim>(group, bodies, place, lower, upper);
+        check_start<Dim>(group, bodies, place, space);
         positions.push_back(place);
       }
     }
@@ -239,8 +266,8 @@ Points<Dim> place_cloths(const Cloths<Dim>& cloths, const std::vector<PlacementO
 template struct PlacementOptions<2>;
 template struct PlacementOptions<3>;
 template Points<2> place_cloths<2>(const Cloths<2>&, const std::vector<PlacementOptions<2>>&,
-                                   const std::vector<Body<2>>&, const Point<2>&, const Point<2>&);
+                                   const std::vector<Body<2>>&, const PeriodicSpace<2>&);
 template Points<3> place_cloths<3>(const Cloths<3>&, const std::vector<PlacementOptions<3>>&,
-                                   const std::vector<Body<3>>&, const Point<3>&, const Point<3>&);
+                                   const std::vector<Body<3>>&, const PeriodicSpace<3>&);
 
 }  // namespace washfsi

@@ -40,9 +40,10 @@ struct PlacementOptions {
 ///   random  middle and direction drawn uniformly in a disc (about z) until a cloth, at every point, is farther than
 ///           `clearance` from every body and from every cloth placed before (of other groups too)
 /// Random numbers are seeded by `seed`.
+/// `space` is the box. Along its periodic axes a cloth may reach over the sides, and images of cloths and bodies count.
 /// Errors: InputError if a random cloth finds no place, or if any cloth starts in a body or outside the box.
 template <int Dim>
 Points<Dim> place_cloths(const Cloths<Dim>& cloths, const std::vector<PlacementOptions<Dim>>& placements,
-                         const std::vector<Body<Dim>>& bodies, const Point<Dim>& lower, const Point<Dim>& upper);
+                         const std::vector<Body<Dim>>& bodies, const PeriodicSpace<Dim>& space);
 
 }  // namespace washfsi

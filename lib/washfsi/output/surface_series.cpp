@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/output/surface_series.hpp"
 
+#include <cmath>
+
 #include "washfsi/body/zero_surface.hpp"
 #include "washfsi/output/field_slab.hpp"
 #include "washfsi/support/collective.hpp"
@@ -27,16 +29,37 @@ typename SurfaceSeries<Dim>::Surfaces SurfaceSeries<Dim>::find(const Grid<Dim>& 
                                                                const std::vector<Body<Dim>>& bodies) {
   Surfaces found;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const auto pose = bodies[b].motion.pose(0);
-    const auto mesh = zero_surface<Dim>(
-        grid, [&](const Point<Dim>& place) { return bodies[b].shape->distance(pose.in_body_frame(place)); });
+    const PosedBody<Dim> body = bodies[b].at(0);
+    const auto mesh = zero_surface<Dim>(grid, [&](const Point<Dim>& place) { return body.distance(place); });
     for (const auto& facet : mesh.facets)
       for (const std::size_t vertex : facet)
         found.facets.push_back(static_cast<long long>(found.vertices.size() + vertex));
-    for (const auto& vertex : mesh.vertices) found.vertices.push_back(pose.in_body_frame(vertex));
+    for (const auto& vertex : mesh.vertices) {  // of its images in the box, as one body
+      Point<Dim> own = body.beside(vertex);
+      for (int d = 0; d < Dim; ++d)
+        if (bodies[b].repeats.spans(d)) own[d] = vertex[d];
+      found.vertices.push_back(body.pose().in_body_frame(own));
+    }
     found.owner.resize(found.vertices.size(), static_cast<double>(b));
   }
   return found;
+}
+
+// Of the image that lies in the box, if only by its middle.
+template <int Dim>
+Pose<Dim> SurfaceSeries<Dim>::shown(const Body<Dim>& body, double time) const {
+  Pose<Dim> pose = body.motion.pose(time);
+  const Extent<Dim> extent = body.repeats.extent.in_space(pose);
+  const Point<Dim> start = body.motion.center_at(0);
+  for (int d = 0; d < Dim; ++d) {
+    const double period = body.repeats.period[d];
+    if (period == 0) continue;
+    const double beyond = body.repeats.spans(d)
+                              ? pose.center[d] - start[d] + 0.5 * period
+                              : 0.5 * (extent.bounds.lower[d] + extent.bounds.upper[d]) - grid_.lower()[d];
+    pose.center[d] -= period * std::floor(beyond / period);
+  }
+  return pose;
 }
 
 // Of a dataset of which rank 0 has all rows.
@@ -80,7 +103,7 @@ void SurfaceSeries<Dim>::write(double time, long step) {
   if (topology_.shape[0] == 0) return;
   const petsc::LogPart part("output");
   std::vector<Pose<Dim>> poses;
-  for (const auto& body : bodies_) poses.push_back(body.motion.pose(time));
+  for (const auto& body : bodies_) poses.push_back(shown(body, time));
   Points<Dim> places;
   for (std::size_t v = 0; v < surfaces_.vertices.size(); ++v)
     places.push_back(poses[static_cast<std::size_t>(surfaces_.owner[v])].in_space(surfaces_.vertices[v]));

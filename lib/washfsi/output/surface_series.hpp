@@ -11,8 +11,8 @@
 namespace washfsi {
 
 /// surfaces.h5, surfaces.xdmf: the bodies' surfaces as triangles, in the plane lines, with the number of the body.
-/// Found once, where the bodies are at t = 0, within the box; then they move. A restart goes on with the series if they
-/// are joined as before.
+/// Found once, where the bodies are at t = 0, within the box; then they move. Of a body that repeats itself the image
+/// is shown whose middle lies in the box, all of it. A restart goes on with the series if they are joined as before.
 template <int Dim>
 class SurfaceSeries {
  public:
@@ -30,6 +30,7 @@ class SurfaceSeries {
     std::vector<long long> facets;  ///< their vertices, `Dim` each
   };
   static Surfaces find(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies);
+  Pose<Dim> shown(const Body<Dim>& body, double time) const;
   bool are_joined_as_in(const std::string& folder) const;
   Slab slab(hsize_t rows, hsize_t columns) const;
   void write_constants() const;

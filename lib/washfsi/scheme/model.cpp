@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "washfsi/body/drum_walls.hpp"
+#include "washfsi/body/repeat_bodies.hpp"
 #include "washfsi/cloth/damping.hpp"
 #include "washfsi/cloth/dead_loads.hpp"
 #include "washfsi/cloth/elasticity.hpp"
@@ -93,8 +94,8 @@ ModelOptions<Dim> ModelOptions<Dim>::from_options(Options& options, MassCarrier 
 template <int Dim>
 Model<Dim>::Model(MPI_Comm comm, const ModelOptions<Dim>& options, std::vector<Body<Dim>> rigid_bodies)
     : grid(comm, with_ghosts_for(options.grid.shape, options)),
-      boundary(grid, sides_with_drum<Dim>(options.grid.sides, options.grid.shape, rigid_bodies)),
-      bodies(std::move(rigid_bodies)),
+      bodies(repeat_bodies<Dim>(grid, std::move(rigid_bodies))),
+      boundary(grid, sides_with_drum<Dim>(options.grid.sides, options.grid.shape, bodies)),
       mask(grid, bodies, options.treatment),
       walls(make_walls(grid, boundary, bodies, options)),
       wall_law(walls && options.fluid.wall_model != WallTreatment::none

@@ -67,8 +67,8 @@ struct Model {
   Vec driven_share() const { return wall_law ? mask.fluid_share() : nullptr; }
 
   Grid<Dim> grid;
-  Boundary<Dim> boundary;
   std::vector<Body<Dim>> bodies;
+  Boundary<Dim> boundary;
   Mask<Dim> mask;
   std::unique_ptr<SurfaceForcing<Dim>> walls;  ///< of -body_method direct_forcing, else null
   std::unique_ptr<BodyWallLaw<Dim>> wall_law;  ///< of these walls with -wall_model, else null

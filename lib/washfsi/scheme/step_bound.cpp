@@ -44,12 +44,11 @@ double flow_time(const Model<Dim>& model, const BodySpeeds<Dim>& bodies) {
 
 // How far from its centre a body comes, of what reaches into the middles of cells or so near to them. Collective.
 template <int Dim>
-double arm_of(const Grid<Dim>& grid, const PosedBodies<Dim>& posed, std::size_t body, const Point<Dim>& center,
-              double near) {
+double arm_of(const Grid<Dim>& grid, const PosedBodies<Dim>& posed, std::size_t body, double near) {
   double arm = 0;
   for_each<Dim>(grid.owned(), [&](const Index<Dim>& cell) {
     const Point<Dim> place = grid.cell_center(cell);
-    if (posed.distance(body, place) <= near) arm = std::max(arm, (place - center).norm());
+    if (posed.distance(body, place) <= near) arm = std::max(arm, posed[body].arm(place).norm());
   });
   return largest(grid.comm(), arm);
 }
@@ -58,10 +57,9 @@ template <int Dim>
 BodySpeeds<Dim>::BodySpeeds(const Model<Dim>& model) : model_(model) {
   const PosedBodies<Dim> posed(model.bodies, 0);
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    const Point<Dim> center = model.bodies[b].motion.center_at(0);
-    const double arm = arm_of(model.grid, posed, b, center, 0);
+    const double arm = arm_of(model.grid, posed, b, 0);
     // a sheet may lie between the middles
-    arms_.push_back(arm > 0 ? arm : arm_of(model.grid, posed, b, center, 0.5 * model.grid.spacing().norm()));
+    arms_.push_back(arm > 0 ? arm : arm_of(model.grid, posed, b, 0.5 * model.grid.spacing().norm()));
   }
 }
 

@@ -22,13 +22,8 @@ constexpr double bend = 0.5;  // of thin parts [cells]
 template <int Dim>
 class Surface {
  public:
-  Surface(const Grid<Dim>& grid, const PosedBodies<Dim>& posed, std::size_t body, const Point<Dim>& center)
-      : spacing_(grid.spacing()),
-        posed_(posed),
-        body_(body),
-        center_(center),
-        thicknesses_(bins + 1, 0.0),
-        widths_(thicknesses_) {}
+  Surface(const Grid<Dim>& grid, const PosedBodies<Dim>& posed, std::size_t body)
+      : spacing_(grid.spacing()), posed_(posed), body_(body), thicknesses_(bins + 1, 0.0), widths_(thicknesses_) {}
 
   void look(const Point<Dim>& place) {
     if (const Point<Dim> normal = normal_at(place); normal.squaredNorm() > 0) return look_from(place, normal);
@@ -49,7 +44,7 @@ class Surface {
     const double per_length = normal.cwiseQuotient(spacing_).norm();  // cells along the normal
     if (std::abs(distance) * per_length > 0.5) return;
     const Point<Dim> foot = place - distance * normal;
-    reach_ = std::max(reach_, (foot - center_).template head<2>().norm());
+    reach_ = std::max(reach_, posed_[body_].arm(foot).template head<2>().norm());
     const auto below = [&](int bin) { return Point<Dim>(foot - (bin / (bins_of_a_cell * per_length)) * normal); };
     constexpr double least_cosine = 0.9;  // else an edge, below which there is no other side
     if (!(std::abs(normal_at(below(1)).dot(normal)) > least_cosine)) return;
@@ -118,21 +113,20 @@ class Surface {
   Point<Dim> spacing_;
   const PosedBodies<Dim>& posed_;
   std::size_t body_;
-  Point<Dim> center_;
   std::vector<double> thicknesses_, widths_;
   double reach_ = 0;
 };
 
 // Of this rank's cells; the thickness of all ranks'.
 template <int Dim>
-BodySurvey<Dim> survey(const Grid<Dim>& grid, const PosedBodies<Dim>& posed, std::size_t b, const Point<Dim>& center) {
+BodySurvey<Dim> survey(const Grid<Dim>& grid, const PosedBodies<Dim>& posed, std::size_t b) {
   constexpr double far = std::numeric_limits<double>::max();
   BodySurvey<Dim> found;
   found.lower.setConstant(far);
   found.upper.setConstant(-far);
   found.nearest = far;
   found.shared.assign(posed.size(), 0.0);
-  Surface<Dim> surface(grid, posed, b, center);
+  Surface<Dim> surface(grid, posed, b);
   const double beside = grid.spacing().norm();
   for_each<Dim>(grid.owned(), [&](const Index<Dim>& cell) {
     const Point<Dim> place = grid.cell_center(cell);
@@ -141,8 +135,9 @@ BodySurvey<Dim> survey(const Grid<Dim>& grid, const PosedBodies<Dim>& posed, std
     if (std::abs(distance) < beside) surface.look(place);
     if (distance > 0) return;
     ++found.cells;
-    found.lower = found.lower.cwiseMin(place - 0.5 * grid.spacing());
-    found.upper = found.upper.cwiseMax(place + 0.5 * grid.spacing());
+    const Point<Dim> own = posed[b].beside(place);
+    found.lower = found.lower.cwiseMin(own - 0.5 * grid.spacing());
+    found.upper = found.upper.cwiseMax(own + 0.5 * grid.spacing());
     for (std::size_t c = 0; c < posed.size(); ++c) found.shared[c] += posed.distance(c, place) <= 0 ? 1 : 0;
   });
   found.reach = surface.reach();
@@ -170,7 +165,7 @@ std::vector<BodySurvey<Dim>> survey_bodies(const Grid<Dim>& grid, const std::vec
   const PosedBodies<Dim> posed(bodies, time);
   std::vector<BodySurvey<Dim>> surveys;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    BodySurvey<Dim>& found = surveys.emplace_back(survey(grid, posed, b, bodies[b].motion.center_at(time)));
+    BodySurvey<Dim>& found = surveys.emplace_back(survey(grid, posed, b));
     reduce(grid.comm(), found);
     found.volume = found.cells * grid.cell_volume();
     found.top_speed = found.cells == 0 || bodies[b].motion.at_rest() ? 0 : bodies[b].motion.largest_speed(found.reach);

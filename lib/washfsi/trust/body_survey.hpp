@@ -10,7 +10,7 @@ template <int Dim>
 struct BodySurvey {
   double cells = 0;                          ///< whose middles are in it
   double volume = 0;                         ///< of these [m3; m2 in the plane]
-  Point<Dim> lower, upper;                   ///< box round these, within that of the grid [m]
+  Point<Dim> lower, upper;                   ///< box round these, of one image where it repeats itself [m]
   double top_speed = 0;                      ///< never exceeded by its material at its surface [m/s]
   double reach = 0;                          ///< of its surface from its centre [m]
   double thickness = 0;                      ///< cells across its thinnest tenth; at most `most_cells`

@@ -43,13 +43,13 @@ struct OpenPart {
 };
 
 template <int Dim>
-OpenPart open_part(const PosedBodies<Dim>& posed, const Grid<Dim>& grid, int axis, End end, const Point<Dim>& center) {
+OpenPart open_part(const PosedBodies<Dim>& posed, std::size_t body, const Grid<Dim>& grid, int axis, End end) {
   OpenPart open;
   for_each<Dim>(grid.cells_beside(axis, end), [&](const Index<Dim>& cell) {
     const Point<Dim> place = grid.cell_center(cell);
     if (posed.holder(place) < posed.size()) return;
     ++open.cells;
-    open.reach = std::max(open.reach, (place - center).template head<2>().norm());
+    open.reach = std::max(open.reach, posed[body].arm(place).template head<2>().norm());
   });
   return {ordered_sum(grid.comm(), open.cells), largest(grid.comm(), open.reach)};
 }
@@ -75,7 +75,7 @@ Findings resting_side_findings(const Model<Dim>& model, double time) {
     for (int axis = 0; axis < Dim && !motion.at_rest(); ++axis)
       for (const End end : {End::lower, End::upper}) {
         if (!rests(model.boundary.side(axis, end)) || !surrounds(posed, b, model.grid, axis, end)) continue;
-        const OpenPart open = open_part(posed, model.grid, axis, end, motion.center_at(time));
+        const OpenPart open = open_part(posed, b, model.grid, axis, end);
         if (open.cells > 0) findings.push_back(finding_of(model.bodies[b], open, axis, end));
       }
   }
