@@ -55,6 +55,9 @@ class Boundary {
 
   /// Lets no-slip sides move along themselves from `time` on where bodies stand on them.
   void cover_sides(double time, const typename SideCover<Dim>::Cover& cover);
+  /// Whether it has been told, as from the first step on; and as if it had not.
+  bool knows_cover() const { return !covers_.empty(); }
+  void forget_cover() { covers_.clear(); }
 
   /// The share of bodies in the place of a side beside a face; 0 where none stands.
   double covered_share(int axis, End end, const Index<Dim>& face, int component, double time) const {

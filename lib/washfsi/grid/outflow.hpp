@@ -45,6 +45,9 @@ class OutflowLayer {
   /// The present values beside owned cells, x first, components together; and the inverse, from the whole side's.
   std::vector<double> values() const;
   void set_values(const std::vector<double>& whole);
+  /// All that this rank keeps of them; and back.
+  const std::vector<double>& kept() const { return now_; }
+  void keep(std::vector<double> values) { now_ = std::move(values); }
 
  private:
   std::size_t offset(const Box<Dim>& box, Index<Dim> cell, int component) const;

@@ -128,9 +128,9 @@ void Simulation<Dim>::step() {
   if (clock().step > 0) steps_->adapt(state_, measures_->flow().courant.value);
   attempted_step_ = clock().step + 1;
   attempt_start_ = clock().time;
-  const bool all = measures_all(attempt_start_ + state_.dt);
-  if (all) measures_->prepare();
-  scheme_->advance(*system_, state_.dt);
+  if (steps_->may_shorten() || measures_all(attempted_step_, attempt_start_ + state_.dt)) measures_->prepare();
+  steps_->advance(state_);
+  const bool all = measures_all(clock().step, clock().time);
   check_markers();  // before anything is measured: crossings look at all space between a cloth's markers
   measures_->verify(state_.dt);
   measures_->observe(state_.dt, all);
@@ -167,9 +167,8 @@ bool Simulation<Dim>::due(double interval, double time) const {
 
 // Of the step that will end at a time; it may turn out to be the last one at rest.
 template <int Dim>
-bool Simulation<Dim>::measures_all(double time) const {
-  return run_.history_interval == 0 || due(run_.history_interval, time) ||
-         ends(clock().step + 1, time, state_.steps_at_rest + 1);
+bool Simulation<Dim>::measures_all(long step, double time) const {
+  return run_.history_interval == 0 || due(run_.history_interval, time) || ends(step, time, state_.steps_at_rest + 1);
 }
 
 template <int Dim>
@@ -205,11 +204,12 @@ template <int Dim>
 void Simulation<Dim>::check_velocity() const {
   const Located& worst = measures_->flow().courant;
   if (worst.value <= run_.max_courant) return;
-  const char* advice = run_.time_cfl > 0 ? "" : " (-time_cfl 0.5 would shorten the steps in time)";
-  const std::string what =
-      std::isfinite(worst.value)
-          ? format_text("velocity: CFL number %.3g exceeds -time_max_cfl %.3g%s", worst.value, run_.max_courant, advice)
-          : std::string("velocity: not finite");
+  const std::string advice = run_.time_cfl == 0 ? " (-time_cfl 0.5 would shorten the steps in time)"
+                                                : " (smaller -time_cfl, or a -time_step that none exceeds)";
+  const std::string what = std::isfinite(worst.value)
+                               ? format_text("velocity: CFL number %.3g exceeds -time_max_cfl %.3g%s", worst.value,
+                                             run_.max_courant, advice.c_str())
+                               : std::string("velocity: not finite");
   throw DivergedError(what);
 }
 
@@ -277,7 +277,7 @@ void Simulation<Dim>::end(const std::string& status) {
     results_->write_final();
   }
   summary.at_start = at_start_;
-  summary.at_end = end_findings(*system_, *measures_);
+  summary.at_end = end_findings(*system_, *measures_, run_.time_cfl);
   results_->write_summary(summary);
   print_summary(summary);
 }

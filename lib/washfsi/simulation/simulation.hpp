@@ -37,7 +37,7 @@ class Simulation {
   void check_velocity() const;
   std::string where_it_failed() const;
   bool due(double interval, double time) const;
-  bool measures_all(double time) const;
+  bool measures_all(long step, double time) const;
   bool ends(long step, double time, int steps_at_rest) const;
   bool finished() const { return ends(clock().step, clock().time, state_.steps_at_rest); }
   const Clock& clock() const { return system_->state.clock; }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "washfsi/fluid/diagnostics.hpp"
+#include "washfsi/scheme/kept_start.hpp"
 #include "washfsi/scheme/step_error.hpp"
 #include "washfsi/support/collective.hpp"
 #include "washfsi/support/errors.hpp"
@@ -12,8 +14,8 @@
 namespace washfsi {
 
 template <int Dim>
-StepChoice<Dim>::StepChoice(const RunOptions& run, const CouplingOptions& coupling, const System<Dim>& system,
-                            const CouplingScheme<Dim>& scheme)
+StepChoice<Dim>::StepChoice(const RunOptions& run, const CouplingOptions& coupling, System<Dim>& system,
+                            CouplingScheme<Dim>& scheme)
     : run_(run), system_(system), scheme_(scheme), body_speeds_(system.model) {
   if (run.time_tolerance == 0) return;
   if (system.model.has_fluid && coupling.scheme == "implicit" && coupling.time_scheme == TimeScheme::trapezoidal)
@@ -44,6 +46,78 @@ void StepChoice<Dim>::begin(RunState& state) const {
   state.dt = std::min(longest_step(state), courant * flow_time<Dim>(system_.model, body_speeds_));
   if (!std::isfinite(state.dt))
     throw InputError("-time_step is missing: nothing moves at the start from which it could be chosen");
+  state.dt = tried(state.dt);
+}
+
+namespace {
+
+constexpr int most_trials = 12;
+
+// Of a step that made so much of its CFL number.
+double shortened(double dt, double courant, double found) {
+  constexpr double aim = 0.9, least = 0.1;
+  return dt * std::max(least, aim * courant / found);
+}
+
+}  // namespace
+
+// Or, where no step will do, the one wanted: the run then tells why. One that all others are as long as may have more,
+// since the flow slows down after its start.
+template <int Dim>
+double StepChoice<Dim>::tried(double dt) const {
+  if (!system_.model.has_fluid) return dt;
+  const double courant = run_.time_cfl > 0 ? run_.time_cfl : 0.6 * std::min(1.0, run_.max_courant);
+  const KeptStart<Dim> start(system_);
+  double trial = dt;
+  for (int n = 0; n < most_trials; ++n) {
+    const double found = courant_after(trial).value_or(std::numeric_limits<double>::infinity());
+    start.restore(system_);
+    if (found <= courant * (1 + 1e-6)) return trial;
+    trial = shortened(trial, courant, found);
+  }
+  return dt;
+}
+
+template <int Dim>
+bool StepChoice<Dim>::may_shorten() const {
+  constexpr long first_steps = 20;
+  return run_.time_cfl > 0 && system_.model.has_fluid && system_.state.clock.step < first_steps;
+}
+
+// A step is chosen for the flow before it, and may have a little more. The last trial counts, whatever it makes.
+template <int Dim>
+void StepChoice<Dim>::advance(RunState& state) const {
+  constexpr double more = 1.25, below_most = 0.95;
+  if (may_shorten()) {
+    const double most = std::min(more * run_.time_cfl, below_most * run_.max_courant);
+    const KeptStart<Dim> start(system_);
+    for (int n = 1; n < most_trials; ++n) {
+      const std::optional<double> found = courant_after(state.dt);
+      if (found && *found <= most) return;
+      start.restore(system_);
+      state.dt = shortened(state.dt, run_.time_cfl, found.value_or(2 * run_.time_cfl));
+    }
+  }
+  scheme_.advance(system_, state.dt);
+}
+
+// Infinite where the flow is not finite; none if the step fails.
+template <int Dim>
+std::optional<double> StepChoice<Dim>::courant_after(double dt) const {
+  try {
+    scheme_.advance(system_, dt);
+  } catch (const DivergedError&) {
+    return {};
+  }
+  return courant_now(dt);
+}
+
+template <int Dim>
+double StepChoice<Dim>::courant_now(double dt) const {
+  const Model<Dim>& model = system_.model;
+  const GhostedVelocity<Dim> local(model.boundary, model.grid.face_dm(), model.fluid.velocity(),
+                                   system_.state.clock.time);
+  return FlowDiagnostics<Dim>::of(model.grid, {local, model.liquid.fields(), model.fluid_share()}, dt).courant.value;
 }
 
 template <int Dim>

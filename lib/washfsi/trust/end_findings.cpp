@@ -68,10 +68,11 @@ void add_drift(const Cycles& cycles, Findings& findings) {
   }
 }
 
-void add_steps(const QuantityList& quantities, double dt, Findings& findings) {
+void add_steps(const QuantityList& quantities, double dt, double time_cfl, Findings& findings) {
   const double courant = quantities.summary_value("/max_cfl");
   findings.push_back(at_most("CFL number", courant, {0.8}, format_text("at most %.3g", courant),
-                             "the advection scheme gains energy there; -time_cfl 0.5"));
+                             std::string("the advection scheme gains energy there; ") +
+                                 (time_cfl > 0 && time_cfl <= 0.5 ? "smaller -time_cfl" : "-time_cfl 0.5")));
   const double change = dt * quantities.summary_value("/max_divergence");
   findings.push_back(at_most("volume", change, {1e-6, 1e-3}, format_text("kept to %.2g a step", change),
                              "water is made or lost; smaller -pressure_tolerance"));
@@ -115,7 +116,7 @@ void add_crossings(const Model<Dim>& model, const QuantityList& quantities, Find
 }  // namespace
 
 template <int Dim>
-Findings end_findings(const System<Dim>& system, const Measures<Dim>& measures) {
+Findings end_findings(const System<Dim>& system, const Measures<Dim>& measures, double time_cfl) {
   const Model<Dim>& model = system.model;
   const QuantityList& quantities = measures.quantities();
   Findings findings;
@@ -123,7 +124,7 @@ Findings end_findings(const System<Dim>& system, const Measures<Dim>& measures) 
     add_energy(model, measures.whole_run(), findings);
     add_walls(model.liquid, quantities, findings);
     const Clock& clock = system.state.clock;
-    add_steps(quantities, clock.time / static_cast<double>(std::max(1L, clock.step)), findings);
+    add_steps(quantities, clock.time / static_cast<double>(std::max(1L, clock.step)), time_cfl, findings);
   }
   add_drift(measures.cycles(), findings);
   for (const auto& group : model.cloths.groups()) add_cloth(model, quantities, group.name, findings);
@@ -131,7 +132,7 @@ Findings end_findings(const System<Dim>& system, const Measures<Dim>& measures) 
   return findings;
 }
 
-template Findings end_findings<2>(const System<2>&, const Measures<2>&);
-template Findings end_findings<3>(const System<3>&, const Measures<3>&);
+template Findings end_findings<2>(const System<2>&, const Measures<2>&, double);
+template Findings end_findings<3>(const System<3>&, const Measures<3>&, double);
 
 }  // namespace washfsi
