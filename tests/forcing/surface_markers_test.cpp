@@ -8,7 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "washfsi/body/combinations.hpp"
+#include "washfsi/body/polygon.hpp"
 #include "washfsi/body/primitives.hpp"
+#include "washfsi/body/sweeps.hpp"
 
 namespace washfsi::test {
 namespace {
@@ -174,6 +176,57 @@ TEST(SurfaceMarkers, TurnWithTheirPart) {
 }
 
 // What flows through a sheet goes through its gaps.
+// Whether each marker has an image across an axis, in a patch that is the image of its own.
+template <int Dim>
+bool are_mirrored(const MarkerPatches<Dim>& patches, int axis) {
+  const auto mirrored = [axis](Point<Dim> place) {
+    place[axis] = -place[axis];
+    return place;
+  };
+  const auto patch_at = [&](const Point<Dim>& place) {
+    std::size_t patch = 0;
+    while (patch < patches.size() &&
+           std::none_of(patches.markers.begin() + static_cast<std::ptrdiff_t>(patches.starts[patch]),
+                        patches.markers.begin() + static_cast<std::ptrdiff_t>(patches.starts[patch + 1]),
+                        [&](const Point<Dim>& marker) { return (marker - place).norm() < 1e-12; }))
+      ++patch;
+    return patch;
+  };
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    const std::size_t image = patch_at(mirrored(patches.markers[patches.starts[p]]));
+    if (image == patches.size()) return false;
+    for (std::size_t m = patches.starts[p]; m < patches.starts[p + 1]; ++m)
+      if (patch_at(mirrored(patches.markers[m])) != image) return false;
+  }
+  return true;
+}
+
+// A foil of the thickness 0.12, which is thin behind its middle.
+Points<2> foil() {
+  Points<2> upper, lower;
+  for (int n = 0; n <= 40; ++n) {
+    const double x = 0.5 * (1 - std::cos(std::acos(-1) * n / 40));
+    const double y = 0.6 * (0.2969 * std::sqrt(x) - x * (0.126 + x * (0.3516 - x * (0.2843 - 0.1036 * x))));
+    upper.emplace_back(x - 0.4, n < 40 ? y : 0);
+    if (n > 0 && n < 40) lower.emplace_back(x - 0.4, -y);
+  }
+  upper.insert(upper.end(), lower.rbegin(), lower.rend());
+  return upper;
+}
+
+TEST(SurfaceMarkers, OfThinShapesThatAreTheirOwnImagesAreSoToo) {
+  const Bounds<2> around = Bounds<2>::round(Point<2>::Zero(), {1, 1});
+  for (const double cell : {1.0 / 16, 1.0 / 33, 1.0 / 64}) {
+    const MarkerLayout<2> layout{Point<2>::Constant(cell), 1.0, moments};
+    EXPECT_TRUE(are_mirrored<2>(surface_markers<2>(Polygon(foil()), around, layout), 1)) << cell;
+    EXPECT_TRUE(are_mirrored<2>(surface_markers<2>(Cuboid<2>({0.7, 0.015}), around, layout), 1)) << cell;
+    EXPECT_TRUE(are_mirrored<2>(surface_markers<2>(Cuboid<2>({0.015, 0.7}), around, layout), 0)) << cell;
+  }
+  const MarkerLayout<3> layout{Point<3>::Constant(1.0 / 20), 1.0, moments};
+  const Bounds<3> room = Bounds<3>::round(Point<3>::Zero(), {1, 1, 0.4});
+  EXPECT_TRUE(are_mirrored<3>(surface_markers<3>(Extruded(std::make_unique<Polygon>(foil()), 0.5), room, layout), 1));
+}
+
 TEST(SurfaceMarkers, OfASheetLeaveNoGaps) {
   constexpr double cell = 0.1;
   const Cuboid<2> plate(Point<2>(0.03, 1));

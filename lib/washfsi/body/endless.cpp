@@ -13,6 +13,10 @@ class Endless<Dim>::EndlessPart : public Shape<Dim> {
   double distance(const Point<Dim>& place) const override {
     return part_.shape->distance(part_.pose.in_body_frame(whole_.at_place(part_.pose.in_space(place))));
   }
+  Extent<Dim> extent() const override {
+    const bool turned = part_.pose.sine != 0 || part_.pose.cosine != 1;
+    return whole_.axis_ < 2 && turned ? Extent<Dim>::infinite() : whole_.endless(part_.shape->extent());
+  }
 
  private:
   const Endless& whole_;
@@ -29,7 +33,11 @@ Endless<Dim>::Endless(ShapePtr<Dim> inner, int axis, double place)
 
 template <int Dim>
 Extent<Dim> Endless<Dim>::extent() const {
-  Extent<Dim> extent = inner_->extent();
+  return endless(inner_->extent());
+}
+
+template <int Dim>
+Extent<Dim> Endless<Dim>::endless(Extent<Dim> extent) const {
   extent.bounds.lower[axis_] = -std::numeric_limits<double>::infinity();
   extent.bounds.upper[axis_] = std::numeric_limits<double>::infinity();
   return extent;

@@ -16,6 +16,7 @@ class Endless : public Shape<Dim> {
 
  private:
   class EndlessPart;
+  Extent<Dim> endless(Extent<Dim> extent) const;
   Point<Dim> at_place(Point<Dim> place) const {
     place[axis_] = place_;
     return place;

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <map>
 
+#include "washfsi/forcing/mirror.hpp"
 #include "washfsi/forcing/sinker.hpp"
 #include "washfsi/grid/subdivide.hpp"
 #include "washfsi/support/of_all_ranks.hpp"
@@ -149,42 +150,53 @@ MarkerPatches<Dim> patches_of_sheets(const Shape<Dim>& shape, const Bounds<Dim>&
   const Sinker<Dim> sinker(shape, layout);
   const auto candidates = candidates_of<Dim>(shape, layout, seeds,
                                              [&](const Point<Dim>& seed) { return sinker.sink_behind_no_face(seed); });
-  const auto places = spread_evenly<Dim>(distinct<Dim>(candidates, seeds.spacing()), sheet_spacing<Dim> * layout.cell);
+  const Mirror<Dim> mirror(shape, layout, candidates);
+  const auto places =
+      spread_evenly<Dim>(mirror.half(distinct<Dim>(candidates, seeds.spacing())), sheet_spacing<Dim> * layout.cell);
   const double width = sheet_width * layout.spacing;
   const std::size_t apart = thinned<Dim>(places, least_sheet_width * layout.cell).size();
   const std::size_t count = std::min(apart, patch_count<Dim>(places.size(), sheet_mean_spacing<Dim>, width));
-  return gathered<Dim>(places, count, width * layout.cell, sheet_markers);
+  return mirror.whole(gathered<Dim>(places, count, width * layout.cell, sheet_markers));
 }
 
-// The places of each part on faces, and in corners and thin parts. What is between places of one part cannot be shared
-// out, so that ranks take parts by turns.
+/// Of a part, on faces, and in corners and thin parts; on one side of its mirror.
 template <int Dim>
-std::vector<std::vector<Candidate<Dim>>> places_of(const std::vector<Surface<Dim>>& parts) {
-  std::vector<std::vector<Candidate<Dim>>> places;
+struct Places {
+  std::vector<Candidate<Dim>> half;
+  Mirror<Dim> mirror;
+};
+
+// What is between places of one part cannot be shared out, so that ranks take parts by turns.
+template <int Dim>
+std::vector<Places<Dim>> places_of(const std::vector<Surface<Dim>>& parts) {
+  std::vector<Places<Dim>> places;
   for (const auto& [shape, region, layout] : parts) {
     const SeedCells<Dim> seeds(region, layout.cell / seeds_a_cell<Dim>);
     const Sinker<Dim> sinker(*shape, layout);
-    places.push_back(
-        candidates_of<Dim>(*shape, layout, seeds, [&](const Point<Dim>& seed) { return sinker.sink(seed); }));
+    const auto all =
+        candidates_of<Dim>(*shape, layout, seeds, [&](const Point<Dim>& seed) { return sinker.sink(seed); });
+    const Mirror<Dim> mirror(*shape, layout, all);
+    places.push_back({mirror.half(all), mirror});
   }
   for (std::size_t n = 0; n < parts.size(); ++n) {
     const MarkerLayout<Dim>& layout = parts[n].layout;
     const bool is_mine = static_cast<int>(n) % ranks_of(layout.comm) == rank_of(layout.comm);
-    places[n] = is_mine ? markers_among<Dim>(places[n], layout.cell) : std::vector<Candidate<Dim>>();
+    places[n].half = is_mine ? markers_among<Dim>(places[n].half, layout.cell) : std::vector<Candidate<Dim>>();
   }
-  for (std::size_t n = 0; n < parts.size(); ++n) places[n] = of_all_ranks(parts[n].layout.comm, places[n]);
+  for (std::size_t n = 0; n < parts.size(); ++n) places[n].half = of_all_ranks(parts[n].layout.comm, places[n].half);
   return places;
 }
 
 template <int Dim>
-MarkerPatches<Dim> patches_of(const std::vector<Candidate<Dim>>& markers, const Surface<Dim>& part) {
+MarkerPatches<Dim> patches_of(const Places<Dim>& places, const Surface<Dim>& part) {
   const auto& [shape, region, layout] = part;
+  const auto& [markers, mirror] = places;
   const auto on_faces = behind_faces<Dim>(markers);
   const bool solid = is_solid<Dim>(markers);
   const double width = layout.spacing * (solid ? wider_on_solids : 1);
   const auto most = on_faces.size();
-  MarkerPatches<Dim> patches =
-      gathered<Dim>(on_faces, patch_count<Dim>(most, spacing_in<Dim>(markers), width), width * layout.cell, most);
+  MarkerPatches<Dim> patches = mirror.whole(
+      gathered<Dim>(on_faces, patch_count<Dim>(most, spacing_in<Dim>(markers), width), width * layout.cell, most));
   if (!solid) patches.append(patches_of_sheets<Dim>(*shape, region, layout));
   return patches;
 }
