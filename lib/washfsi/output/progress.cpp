@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -11,6 +12,7 @@
 #include <unistd.h>
 
 #include "washfsi/support/collective.hpp"
+#include "washfsi/support/format_text.hpp"
 
 namespace washfsi {
 
@@ -30,6 +32,31 @@ bool user_sees_a_terminal() {
 
 }  // namespace
 
+void Pace::begin(double wall, long step, double time) {
+  from_ = next_ = now_ = {wall, step, time};
+  first_ = step;
+}
+
+void Pace::advance(double wall, long step, double time) {
+  dt_ = (time - now_.time) / static_cast<double>(std::max(1L, step - now_.step));
+  if (now_.step == first_ + 1) from_ = next_ = now_;
+  now_ = {wall, step, time};
+  constexpr double seconds = 20;  // and as many steps: frames and checkpoints are part of the pace
+  constexpr long steps = 20;
+  if (now_.wall - next_.wall < seconds || now_.step - next_.step < steps) return;
+  from_ = next_;
+  next_ = now_;
+}
+
+double Pace::seconds_per_step() const {
+  return (now_.wall - from_.wall) / static_cast<double>(std::max(1L, now_.step - from_.step));
+}
+
+double Pace::seconds_left(double end) const {
+  if (dt_ <= 0 || now_.time >= end) return 0;  // the last step may pass the end
+  return seconds_per_step() * std::ceil((end - now_.time) / dt_ - 1e-6);
+}
+
 Progress::Progress(MPI_Comm comm)
     : speaks_(rank_of(comm) == 0), on_terminal_(user_sees_a_terminal()), start_(Clock::now()), shown_(start_) {}
 
@@ -38,21 +65,18 @@ double Progress::wall_seconds() const {
 }
 
 void Progress::show(const ProgressState& state) {
-  if (first_step_ < 0) first_step_ = state.step - 1;
+  pace_.advance(wall_seconds(), state.step, state.time);
   const auto now = Clock::now();
   const double since = std::chrono::duration<double>(now - shown_).count();
   if (!speaks_ || since < (on_terminal_ ? 0.2 : 5.0)) return;
   shown_ = now;
-  const double per_step = wall_seconds() / static_cast<double>(state.step - first_step_);
-  const double dt = state.time / static_cast<double>(state.step);
-  const double left = per_step * std::max(0.0, state.end - state.time) / dt;  // the last step may pass the end
   std::array<char, 256> line{};
-  (void)std::snprintf(
-      line.data(), line.size(),
-      "step %ld  t %.4g of %.4g s  %5.1f %%  CFL %.3f  iterations %.0f + %.0f  %.2f ms/step  %.0f s left", state.step,
-      state.time, state.end, std::min(100.0, 100 * state.time / state.end), state.courant, state.momentum_iterations,
-      state.pressure_iterations, 1e3 * per_step, left);
-  (void)std::printf(on_terminal_ ? "\r%s\033[K" : "%s\n", line.data());
+  (void)std::snprintf(line.data(), line.size(),
+                      "step %ld  t %.4g of %.4g s  %5.1f %%  CFL %.3f  iterations %.0f + %.0f  %.2f ms/step",
+                      state.step, state.time, state.end, std::min(100.0, 100 * state.time / state.end), state.courant,
+                      state.momentum_iterations, state.pressure_iterations, 1e3 * pace_.seconds_per_step());
+  const std::string left = pace_.is_known() ? format_text("  %.0f s left", pace_.seconds_left(state.end)) : "";
+  (void)std::printf(on_terminal_ ? "\r%s%s\033[K" : "%s%s\n", line.data(), left.c_str());
   (void)std::fflush(stdout);
   line_open_ = on_terminal_;
 }

@@ -110,6 +110,7 @@ void Simulation<Dim>::run() {
   const StopSignals signals;
   try {
     bool stopped = false;
+    progress_.begin(clock().step, clock().time);
     while (!finished() && !stopped) {
       step();
       stopped = signals.requested(system_->model.grid.comm());
