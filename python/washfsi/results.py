@@ -95,6 +95,18 @@ class Results:
         path = self.folder / f"{name}.h5"
         return kind(path) if path.is_file() else None
 
+    def in_step(self):
+        """Returns these results with the frames that all of flow, bodies, surfaces and cloth have, so that a number is one moment in
+        each: of a damaged frame the others of its moment are left out too."""
+        series = {name: getattr(self, name) for name in ("flow", "bodies", "surfaces", "cloth")}
+        there = {name: one for name, one in series.items() if one}
+        common = set.intersection(*(set(one.steps.tolist()) for one in there.values()))
+        if not common:
+            raise ResultsError(f"{self.folder}: no moment of which {', '.join(there)} all have a frame that can be read")
+        results = Results(self.folder)
+        vars(results).update(vars(self) | series | {name: one.of_steps(common) for name, one in there.items()})
+        return results
+
     @functools.cached_property
     def flow(self):
         """Returns the series of the flow."""

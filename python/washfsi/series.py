@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Time series: fields on the grid, surfaces of bodies, and markers of cloths."""
 
+import collections
+import copy
+import logging
 import pathlib
 from dataclasses import dataclass, field
 
@@ -49,18 +52,56 @@ def data_and_units(group):
             {name: text_of(dataset.attrs.get("unit")) for name, dataset in group.items()})
 
 
+@dataclass(frozen=True)
+class Head:
+    """What is known of a frame before it is read."""
+
+    time: float  # [s]
+    step: int
+    shapes: tuple  # of its datasets, with their names
+
+
+def head_of(frames, name):
+    """Returns the head of a frame; None where its file is missing, cut off or no frame."""
+    try:
+        group = frames[name]
+        shapes = tuple(sorted((dataset, item.shape) for dataset, item in group.items()))
+        return Head(float(group.attrs["time"]), int(group.attrs["step"]), shapes)
+    except (KeyError, OSError, RuntimeError, ValueError, AttributeError):
+        return None
+
+
+def heads_of(frames):
+    """Returns the heads of the frames by name, and the names of those that cannot be read, or hold other data than most."""
+    heads = {name: head_of(frames, name) for name in frames}
+    usual = collections.Counter(head.shapes for head in heads.values() if head).most_common(1)
+    good = {name: head for name, head in sorted(heads.items()) if head and head.shapes == usual[0][0]}
+    return good, sorted(heads.keys() - good.keys())
+
+
 class Series:
-    """A series of frames in an HDF5 file. The file is open only while something is read."""
+    """A series of frames in an HDF5 file. The file is open only while something is read. Frames that are damaged are left out: a
+    line of the log "washfsi" tells so, and `damaged` has their names."""
 
     def __init__(self, path):
         self.path = pathlib.Path(path)
-        frames = self._read(lambda file: {name: (float(group.attrs["time"]), int(group.attrs["step"]))
-                                          for name, group in file["frames"].items()})
-        if not frames:
-            raise ResultsError(f"{self.path} has no frames")
-        self.names = sorted(frames)
-        self.times = np.array([frames[name][0] for name in self.names])
-        self.steps = np.array([frames[name][1] for name in self.names])
+        heads, self.damaged = self._read(lambda file: heads_of(file["frames"]))
+        if not heads:
+            raise ResultsError(f"{self.path} has no frames" + " that can be read" * bool(self.damaged))
+        if self.damaged:
+            places = ", ".join(f"{self.path.stem}/{name}.h5" for name in self.damaged)
+            logging.getLogger("washfsi").warning("warning: %s: %s cannot be read, left out", self.path, places)
+        self.names = list(heads)
+        self.times = np.array([head.time for head in heads.values()])
+        self.steps = np.array([head.step for head in heads.values()])
+
+    def of_steps(self, steps):
+        """Returns the series of those frames that were written in some steps."""
+        chosen = np.flatnonzero(np.isin(self.steps, list(steps)))
+        series = copy.copy(self)
+        series.names = [self.names[number] for number in chosen]
+        series.times, series.steps = self.times[chosen], self.steps[chosen]
+        return series
 
     def _read(self, reader):
         """Returns what `reader` makes of the open file."""
@@ -105,7 +146,7 @@ class Fields(Series):
         def read_box(file):
             axes = [axis for axis in "xyz" if f"lower_{axis}" in file.attrs]
             return [[file.attrs[f"{name}_{axis}"] for axis in axes] for name in ("lower", "spacing")] + [
-                self._cells(next(iter(file["frames"].values())), len(axes))]
+                self._cells(file["frames"][self.names[0]], len(axes))]
         lower, spacing, self.cells = self._read(read_box)
         self.lower, self.spacing = np.array(lower), np.array(spacing)
 

@@ -93,7 +93,7 @@ def show(options):
     height = options.height if options.height is not None else 0.3 if options.slice == "z" else 0.5
     if not 0 <= height <= 1:
         raise ResultsError("--height must be from 0 to 1")
-    write_scene(Results(options.folder), path, options.slice, height, options.colour)
+    write_scene(Results(options.folder).in_step(), path, options.slice, height, options.colour)
     print(path)
     if options.screenshot:
         time = [] if options.time is None else ["--time", str(options.time)]

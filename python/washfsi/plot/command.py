@@ -50,7 +50,7 @@ def plot_frames(results, options):
 
 def plot(options):
     """Writes all pictures. A folder of a dry run has a start and no history."""
-    results = Results(options.folder)
+    results = Results(options.folder).in_step()
     design = not (results.folder / "history.csv").exists() and len(results.flow) == 1
     figure = None if design and not options.history else draw_history(results.history, results.case, options.history)
     plot_frames(results, options)

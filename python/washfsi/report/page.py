@@ -89,6 +89,7 @@ def finite(data):
 
 def page_of(runs):
     """Returns the page of some runs (Results), as text."""
+    runs = [results.in_step() for results in runs]
     names = short_names([results.folder for results in runs], [results.case for results in runs])
     made = [run_data(results, ROOM / len(runs)) for results in runs]
     data = [finite(one) | {"name": name, "design": design_of(results.folder, name)}
