@@ -95,7 +95,8 @@ std::string file_of(const std::string& content) {
 }
 
 ShapePtr<3> read(const std::string& content, double spacing, double scale = 1) {
-  return shape_from_stl(PETSC_COMM_WORLD, {file_of(content), scale, spacing}, "a");
+  Options options(PETSC_COMM_WORLD);
+  return shape_from_stl(options, {file_of(content), scale, spacing}, "a");
 }
 
 TEST(ReadStl, AsciiAndBinaryGiveTheSameFacets) {
@@ -280,7 +281,8 @@ TEST(StlShape, RefusesBrokenFilesWithOneLine) {
   EXPECT_EQ(line.find("-a_sample_spacing " + to_text(1e-4) + ": must be at least about 3.0e-03"), 0U) << line;
   for (const std::string path : {"nowhere.stl", "."})
     EXPECT_EQ(refusal([&] {
-                (void)shape_from_stl(PETSC_COMM_WORLD, {path, 1, 0.1}, "a");
+                Options options(PETSC_COMM_WORLD);
+                (void)shape_from_stl(options, {path, 1, 0.1}, "a");
               }),
               "-a_file " + path + ": cannot be read");
 }
@@ -319,6 +321,16 @@ TEST(MeshShells, CavitiesBelongToWhatIsRoundThem) {
     return std::min(place.norm() - 0.4, std::max(place.norm() - 1, 0.8 - place.norm()));
   };
   for (const auto& place : random_points<3>(500, 2, 1.5)) EXPECT_NEAR(nested.distance(place), exact(place), 5e-3);
+}
+
+TEST(MeshShells, CountsThoseThatLieInTheSolidOfAnother) {
+  const Facets outer = sphere(8, 1), inner = sphere(8, 0.5);
+  EXPECT_EQ(shells({outer, inner}).shells_within_others(), 1U);
+  EXPECT_EQ(shells({inner, outer, moved(sphere(4, 0.1), {0.7, 0, 0})}).shells_within_others(), 2U);
+  EXPECT_EQ(shells({outer, turned_round(inner)}).shells_within_others(), 0U);
+  EXPECT_EQ(shells({outer, turned_round(inner), sphere(8, 0.2)}).shells_within_others(), 0U);  // in the cavity
+  EXPECT_EQ(shells({outer, moved(inner, {0.7, 0, 0})}).shells_within_others(), 0U);            // it sticks out
+  EXPECT_EQ(shells({outer, moved(inner, {3, 0, 0})}).shells_within_others(), 0U);
 }
 
 TEST(MeshShells, OneThatFacesInwardsAloneIsRefused) {

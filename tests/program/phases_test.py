@@ -117,8 +117,8 @@ class Phases(ProgramTest):
                                (["-statistics_phase_axis", "r"], ["-statistics_phase_axis r"]),
                                (["-statistics_phase_center", "0,0"], ["-statistics_phase_center 0,0", "three numbers"]),
                                (["-statistics_phase_period", "-1"], ["-statistics_phase_period -1"]),
-                               (["-statistics_phase_period", "1", "-statistics_phase_bins_r", "1000",
-                                 "-statistics_phase_bins_z", "1000", "-statistics_phases", "100"], ["too many"])):
+                               (["-statistics_phase_period", "1", "-grid_cells", "4,4,4000", "-statistics_phases", "1000"],
+                                ["too many"])):
             with self.subTest(options=options):
                 outcome = run(1, *steady, *options, "-output_dir", "wrong", folder=self.folder)
                 self.assertEqual(outcome.returncode, 2, outcome.stdout)

@@ -22,7 +22,8 @@ SHEET = SOURCE / "inputs" / "sheet.opts"
 CHANNEL = SOURCE / "inputs" / "channel.opts"
 COUETTE = SOURCE / "inputs" / "couette.opts"
 # in steps of equal length, whose number a test then knows
-EXPLICIT_WASH = ["-options_file", WASH, "-coupling_scheme", "explicit", "-time_cfl", "0", "-time_step", "1e-4"]
+EXPLICIT_WASH = ["-options_file", WASH, "-coupling_scheme", "explicit", "-long_damping", "1e-4", "-short_damping", "1e-4",
+                 "-time_cfl", "0", "-time_step", "1e-4"]
 TIGHT = ["-momentum_tolerance", "1e-13", "-pressure_tolerance", "1e-12"]
 
 

@@ -57,6 +57,30 @@ class Trust(ProgramTest):
         line, = [line for line in outcome.stderr.splitlines() if line.startswith("washfsi: ")]
         return line
 
+    def test_shells_within_others_are_told_of(self):
+        """A cavity whose facets face outwards fills what it should leave free."""
+        inner = [0.4] * 3, [0.5] * 3
+        for cavity, told in ((box(*inner), True), (box(*inner, inwards=True), False), (box([0.6] * 3, [0.9] * 3), False)):
+            self.write_stl(box(LOW, HIGH) + cavity)
+            printed = self.run_well(1, *STL)
+            self.assertEqual("warning: -rock_file rock.stl: two shells, united: one lies within the other" in printed, told, printed)
+
+    def test_bodies_without_water_hold_none(self):
+        """A plate thinner than a cell is there for cloths to touch; one outside the box is not."""
+        dry = ["-options_file", SOURCE / "inputs" / "heap.opts", "-check", "-bodies", "plate", "-plate_shape", "box"]
+        found = self.findings(*dry, "-plate_size", "0.1,0.1,0.002", "-plate_center", "0.1,0.1,0.3")
+        self.assert_found(found, "body plate", "ok", "")
+        self.assertEqual([line for line in found.values() if "water" in line or "cells across" in line], [])
+        found = self.findings(*dry, "-plate_size", "0.1,0.1,0.1", "-plate_center", "9,9,9")
+        self.assert_found(found, "body plate", "warn", "outside the box")
+
+    def test_what_projection_would_keep_is_not_asked_for_without_it(self):
+        options = ["-options_file", SOURCE / "inputs" / "drape.opts", "-grid_cells", "13,13,13", "-sheet_markers", 12, "-contact_distance", 0]
+        found = self.findings(*options, "-max_steps", 3)
+        self.assertEqual({"volume", "energy open"} & found.keys(), set())
+        self.assert_found(found, "CFL number", "ok", "")
+        self.assertIn("volume", self.findings(*options, "-max_steps", 3, "-fluid_projection", "true"))
+
     def test_the_shipped_case(self):
         found = self.findings("-options_file", SOURCE / "inputs" / "wash.opts", "-check")
         self.assert_found(found, "viscosity", "warn", "1006 times water's")

@@ -55,6 +55,9 @@ BodyTreatment BodyTreatment::from_options(Options& options) {
   if (treatment.edge == MaskEdge::smooth && puts_wall)
     throw InputError("-body_mask smooth: needs -body_method mapping or mapping_variable; " + name_of(treatment.method) +
                      " puts the wall where it is");
+  if (treatment.method != BodyMethod::direct_forcing)
+    options.mark_idle("-body_method is " + name_of(treatment.method),
+                      {"body_marker_spacing", "body_slip_tolerance", "body_limits_advection"});
   return treatment;
 }
 

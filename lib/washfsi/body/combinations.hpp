@@ -43,6 +43,7 @@ class Inverted : public Shape<Dim> {
   explicit Inverted(ShapePtr<Dim> inner) : inner_(std::move(inner)) {}
   double distance(const Point<Dim>& place) const override { return -inner_->distance(place); }
   Extent<Dim> extent() const override { return inner_->extent().inverted(); }
+  bool is_inverted() const override { return !inner_->is_inverted(); }
 
  private:
   ShapePtr<Dim> inner_;

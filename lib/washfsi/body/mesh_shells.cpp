@@ -59,6 +59,7 @@ MeshShells::MeshShells(std::vector<TriangleMesh> shells, const std::string& star
     const double volume = shell.volume();
     if (volume > 0) {
       Solid& solid = solids_.emplace_back();
+      solid.vertices.assign(shell.vertices.begin(), shell.vertices.end());
       solid.outside = std::make_unique<MeshDistance>(std::move(shell));
       solid.volume = volume;
     } else {
@@ -82,13 +83,25 @@ MeshShells::Solid& MeshShells::around(const Point<3>& place, const std::string& 
   return *smallest;
 }
 
+double MeshShells::Solid::distance(const Point<3>& place) const {
+  double here = outside->distance(place);
+  for (const auto& cavity : cavities) here = std::max(here, cavity->distance(place));
+  return here;
+}
+
+std::size_t MeshShells::shells_within_others() const {
+  const auto is_within = [](const Solid& inner, const Solid& outer) {
+    return inner.volume < outer.volume &&
+           std::ranges::all_of(inner.vertices, [&](const Point<3>& vertex) { return outer.distance(vertex) < 0; });
+  };
+  return static_cast<std::size_t>(std::ranges::count_if(solids_, [&](const Solid& inner) {
+    return std::ranges::any_of(solids_, [&](const Solid& outer) { return is_within(inner, outer); });
+  }));
+}
+
 double MeshShells::distance(const Point<3>& place) const {
   double nearest = std::numeric_limits<double>::max();
-  for (const Solid& solid : solids_) {
-    double here = solid.outside->distance(place);
-    for (const auto& cavity : solid.cavities) here = std::max(here, cavity->distance(place));
-    nearest = std::min(nearest, here);
-  }
+  for (const Solid& solid : solids_) nearest = std::min(nearest, solid.distance(place));
   return nearest;
 }
 

@@ -16,12 +16,17 @@ class MeshShells : public Shape<3> {
   /// Errors: InputError, which begins with `start`, if a cavity lies in no solid.
   MeshShells(std::vector<TriangleMesh> shells, const std::string& start);
   double distance(const Point<3>& place) const override;
+  /// How many shells that face outwards lie in the solid of another one: perhaps cavities that face the wrong way.
+  std::size_t shells_within_others() const;
 
  private:
   struct Solid {
     std::unique_ptr<MeshDistance> outside;
+    Points<3> vertices;
     double volume = 0;
     std::vector<std::unique_ptr<MeshDistance>> cavities;
+
+    double distance(const Point<3>& place) const;
   };
   Solid& around(const Point<3>& place, const std::string& start);
 

@@ -223,7 +223,11 @@ RigidMotion<Dim> RigidMotion<Dim>::from_options(Options& options, const std::str
       },
       "bodies_");
   read.check();
-  return read.make(options.comm());
+  RigidMotion<Dim> motion = read.make(options.comm());
+  if (motion.at_rest())
+    options.mark_idle("body " + name + " does not move", {name + "_frequency", name + "_ramp", name + "_stroke",
+                                                          name + "_pause", name + "_cycles", name + "_rpm"});
+  return motion;
 }
 
 template struct RigidMotion<2>;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "washfsi/body/extent.hpp"
@@ -21,6 +22,10 @@ class Shape {
   virtual double distance(const Point<Dim>& place) const = 0;
   /// Where it lies in its frame.
   virtual Extent<Dim> extent() const { return Extent<Dim>::infinite(); }
+  /// Whether the solid is what lies outside a surface.
+  virtual bool is_inverted() const { return false; }
+
+  std::string name;  ///< prefix of the options that describe it; empty if none do
 
   /// A shape in its place.
   struct Part {

@@ -62,7 +62,7 @@ class ShapeReader {
 
   /// The shape in its parent's frame, of its parts if it is a combination.
   ShapePtr<Dim> build(ShapeList<Dim> parts) const {
-    return in_place(parts.empty() ? primitive() : combination(std::move(parts)));
+    return in_place(named(parts.empty() ? primitive() : combination(std::move(parts))));
   }
 
  private:
@@ -146,6 +146,9 @@ class ShapeReader {
     block.real("vane_thickness", vaned_.vane_thickness, "m", positive, "thickness of a vane (vaned)");
     block.integer("vanes", vanes, copies, "number of vanes (vaned)");
     vaned_.vanes = static_cast<int>(vanes);
+    if (vaned_.tip_radius <= vaned_.hub_radius && !options_.help())
+      refuse("tip_radius", to_text(vaned_.tip_radius),
+             "above -" + name_ + "_hub_radius " + to_text(vaned_.hub_radius) + ", or the hub hides the vanes");
     if (vaned_.tip_radius < 0.5 * vaned_.vane_thickness)
       refuse("tip_radius", to_text(vaned_.tip_radius),
              "at least half of -" + name_ + "_vane_thickness " + to_text(vaned_.vane_thickness));
@@ -169,6 +172,8 @@ class ShapeReader {
                 "plan of a vane: c1,c2,c3 of y/R = c1 x/R + c2 (x/R)^2 + c3 (x/R)^3, R = tip_radius (agitator)");
     std::copy(curve.begin(), curve.end(), a.curve);
     if (options_.help()) return;
+    if (a.tip_radius <= a.post_radius)
+      refuse("tip_radius", to_text(a.tip_radius), "above the post's radius, or the post hides the vanes");
     if (a.post_height < a.post_radius) refuse("post_height", to_text(a.post_height), "at least the post's radius");
     if (a.vane_height < 0.5 * a.vane_thickness)
       refuse("vane_height", to_text(a.vane_height), "at least half of the vanes' thickness");
@@ -191,7 +196,7 @@ class ShapeReader {
     if constexpr (Dim == 2)
       return outline();
     else if (kind_ == ShapeKind::stl)
-      return shape_from_stl(options_.comm(), stl_, name_);
+      return shape_from_stl(options_, stl_, name_);
     else if (kind_ == ShapeKind::agitator)
       return sampled_agitator(options_.comm(), agitator_, sample_spacing_, name_);
     else if (kind_ == ShapeKind::revolution)
@@ -214,13 +219,18 @@ class ShapeReader {
 
   // The identities are left out: a shape is evaluated at every face in every step.
   ShapePtr<Dim> in_place(ShapePtr<Dim> shape) const {
-    if (rounding_ != 0) shape = std::make_unique<Rounded<Dim>>(std::move(shape), rounding_);
+    if (rounding_ != 0) shape = named(std::make_unique<Rounded<Dim>>(std::move(shape), rounding_));
     if (turn_ != 0 || !offset_.isZero(0)) {
       const double angle = turn_ * std::numbers::pi / 180;
       shape = std::make_unique<Placed<Dim>>(std::move(shape), Pose<Dim>::at(offset_, angle));
     }
     if (repeat_ > 1) shape = std::make_unique<Repeated<Dim>>(std::move(shape), static_cast<int>(repeat_));
-    if (inverted_) shape = std::make_unique<Inverted<Dim>>(std::move(shape));
+    if (inverted_) shape = named(std::make_unique<Inverted<Dim>>(std::move(shape)));
+    return shape;
+  }
+
+  ShapePtr<Dim> named(ShapePtr<Dim> shape) const {
+    shape->name = name_;
     return shape;
   }
 
@@ -290,6 +300,10 @@ template <int Dim>
 ShapePtr<Dim> shape_from_options(Options& options, const std::string& name, double sample_spacing,
                                  const std::string& fallback) {
   const ShapeReader<Dim> reader(options, name, sample_spacing, fallback);
+  for (const std::string& of : {name + "_", fallback})
+    options.answer(of + "axis",
+                   "bodies turn about z alone, through their -..._center; let the machine's axis lie along z, and "
+                   "gravity along x or y where that is level (inputs/front_loader_filled.opts)");
   leave_out_others<Dim>(options, name, sample_spacing, fallback, reader.parts());
   if (options.help()) return nullptr;  // sizes may be missing, and no shape is needed
   for (const auto& part : reader.parts()) options.claim_prefix(name + "_" + part, "-" + name + "_parts");

@@ -16,7 +16,7 @@ struct StlOptions {
 };
 
 /// The solid in the closed surface of an STL file, its distance sampled on a lattice around it. `name` is the prefix of
-/// its options. Errors: InputError. Collective.
-ShapePtr<3> shape_from_stl(MPI_Comm comm, const StlOptions& options, const std::string& name);
+/// its options. Warns of shells that may be cavities turned outwards. Errors: InputError. Collective.
+ShapePtr<3> shape_from_stl(Options& options, const StlOptions& stl, const std::string& name);
 
 }  // namespace washfsi

@@ -23,9 +23,15 @@ CrimpFabric CrimpFabric::from_options(OptionBlock& block, std::size_t directions
       block.refuse("ke_yarn", to_text(crimp.yarn_modulus[d]), "at least the stiffness with crimp, " + to_text(ke[d]));
   block.require("crimp", "strain at which the yarns are straight");
   read_warp_weft(block, "crimp", crimp.strain, directions, "-", positive, "strain at which the yarns are straight");
-  crimp.width = *std::min_element(crimp.strain.begin(), crimp.strain.begin() + static_cast<long>(directions)) / 10;
+  const auto used = crimp.strain.begin() + static_cast<long>(directions);
+  for (auto strain = crimp.strain.begin(); strain != used; ++strain)
+    if (*strain > 1) block.refuse("crimp", to_text(*strain), "a strain, at most 1 (5 % are 0.05)");
+  const double least = *std::min_element(crimp.strain.begin(), used);
+  crimp.width = least / 10;
   block.real("crimp_width", crimp.width, "-", positive,
              "half width of the knee of the curve; default: a tenth of the smaller strain there");
+  if (crimp.width > least)
+    block.refuse("crimp_width", to_text(crimp.width), "at most the smaller strain at the knee, " + to_text(least));
   return {crimped, crimp};
 }
 

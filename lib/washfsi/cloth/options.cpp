@@ -146,6 +146,11 @@ ClothGroup<Dim> ClothGroup<Dim>::from_options(Options& options, const std::strin
   sheet.dr = group.size[1] / group.row(1).parts();
   sheet.closed = group.shape == ClothShape::ellipse;
   if (group.hold_stiffness == 0) group.hold_stiffness = largest_moduli_of(sheet.fabric).s * sheet.dr / sheet.ds;
+  const double shorter = Dim == 3 ? std::min(group.size[0], group.size[1]) : group.size[0];
+  if (sheet.thickness > 0.1 * shorter && !options.help())
+    refuse(group, "thickness " + to_text(sheet.thickness),
+           "must be at most a tenth of the cloth's shorter side, " + to_text(shorter) + " m");
+  if (group.hold == Hold::none) options.mark_idle("-" + name + "_hold is none", {name + "_hold_stiffness"});
   if (sheet.closed) check_closed(group);
   if (group.model == ElasticModel::love) check_love(group);
   return group;

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/contact/contact_options.hpp"
 
+#include <algorithm>
+
+#include "washfsi/support/errors.hpp"
+#include "washfsi/support/format_text.hpp"
+
 namespace washfsi {
 
 const ChoiceNames<ContactKind>& names_of(ContactKind) {
@@ -8,6 +13,24 @@ const ChoiceNames<ContactKind>& names_of(ContactKind) {
       {"none", ContactKind::none}, {"cushion", ContactKind::cushion}, {"barrier", ContactKind::barrier}};
   return names;
 }
+
+namespace {
+
+constexpr Range coefficient{0.0, 5.0, false, "a number from 0 to 5"};
+
+// What the kind of contact does not use.
+void mark_unused(Options& options, const ContactOptions& contact) {
+  const std::string kind = "-contact is " + name_of(contact.kind);
+  if (contact.kind != ContactKind::barrier)
+    options.mark_idle(kind,
+                      {"contact_body_distance", "contact_stiffness", "contact_friction", "contact_body_friction"});
+  if (contact.kind != ContactKind::cushion) options.mark_idle(kind, {"contact_pressure"});
+  if (contact.kind == ContactKind::none) options.mark_idle(kind, {"contact_distance"});
+  if (contact.kind == ContactKind::cushion && contact.pressure == 0)
+    options.mark_idle("-contact_pressure is 0, which makes no cushion", {"contact_distance"});
+}
+
+}  // namespace
 
 ContactOptions ContactOptions::from_options(Options& options) {
   ContactOptions contact;
@@ -25,8 +48,8 @@ ContactOptions ContactOptions::from_options(Options& options) {
     block.real("pressure", contact.pressure, "Pa", non_negative,
                "push of the cushion on cloth at a body's surface; 0: no cushion");
     block.real("stiffness", contact.stiffness, "Pa", positive, "of the barrier");
-    block.real("friction", contact.friction, "-", non_negative, "coefficient between cloths, with the barrier");
-    block.real("body_friction", contact.body_friction, "-", non_negative,
+    block.real("friction", contact.friction, "-", coefficient, "coefficient between cloths, with the barrier");
+    block.real("body_friction", contact.body_friction, "-", coefficient,
                "coefficient of cloths on bodies and walls, with the barrier");
     block.boolean("drainage", contact.drainage,
                   "water between cloths that are nearer than a cell drains along them, by the law of squeezed films "
@@ -34,20 +57,45 @@ ContactOptions ContactOptions::from_options(Options& options) {
     block.real("verify_interval", contact.verify_interval, "s", non_negative,
                "between counts of the cloths' intersections, with the barrier; 0: after each step");
   });
+  mark_unused(options, contact);
   return contact;
 }
+
+namespace {
+
+// Stops where a surface would push cloth that is not near to it: beyond two spacings of markers, and two cells.
+template <int Dim>
+void refuse_far_reach(const std::string& option, double distance, const Surroundings<Dim>& around) {
+  double most = around.grid.spacing().maxCoeff();
+  for (const auto& group : around.cloths.groups())
+    most = std::max({most, group.sheet.ds, Dim == 3 ? group.sheet.dr : group.sheet.ds});
+  if (distance > 2 * most && around.cloths.marker_count() > 0)
+    throw InputError(option + " " + to_text(distance) + ": must be at most " + format_text("%.6g", 2 * most) +
+                     " m, twice the widest spacing of markers or cells; farther off nothing touches");
+}
+
+template <int Dim>
+MakeForce<Dim> within_reach(const std::string& option, double distance, MakeForce<Dim> make) {
+  return [=](const Surroundings<Dim>& around) {
+    refuse_far_reach(option, distance, around);
+    return make(around);
+  };
+}
+
+}  // namespace
 
 template <int Dim>
 std::vector<MakeForce<Dim>> ContactOptions::forces() const {
   if (kind == ContactKind::none) return {};
   if (kind == ContactKind::barrier) {
     const BarrierOptions barrier{distance, body_distance, stiffness, friction, body_friction};
-    return {barrier_of_bodies<Dim>(barrier), Barrier<Dim>::maker(barrier)};
+    return {within_reach<Dim>("-contact_body_distance", body_distance, barrier_of_bodies<Dim>(barrier)),
+            Barrier<Dim>::maker(barrier)};
   }
   CushionOptions cushion;
   cushion.pressure = pressure;
   if (distance > 0) cushion.distance = distance;
-  return {Cushion<Dim>::maker(cushion)};
+  return {within_reach<Dim>("-contact_distance", distance, Cushion<Dim>::maker(cushion))};
 }
 
 template std::vector<MakeForce<2>> ContactOptions::forces<2>() const;

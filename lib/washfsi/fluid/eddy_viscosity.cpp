@@ -37,10 +37,13 @@ std::shared_ptr<const ViscosityModel<Dim>> eddy_viscosity_from_options(Options& 
   for (const NamedLaw& law : laws) names.emplace_back(law.name);
   options.block("", "Turbulence", [&](OptionBlock& block) {
     block.choice("turbulence", name, names, "eddy viscosity of what is smaller than a cell, in space");
-    block.real("turbulence_constant", constant, "-", non_negative,
+    block.real("turbulence_constant", constant, "-", {0.0, 10.0, false, "a number from 0 to 10"},
                "its constant; 0: vreman 0.07, sigma 1.35, wale 0.5");
   });
-  if (name == "none") return nullptr;
+  if (name == "none") {
+    options.mark_idle("-turbulence is none", {"turbulence_constant"});
+    return nullptr;
+  }
   if constexpr (Dim == 2) {
     throw InputError("-turbulence " + name + ": needs three dimensions; eddies in the plane do not break up, use none");
   } else {

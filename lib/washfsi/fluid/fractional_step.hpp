@@ -91,6 +91,8 @@ class FractionalStep {
     has_history_ = last > 0;
     dt_earlier_ = before;
   }
+  /// Whether the velocity is made free of divergence.
+  bool projects() const { return projects_; }
   Advection scheme_of_advection() const { return advection_scheme_; }
   /// Whether advection is other than central, and then the power that it took out of the flow in the last step beyond
   /// central advection, which takes none [W; W/m in the plane].

@@ -12,6 +12,14 @@ const ChoiceNames<Advection>& names_of(Advection) {
   return names;
 }
 
+namespace {
+
+constexpr const char* no_surface =
+    "there is no surface of the water: it fills the box, but for the bodies; foam, spinning and half-filled drums are "
+    "not computed";
+
+}  // namespace
+
 template <int Dim>
 FluidOptions<Dim> FluidOptions<Dim>::from_options(Options& options) {
   FluidOptions<Dim> fluid;
@@ -42,6 +50,9 @@ FluidOptions<Dim> FluidOptions<Dim>::from_options(Options& options) {
   });
   if (fluid.wall_model != WallTreatment::none && fluid.viscosity == 0)
     throw InputError("-wall_model " + name_of(fluid.wall_model) + ": needs a -fluid_viscosity > 0");
+  if (!fluid.projection) options.mark_idle("-fluid_projection is false", {"pressure_tolerance"});
+  options.answer("water_level", no_surface);
+  options.answer("water_shape", no_surface);
   return fluid;
 }
 

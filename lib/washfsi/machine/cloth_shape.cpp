@@ -135,7 +135,7 @@ ShapeOptions<Dim> ShapeOptions<Dim>::from_options(Options& options, const std::s
           block.reals("semi_axes", axes, 2, 2, "m", "of an ellipse, along and across the cloth's direction");
         block.integer("mode", shape.mode, one_to_forty, "which bending mode of a free cloth");
         block.real("amplitude", shape.amplitude, "m", any_number, "of the mode, where it is largest");
-        block.real("crumpling", shape.crumpling, "rad", non_negative,
+        block.real("crumpling", shape.crumpling, "rad", {0.0, std::numbers::pi, false, "a number from 0 to pi"},
                    "largest turn from edge to edge of crumpled cloth");
       },
       "cloths_");

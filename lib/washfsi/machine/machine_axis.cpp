@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/machine/machine_axis.hpp"
 
+#include "washfsi/support/errors.hpp"
+
 namespace washfsi {
 
 MachineAxis MachineAxis::from_options(Options& options, const Point<3>& lower, const Point<3>& upper) {
@@ -14,6 +16,17 @@ MachineAxis MachineAxis::from_options(Options& options, const Point<3>& lower, c
                    "distance from the axis and height of what tumbling cloths go round; default: half-way between axis"
                    " and sides, half the height");
   });
+  const auto refuse = [](const char* name, const Point<2>& value, const std::string& allowed) {
+    throw InputError(std::string("-machine_") + name + " " + list_text<2>(value) + ": must be " + allowed);
+  };
+  for (int d = 0; d < 2; ++d)
+    if (!(machine.axis[d] >= lower[d] && machine.axis[d] <= upper[d]))
+      refuse("axis", machine.axis,
+             "in the box, x,y from " + list_text<2>(lower.head<2>()) + " to " + list_text<2>(upper.head<2>()));
+  const auto& [distance, height] = std::pair(machine.orbit_center[0], machine.orbit_center[1]);
+  if (!(distance >= 0 && height >= lower[2] && height <= upper[2]))
+    refuse("orbit_center", machine.orbit_center,
+           "a distance >= 0 and a height in the box, from " + to_text(lower[2]) + " to " + to_text(upper[2]));
   return machine;
 }
 

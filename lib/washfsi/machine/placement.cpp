@@ -210,8 +210,27 @@ void check_start(const ClothGroup<Dim>& group, const std::vector<Body<Dim>>& bod
 
 }  // namespace
 
+namespace {
+
+// What the rule of placement does not use.
+template <int Dim>
+void mark_unused(Options& options, const std::string& group, const PlacementOptions<Dim>& placement) {
+  const auto unless = [&](const std::vector<PlacementRule>& rules, const std::vector<std::string>& names) {
+    if (std::ranges::find(rules, placement.rule) != rules.end()) return;
+    for (const std::string& name : names)
+      options.mark_idle("-" + group + "_placement is " + name_of(placement.rule), {group + "_" + name});
+  };
+  using enum PlacementRule;
+  unless({line, stack}, {"direction", "across", "distance"});
+  unless({radial}, {"inner_radius", "shift", "tilt"});
+  unless({random}, {"radius", "height", "clearance"});
+}
+
+}  // namespace
+
 template <int Dim>
 PlacementOptions<Dim> PlacementOptions<Dim>::from_options(Options& options, const std::string& group) {
+  constexpr Range half_turn{0.0, std::numbers::pi, false, "a number from 0 to pi"};
   PlacementOptions<Dim> placement;
   options.block(
       group + "_", "Placement of " + group,
@@ -226,8 +245,7 @@ PlacementOptions<Dim> PlacementOptions<Dim>::from_options(Options& options, cons
         block.real("inner_radius", placement.inner_radius, "m", non_negative, "where the cloths begin (radial)");
         block.real("shift", placement.shift, "m", non_negative,
                    "largest random shift of a cloth along each axis (radial)");
-        block.real("tilt", placement.tilt, "rad", non_negative,
-                   "largest random turn of a cloth about each axis (radial)");
+        block.real("tilt", placement.tilt, "rad", half_turn, "largest random turn of a cloth about each axis (radial)");
         block.real("radius", placement.radius, "m", positive, "of the disc that holds the cloths (random)");
         if (Dim == 3)
           block.real("height", placement.height, "m", positive, "of the disc that holds the cloths (random)");
@@ -238,6 +256,7 @@ PlacementOptions<Dim> PlacementOptions<Dim>::from_options(Options& options, cons
       },
       "cloths_");
   placement.shape = ShapeOptions<Dim>::from_options(options, group);
+  mark_unused(options, group, placement);
   if (placement.direction.norm() == 0) throw InputError("-" + group + "_direction: must not be zero");
   if (Dim == 3 && cross<Dim>(placement.direction, placement.across).norm() == 0)
     throw InputError("-" + group + "_across: must not be zero or parallel to -" + group + "_direction");

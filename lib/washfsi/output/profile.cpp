@@ -65,7 +65,8 @@ Profile<Dim> profile_from_options(Options& options, const std::string& name) {
     block.require("to", "the last point of the line");
     block.template point<Dim>("from", profile.from, "m", "first point of the line");
     block.template point<Dim>("to", profile.to, "m", "last point of the line");
-    block.integer("points", profile.points, at_least_one, "number of points on the line");
+    block.integer("points", profile.points, {1.0, 1e6, false, "a whole number from 1 to 1000000"},
+                  "number of points on the line");
   });
   return profile;
 }

@@ -103,12 +103,12 @@ void CouplingOptions::read_solution(Options& options) {
                   "in time: 1 damps waves that the step is long for; 2 follows smooth motions (semi_implicit)");
     block.choice("mobility", mobility,
                  "what stands for the mobility of the markers: that without pressure, or its row sums (semi_implicit)");
-    block.real("mobility_factor", mobility_factor, "-", positive,
+    block.real("mobility_factor", mobility_factor, "-", {0.01, 100.0, false, "a number from 0.01 to 100"},
                "of what stands for the markers' mobility; too small: unstable; large: slow to follow (semi_implicit)");
     block.real("tolerance", tolerance, "-", tight,
                "rms residual of the markers' velocities over the flow's speed (semi_implicit, implicit)");
     block.integer("sweeps", sweeps, at_least_one, "solves of the cloth and corrections at most (semi_implicit)");
-    block.real("slip_tolerance", slip_tolerance, "-", non_negative,
+    block.real("slip_tolerance", slip_tolerance, "-", {0.0, 1.0, false, "a number from 0 to 1"},
                "slip between cloth and water below which no further sweep is made (semi_implicit)");
   });
 }

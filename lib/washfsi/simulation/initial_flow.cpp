@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/simulation/initial_flow.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -150,6 +151,13 @@ InitialFlowOptions<Dim> InitialFlowOptions<Dim>::from_options(Options& options) 
                "body with which the water turns, of -fluid_initial rotation; unless given the drum that turns");
   });
   initial.channel = ChannelStartOptions::from_options(options);
+  const std::string kind = "-fluid_initial is " + initial.kind;
+  const auto unless = [&](const std::vector<std::string>& kinds, const std::vector<std::string>& idle) {
+    if (std::ranges::find(kinds, initial.kind) == kinds.end()) options.mark_idle(kind, idle);
+  };
+  unless({"uniform", "channel", "taylor_green_3d"}, {"fluid_initial_velocity"});
+  unless({"rotation"}, {"fluid_initial_body"});
+  unless({"channel"}, {"fluid_initial_profile", "fluid_initial_disturbance", "fluid_initial_seed"});
   return initial;
 }
 

@@ -16,7 +16,7 @@ RunOptions RunOptions::from_options(Options& options, const std::string& case_na
     block.real("time_cfl", run.time_cfl, "-", non_negative,
                "choose each step for this CFL number; 0: steps of equal length");
     block.real(
-        "time_tolerance", run.time_tolerance, "-", non_negative,
+        "time_tolerance", run.time_tolerance, "-", {0.0, 1.0, false, "a number from 0 to 1"},
         "with -time_cfl, choose each step so that the cloths' velocities err by this part of the largest speed at "
         "most; 0: do not look");
     block.real("time_end", run.time_end, "s", positive, "time at which the run ends");
@@ -36,6 +36,8 @@ RunOptions RunOptions::from_options(Options& options, const std::string& case_na
     block.boolean("check", run.check, "only check: set everything up, write it at t = 0 and tell its cost");
     block.boolean("strict", run.strict, "what the program warns of at the start is an error");
   });
+  if (run.time_step > run.time_end && run.time_cfl == 0)
+    throw InputError("-time_step " + to_text(run.time_step) + ": must be at most -time_end " + to_text(run.time_end));
   if (run.time_cfl >= run.max_courant)
     throw InputError("-time_cfl " + to_text(run.time_cfl) + ": must be below -time_max_cfl " +
                      to_text(run.max_courant));

@@ -9,6 +9,8 @@
 
 #include "washfsi/scheme/coupling_operations.hpp"
 #include "washfsi/simulation/changed_options.hpp"
+#include "washfsi/simulation/doubtful_options.hpp"
+#include "washfsi/simulation/idle_options.hpp"
 #include "washfsi/simulation/report_lines.hpp"
 #include "washfsi/simulation/size_check.hpp"
 #include "washfsi/support/errors.hpp"
@@ -28,6 +30,8 @@ Simulation<Dim>::Simulation(Options& options, const std::string& case_name) : pr
   std::optional<LongTask> task(std::in_place, options.comm(), "preparing the bodies");
   std::vector<Body<Dim>> bodies = bodies_from_options<Dim>(options, shape.spacing().minCoeff());
   task.reset();
+  mark_idle_options<Dim>(options, chosen, bodies);
+  warn_of_doubtful_options<Dim>(options, chosen, bodies);
   profiles_ = profiles_from_options<Dim>(options, shape.lower, shape.upper);
   if (options.help()) return;
 
@@ -38,7 +42,7 @@ Simulation<Dim>::Simulation(Options& options, const std::string& case_name) : pr
   scheme_ = make_coupling_scheme<Dim>(chosen.coupling, *system_);
   steps_ = std::make_unique<StepChoice<Dim>>(run_, chosen.coupling, *system_, *scheme_);
   measures_ = std::make_unique<Measures<Dim>>(*system_, chosen.measure);
-  judge_start();
+  judge_start(chosen);
   if (!run_.restart.empty()) {
     state_ = read_checkpoint<Dim>(run_.restart, *system_, *measures_);
     first_step_ = clock().step;
@@ -51,6 +55,7 @@ Simulation<Dim>::Simulation(Options& options, const std::string& case_name) : pr
   measures_->verify_start();
   steps_->begin(state_);
   if (run_.time_cfl == 0) options.record("time_step", state_.dt);
+  warn_of_short_spans<Dim>(options, *measures_, state_.dt);
   options.reject_unread();
   notes_ = options.notes();
   const std::string now = case_options(options.resolved());
@@ -63,21 +68,33 @@ Simulation<Dim>::Simulation(Options& options, const std::string& case_name) : pr
 
 // Of the system at t = 0, where a restart goes on from too.
 template <int Dim>
-void Simulation<Dim>::judge_start() {
+void Simulation<Dim>::judge_start(const CaseOptions<Dim>& chosen) {
   begin_step(*system_, system_->state.positions, clock().time, 0);  // forces look at what is near
+  const StatisticsOptions& statistics = chosen.measure.statistics;
+  const PhaseStatistics* phases = measures_->phases();
+  const bool samples = statistics.take || phases;
   at_start_ = start_findings(*system_, measures_->cycles(),
                              {.end = run_.time_end,
                               .checkpoint_interval = run_.checkpoint_interval,
                               .output_interval = run_.output_interval,
-                              .history_interval = run_.history_interval});
+                              .history_interval = run_.history_interval,
+                              .verify_interval = chosen.model.verify_interval,
+                              .sampling_start = samples ? statistics.start : 0,
+                              .sampling_interval = samples ? statistics.interval : 0,
+                              .phase_period = phases && phases->count() > 1 ? phases->options().period : 0});
 }
 
 template <int Dim>
 void Simulation<Dim>::refuse_doubts() const {
-  const Findings doubts = doubtful(at_start_);
-  if (!run_.strict || doubts.empty()) return;
+  if (!run_.strict) return;
+  std::vector<std::string> doubts;
+  const std::string start = "warning: ";
+  for (const std::string& note : notes_)
+    if (note.starts_with(start)) doubts.push_back(note.substr(start.size()));
+  for (const Finding& finding : doubtful(at_start_)) doubts.push_back("of " + finding.name + ", " + finding.text);
+  if (doubts.empty()) return;
   throw InputError("-strict: " + std::to_string(doubts.size()) + (doubts.size() == 1 ? " warning" : " warnings") +
-                   ", the first of " + doubts.front().name + ", " + doubts.front().text);
+                   ", the first " + doubts.front());
 }
 
 template <int Dim>

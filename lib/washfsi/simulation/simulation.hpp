@@ -26,7 +26,7 @@ class Simulation {
 
  private:
   void start_results(Options& options);
-  void judge_start();
+  void judge_start(const CaseOptions<Dim>& chosen);
   void refuse_doubts() const;
   void print_banner();
   void check_only();

@@ -17,6 +17,7 @@ StatisticsOptions StatisticsOptions::from_options(Options& options) {
     block.reals("statistics_spectra", statistics.spectra, 0, 20, "m",
                 "places on the only axis without mean at which spectra along the others are taken");
   });
+  if (!statistics.take) options.mark_idle("-statistics is false", {"statistics_axes", "statistics_spectra"});
   return statistics;
 }
 
@@ -60,6 +61,10 @@ PhaseOptions PhaseOptions::from_options(Options& options, const StatisticsOption
   });
   if (phases.count > 0 && dimension == 2)
     throw InputError("-statistics_phases " + std::to_string(phases.count) + ": needs three dimensions");
+  if (phases.count == 0) options.mark_idle("-statistics_phases is 0", {"statistics_phase_*"});
+  if (phases.count == 0 && !others.take)
+    options.mark_idle("neither -statistics nor -statistics_phases are taken",
+                      {"statistics_start", "statistics_interval"});
   return phases;
 }
 

@@ -12,10 +12,37 @@ namespace {
 
 constexpr std::size_t before_rings = 2;  // of a phase: samples, time
 
+// An axis that passes the box by has no rings round it.
+const PhaseOptions& with_place(const Grid<3>& grid, const PhaseOptions& options) {
+  const Point<3>& center = *options.center;
+  for (int d = 0; d < 3; ++d)
+    if (d != options.axis && !(center[d] >= grid.lower()[d] && center[d] <= grid.upper()[d]))
+      throw InputError("-statistics_phase_center " + list_text<3>(center) + ": must lie in the box, from " +
+                       list_text<3>(grid.lower()) + " to " + list_text<3>(grid.upper()));
+  return options;
+}
+
+// Bins narrower than a cell hold none here and there.
+void check_bins(const Grid<3>& grid, const RingBins& bins, const PhaseOptions& options) {
+  const Point<3> h = grid.spacing();
+  const double across = std::max(h[(options.axis + 1) % 3], h[(options.axis + 2) % 3]);
+  const auto check = [](const char* name, PetscInt asked, double length, double cell) {
+    const double most = std::ceil(length / cell - 1e-9);
+    if (static_cast<double>(asked) > most)
+      throw InputError(std::string("-statistics_phase_bins_") + name + " " + std::to_string(asked) +
+                       ": must be at most " + to_text(most) + ", or bins are narrower than cells, and some hold none");
+  };
+  check("r", options.bins[0], bins.reach(), across);
+  check("z", options.bins[1], grid.upper()[options.axis] - grid.lower()[options.axis], h[options.axis]);
+}
+
 }  // namespace
 
 PhaseStatistics::PhaseStatistics(const Grid<3>& grid, const PhaseOptions& options)
-    : grid_(grid), options_(options), bins_(grid, options.axis, options.center.value(), options.bins) {
+    : grid_(grid),
+      options_(with_place(grid, options)),
+      bins_(grid, options.axis, options.center.value(), options.bins) {
+  check_bins(grid, bins_, options);
   if (options.period == 0 && options.count > 1)
     throw InputError("-statistics_phase_period is missing: no body moves periodically and there is no -cycle_time");
   constexpr double most = 1e8;  // numbers that every rank and the checkpoint hold

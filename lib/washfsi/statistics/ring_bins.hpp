@@ -18,7 +18,8 @@ class RingBins {
   RingBins(const Grid<3>& grid, int axis, const Point<3>& center, const std::array<PetscInt, 2>& counts);
 
   std::size_t count() const { return radii_.size() * heights_.size(); }
-  const std::vector<double>& radii() const { return radii_; }      ///< the bins' middles [m]
+  double reach() const { return width_ * static_cast<double>(radii_.size()); }  ///< of the bins of r [m]
+  const std::vector<double>& radii() const { return radii_; }                   ///< the bins' middles [m]
   const std::vector<double>& heights() const { return heights_; }  ///< theirs along the axis, in the box [m]
   /// Cells whose centres are in a bin; bins are numbered with r fastest.
   double cells(std::size_t bin) const { return cells_[bin]; }

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <set>
 #include <sstream>
 
 #include "washfsi/support/collective.hpp"
@@ -53,6 +54,7 @@ class FileReader {
 
   GivenOptions& given_;
   bool in_folders_;
+  std::set<std::string> recorded_;  ///< files that runs have written of their options
 };
 
 // One line of an options file: nothing, a comment, or an option and its value.
@@ -70,8 +72,9 @@ void FileReader::read_line(const std::string& line, const std::string& path, con
                      value->text + " " + third->text);
   const bool two_options = value && !value->quoted && is_option_name(value->text);
   if (option->text != "-options_file") {
-    given_.add({option->text, value && !two_options ? value->text : "", value && !two_options, path});
-    if (two_options) given_.add({value->text, "", false, path});
+    const bool recorded = recorded_.contains(path);
+    given_.add({option->text, value && !two_options ? value->text : "", value && !two_options, path, recorded});
+    if (two_options) given_.add({value->text, "", false, path, recorded});
     return;
   }
   if (!value || value->text.empty()) throw InputError(where + "-options_file: the name of a file is missing");
@@ -88,9 +91,11 @@ void FileReader::read(const std::string& path, const std::string& named_by, Incl
   std::ifstream file(path);
   if (!file || std::filesystem::is_directory(path)) throw InputError(named_by + ": this file cannot be read");
   std::string line;
-  for (int number = 1; std::getline(file, line); ++number)
+  for (int number = 1; std::getline(file, line); ++number) {
+    if (number == 1 && line == resolved_head) recorded_.insert(path);
     read_line(line, path, (under_way.size() == 1 ? named_by : path) + ", line " + std::to_string(number) + ": ",
               under_way);
+  }
 }
 
 // What PETSc reads unasked: resource files at home and here, and an environment variable.

@@ -29,6 +29,11 @@ bool GivenOptions::lacks_value(const std::string& name) const {
   return option && !option->has_value;
 }
 
+bool GivenOptions::is_recorded(const std::string& name) const {
+  const GivenOption* option = last(name);
+  return option && option->recorded;
+}
+
 std::string GivenOptions::resolve(const std::string& name, const std::string& path) const {
   const GivenOption* option = last(name);
   if (path.empty() || !option || option->file.empty()) return path;
@@ -57,10 +62,16 @@ bool GivenOptions::overridden(const std::string& name, const std::string& prefix
   });
 }
 
+bool GivenOptions::given_elsewhere_after(const std::string& name, const std::string& other) const {
+  const GivenOption *one = last(name), *later = last(other);
+  return one && later && later > one && later->file != one->file;
+}
+
 std::string GivenOptions::packed() const {
   std::string text;
   for (const GivenOption& option : options_)
-    for (const std::string& part : {option.word, option.value, std::string(option.has_value ? "1" : ""), option.file})
+    for (const std::string& part : {option.word, option.value, std::string(option.has_value ? "1" : ""), option.file,
+                                    std::string(option.recorded ? "1" : "")})
       text += part + '\0';
   return text;
 }
@@ -69,11 +80,13 @@ GivenOptions GivenOptions::unpacked(const std::string& text) {
   GivenOptions given;
   std::istringstream parts(text);
   GivenOption option;
-  for (std::string has_value; std::getline(parts, option.word, '\0');) {
+  for (std::string has_value, recorded; std::getline(parts, option.word, '\0');) {
     std::getline(parts, option.value, '\0');
     std::getline(parts, has_value, '\0');
     std::getline(parts, option.file, '\0');
+    std::getline(parts, recorded, '\0');
     option.has_value = !has_value.empty();
+    option.recorded = !recorded.empty();
     given.add(option);
   }
   return given;

@@ -6,12 +6,17 @@
 
 namespace washfsi {
 
+/// The first line of a file in which a run has written its options.
+inline constexpr const char* resolved_head =
+    "# every option of the run with the value used; solver options as they were given";
+
 /// An option as the user gave it, in a file or on the command line.
 struct GivenOption {
   std::string word;        ///< the option with its dash
   std::string value;       ///< perhaps empty
   bool has_value = false;  ///< an empty one too
   std::string file;        ///< in which it stands; empty: on the command line
+  bool recorded = false;   ///< the file is what a run wrote of its options, with all that has no effect
 
   /// Without the dash, in lower case: PETSc takes no notice of case.
   std::string name() const;
@@ -26,6 +31,8 @@ class GivenOptions {
   bool on_command_line(const std::string& name) const;
   /// Whether it was given with nothing behind it, not even "".
   bool lacks_value(const std::string& name) const;
+  /// Whether it stands where a run has recorded its options.
+  bool is_recorded(const std::string& name) const;
   /// A file name that was given as this option's value: relative to the folder of the options file in which it stands;
   /// on the command line to the working directory.
   std::string resolve(const std::string& name, const std::string& path) const;
@@ -34,6 +41,9 @@ class GivenOptions {
   /// Whether another value of this option was given before, or another file has options that begin with `prefix` before
   /// it, perhaps for the default of this one.
   bool overridden(const std::string& name, const std::string& prefix) const;
+
+  /// Whether another place, a later file or the command line behind the files, has given an option after this one was.
+  bool given_elsewhere_after(const std::string& name, const std::string& other) const;
 
   /// As one text, to be sent, and back.
   std::string packed() const;

@@ -155,8 +155,17 @@ class Options {
   void leave_out_dropped(const std::string& list, const std::vector<std::string>& present,
                          const std::function<void(const std::string& name)>& declare);
 
-  /// Stops if the user gave an option that nobody read; PETSc's own options pass, and those that were left out become
-  /// `notes`. Call once all parts are set up.
+  /// Tells that options that were read have no effect as others stand: `reject_unread` warns of those that the user
+  /// gave and did not switch off; where the option with which the reason begins was given later, over an earlier file,
+  /// it tells by a note. A name may end with *, for all that begin so.
+  void mark_idle(const std::string& reason, const std::vector<std::string>& names);
+  /// A line for people on what they gave, told with the others.
+  void warn(const std::string& text) { notes_.push_back("warning: " + text); }
+  /// What to say to who gives an option that is not there, in place of that nobody reads it.
+  void answer(const std::string& name, const std::string& text) { answers_[name] = text; }
+
+  /// Stops if the user gave an option that nobody read; PETSc's own options pass, and those that were left out or are
+  /// idle become `notes`. Call once all parts are set up.
   void reject_unread();
 
   /// An options file that repeats the run: ours with the values used, then PETSc's as the user gave them.
@@ -180,6 +189,7 @@ class Options {
   std::string nearest(const std::string& name) const;
   bool is_unread(const std::string& name, const std::string& value) const;
   [[noreturn]] void refuse_unread(const std::string& name, const std::string& value) const;
+  std::map<std::string, std::string> idle_as_given() const;
 
   MPI_Comm comm_;
   bool help_ = false, documents_ = false;
@@ -193,6 +203,9 @@ class Options {
   GivenOptions given_;
   std::map<std::string, std::string> left_out_;  ///< options that are switched off, each with the reason
   std::string leaving_out_;                      ///< the reason, while some are
+  std::map<std::string, std::string> idle_;      ///< options without effect, each with the reason
+  std::map<std::string, std::string> given_as_;  ///< options that the user gave, each with the name that he used
+  std::map<std::string, std::string> answers_;   ///< to options that are not there
 };
 
 }  // namespace washfsi

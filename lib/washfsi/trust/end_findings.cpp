@@ -68,11 +68,12 @@ void add_drift(const Cycles& cycles, Findings& findings) {
   }
 }
 
-void add_steps(const QuantityList& quantities, double dt, double time_cfl, Findings& findings) {
+void add_steps(const QuantityList& quantities, double dt, double time_cfl, bool keeps_volume, Findings& findings) {
   const double courant = quantities.summary_value("/max_cfl");
   findings.push_back(at_most("CFL number", courant, {0.8}, format_text("at most %.3g", courant),
                              std::string("the advection scheme gains energy there; ") +
                                  (time_cfl > 0 && time_cfl <= 0.5 ? "smaller -time_cfl" : "-time_cfl 0.5")));
+  if (!keeps_volume) return;
   const double change = dt * quantities.summary_value("/max_divergence");
   findings.push_back(at_most("volume", change, {1e-6, 1e-3}, format_text("kept to %.2g a step", change),
                              "water is made or lost; smaller -pressure_tolerance"));
@@ -121,10 +122,11 @@ Findings end_findings(const System<Dim>& system, const Measures<Dim>& measures, 
   const QuantityList& quantities = measures.quantities();
   Findings findings;
   if (model.has_fluid) {
-    add_energy(model, measures.whole_run(), findings);
+    const bool projects = model.fluid.projects();  // else neither water nor energy are meant to be kept
+    if (projects) add_energy(model, measures.whole_run(), findings);
     add_walls(model.liquid, quantities, findings);
     const Clock& clock = system.state.clock;
-    add_steps(quantities, clock.time / static_cast<double>(std::max(1L, clock.step)), time_cfl, findings);
+    add_steps(quantities, clock.time / static_cast<double>(std::max(1L, clock.step)), time_cfl, projects, findings);
   }
   add_drift(measures.cycles(), findings);
   for (const auto& group : model.cloths.groups()) add_cloth(model, quantities, group.name, findings);

@@ -8,6 +8,7 @@
 #include "washfsi/machine/crossings.hpp"
 #include "washfsi/support/collective.hpp"
 #include "washfsi/support/format_text.hpp"
+#include "washfsi/trust/body_findings.hpp"
 #include "washfsi/trust/contact_findings.hpp"
 #include "washfsi/trust/resting_sides.hpp"
 
@@ -17,13 +18,6 @@ namespace {
 
 constexpr double water_viscosity = 1e-3;                       // [Pa s], at 20 degrees C
 constexpr double lightest_water = 900, heaviest_water = 1100;  // [kg/m3]
-
-template <int Dim>
-std::string place_text(const Point<Dim>& place) {
-  std::string text;
-  for (int d = 0; d < Dim; ++d) text += (d == 0 ? "" : ",") + format_text("%.3g", place[d]);
-  return "(" + text + ")";
-}
 
 template <int Dim>
 bool is_water(const Model<Dim>& model) {
@@ -102,95 +96,6 @@ void add_flow(const Model<Dim>& model, const FlowScales& scales, Findings& findi
                                    "or -wall_model equilibrium"));
 }
 
-// ---- bodies ----
-
-template <int Dim>
-std::string survey_text(const BodySurvey<Dim>& body) {
-  return format_text("%.0f cells, %.3g %s, from ", body.cells, body.volume, Dim == 2 ? "m2" : "m3") +
-         place_text<Dim>(body.lower) + " to " + place_text<Dim>(body.upper) +
-         format_text(" m, top speed %.3g m/s", body.top_speed);
-}
-
-// `markers` hold the body's walls, if it is held by them.
-template <int Dim>
-Finding presence(const Body<Dim>& body, const BodySurvey<Dim>& survey, double all_cells, std::size_t markers) {
-  const std::string name = "body " + body.name;
-  if (survey.cells == 0 && markers > 0)
-    return {name, format_text("a sheet of %zu markers", markers), Verdict::ok, 0, Finding::none, ""};
-  if (survey.cells == 0)
-    return {name,
-            format_text("no cell's middle is in it; the nearest is %.3g m off", survey.nearest),
-            Verdict::fail,
-            0,
-            Finding::none,
-            "it holds no water: it is outside the box, thinner than a cell, or its STL file in another unit "
-            "(-" +
-                body.name + "_center, -" + body.name + "_scale)"};
-  if (survey.cells == all_cells)
-    return {name,
-            format_text("it fills the box, all %.0f cells", all_cells),
-            Verdict::fail,
-            survey.cells,
-            Finding::none,
-            "no water is left: a drum is -" + body.name + "_inverted; an STL file in millimetres needs -" + body.name +
-                "_scale 0.001"};
-  return {name, survey_text<Dim>(survey), Verdict::ok, survey.cells, Finding::none, ""};
-}
-
-// Markers hold a sheet as well as a wall, but it acts as if it were 1.4 cells thick.
-template <int Dim>
-Finding thickness(const std::string& name, const BodySurvey<Dim>& survey, bool has_markers) {
-  const bool is_thick = survey.thickness >= BodySurvey<Dim>::most_cells;
-  const std::string text = format_text(is_thick ? "more than %.2g" : "%.2g in its thinnest tenth", survey.thickness);
-  if (has_markers)
-    return at_least(name + " cells across", survey.thickness, {1.4}, text,
-                    "its thin parts act as if they were so thick; more -grid_cells");
-  return at_least(name + " cells across", survey.thickness, {4, 1}, text,
-                  "its load depends on where its walls lie in their cells; more -grid_cells");
-}
-
-// The jets from narrower blades have two or three cells, which carry them as these happen to lie.
-template <int Dim>
-Finding width(const std::string& name, const BodySurvey<Dim>& survey) {
-  return at_least(name + " sheet width", survey.sheet_width, {6},
-                  format_text("%.2g cells from edge to edge", survey.sheet_width),
-                  "what fast water does to its thin parts depends on where they lie in their cells, by a quarter on "
-                  "four; more -grid_cells");
-}
-
-template <int Dim>
-void add_body(const Model<Dim>& model, std::size_t b, const std::vector<BodySurvey<Dim>>& surveys, Findings& findings) {
-  const BodySurvey<Dim>& survey = surveys[b];
-  const std::string& name = model.bodies[b].name;
-  const std::size_t markers = model.walls ? model.walls->markers_of(b) : 0;
-  findings.push_back(presence<Dim>(model.bodies[b], survey, model.grid.cell_count(), markers));
-  if (findings.back().verdict != Verdict::ok) return;
-  findings.push_back(thickness(name, survey, markers > 0));
-  if (model.wall_law && !model.bodies[b].motion.at_rest()) findings.push_back(width(name, survey));
-  for (std::size_t c = 0; c < b; ++c) {
-    if (survey.shared[c] == 0) continue;
-    const std::string& other = model.bodies[c].name;
-    const bool within = survey.shared[c] == survey.cells || survey.shared[c] == surveys[c].cells;
-    const std::string inner = survey.shared[c] == survey.cells ? name : other, outer = inner == name ? other : name;
-    findings.push_back(
-        {"bodies " + other + ", " + name,
-         within ? inner + " lies wholly within " + outer : format_text("they share %.0f cells", survey.shared[c]),
-         within ? Verdict::fail : Verdict::warn, survey.shared[c], Finding::none,
-         "where bodies overlap, the first named holds the water and takes the load"});
-  }
-}
-
-template <int Dim>
-void add_motion(const Body<Dim>& body, const BodySurvey<Dim>& survey, Findings& findings) {
-  const std::string advice = body.motion.table ? "are the angles of -" + body.name + "_motion_file in degrees? Say -" +
-                                                     body.name + "_angle_unit deg"
-                                               : "no machine is as fast; -" + body.name + "_angular_speed is in rad/s";
-  const double fastest = body.motion.table ? 10 : 50;  // [m/s]: 1800 rpm at 0.26 m are 50; tables are of agitators
-  if (survey.top_speed > fastest)
-    findings.push_back(
-        at_most(body.name + " speed", survey.top_speed, {fastest}, format_text("%.3g m/s", survey.top_speed), advice));
-}
-
 // ---- cloths ----
 
 // The widest and narrowest spacing of its markers, over the mean spacing of the grid.
@@ -245,6 +150,13 @@ void add_times(const RunTimes& times, const Cycles& cycles, bool moves, Findings
   };
   beyond("checkpoint interval", times.checkpoint_interval, "nothing is kept before the end of the run");
   beyond("output interval", times.output_interval, "the series have only the first and the last frame");
+  beyond("history interval", times.history_interval, "the history has only the last row, and means are of that alone");
+  beyond("intersections interval", times.verify_interval, "they are counted at the start alone");
+  beyond("start of statistics", times.sampling_start, "nothing is sampled; earlier -statistics_start");
+  beyond("statistics interval", times.sampling_start + times.sampling_interval,
+         "no sample is taken; shorter -statistics_interval");
+  beyond("phases", times.sampling_start + times.phase_period,
+         "the run ends before each phase has come; longer -time_end");
   if (!cycles.are_there()) {
     if (moves)
       findings.push_back({"cycles", "none, since no body moves periodically; -cycle_time would make them", Verdict::ok,
@@ -307,10 +219,7 @@ Findings start_findings(const System<Dim>& system, const Cycles& cycles, const R
   add_water(model, findings);
   add_flow(model, flow_scales(model, surveys), findings);
   add_box(model, findings);
-  for (std::size_t b = 0; b < surveys.size(); ++b) {
-    add_body<Dim>(model, b, surveys, findings);
-    add_motion<Dim>(model.bodies[b], surveys[b], findings);
-  }
+  std::ranges::move(body_findings(model, surveys, time), std::back_inserter(findings));
   if (model.has_fluid) std::ranges::move(resting_side_findings(model, time), std::back_inserter(findings));
   if (model.has_fluid)
     for (const auto& group : model.cloths.groups()) add_cloth<Dim>(group, model, findings);

@@ -11,6 +11,8 @@ namespace washfsi {
 /// Times of a run [s].
 struct RunTimes {
   double end = 0, checkpoint_interval = 0, output_interval = 0, history_interval = 0;
+  double verify_interval = 0;                                          ///< between counts of intersections
+  double sampling_start = 0, sampling_interval = 0, phase_period = 0;  ///< of statistics
 };
 
 /// The scales of the flow: the fastest that moves, and the length that goes with it.
