@@ -39,7 +39,7 @@ REFUSED = [
     (MACHINE, ["-towel_tilt", 15], ["-towel_tilt 15", "pi"]),
     (HEAP, ["-towel_shape", "crumpled", "-towel_crumpling", 40], ["-towel_crumpling 40", "pi"]),
     (PLANE, ["-agitator_tip_radius", 0.05], ["-agitator_tip_radius 0.05", "-agitator_hub_radius"]),
-    (PLANE, ["-time_step", 10], ["-time_step 10", "-time_end"]),
+    (BOX, ["-time_step", 10], ["-time_step 10", "-time_end"]),
     (MACHINE, ["-turbulence", "vreman", "-turbulence_constant", 50], ["-turbulence_constant 50", "from 0 to 10"]),
     (MACHINE, ["-time_tolerance", 2], ["-time_tolerance 2", "from 0 to 1"]),
     (MACHINE, ["-coupling_mobility_factor", 1e6], ["-coupling_mobility_factor", "to 100"]),
