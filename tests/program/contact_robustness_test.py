@@ -165,11 +165,23 @@ class ContactRobustness(ProgramTest):
             history = self.history(*DROP, *shape)
             with self.subTest(thing=name):
                 self.assertEqual(history["intersections"].max(), 0)
+                self.assertEqual(history["body_intersections"].max(), 0)
                 self.assertGreater(history["a_body_contact_force"].max(), 0)
                 if distance:
                     least = min(least_distance(places, 10, distance) for places, _ in self.frames())
                     print(f"{name}: {1e3 * least:.2f} mm at least")
                     self.assertGreater(least, 0)
+
+    def test_a_post_between_markers_is_told_of(self):
+        """With the cushion, which sees markers alone; the barrier refuses to begin with it."""
+        post = THINGS["post of 6 mm"][0]
+        history = self.history(*DROP, *post, "-contact", "cushion", "-contact_verify_interval", 0.05,
+                               "-coupling_scheme", "implicit")
+        self.assertGreater(history["body_intersections"].max(), 0)
+        self.assertGreater(history["a_depth"].max(), 1e-3)
+        outcome = run(1, *DROP, *post, "-a_center", "0.011,0.007,-0.02", "-output_dir", "within", folder=self.folder)
+        self.assertEqual(outcome.returncode, 2, outcome.stdout)
+        self.assertIn("-contact barrier: at the start a 1 reaches 0.0027 m into b at", outcome.stderr)
 
     def test_tilted_towels_hit_the_floor_and_each_other(self):
         for direction, across in (("1,0.2,0.5", "0,1,0"), ("1,0.1,0.02", "0.02,0.05,1")):

@@ -145,34 +145,7 @@ bool may_meet(const First& a, const Second& b, const Point<Dim>& lengths, int so
 
 template <int Dim>
 IntersectionCount<Dim>::IntersectionCount(const Cloths<Dim>& cloths, const Point<Dim>& lengths)
-    : cloths_(cloths), lengths_(lengths) {
-  for (const Patch& patch : cloths.patches()) add_patch(patch);
-}
-
-// Of each of this rank's markers, row by row of the lattice, each cell split along the diagonal from its first marker.
-template <int Dim>
-void IntersectionCount<Dim>::add_patch(const Patch& patch) {
-  const std::size_t width = cloths_.group_of(patch).sheet.width;
-  const auto first = static_cast<std::size_t>(cloths_.pieces()[patch.piece].first);
-  const auto marker = [&](std::size_t m) { return patch.first_in_halo + m; };
-  numbers_.insert(numbers_.end(), patch.markers.begin(), patch.markers.end());
-  for (std::size_t m = patch.own_begin; m < patch.own_end; ++m) {
-    const bool below = m + width < patch.markers.size(),
-               beside = (static_cast<std::size_t>(patch.markers[m]) - first) % width + 1 < width;
-    if (below) edges_.push_back({marker(m), marker(m + width)});
-    if (beside) edges_.push_back({marker(m), marker(m + 1)});
-    if (below && beside) edges_.push_back({marker(m), marker(m + width + 1)});
-    if constexpr (Dim == 3) {
-      if (!below || !beside) continue;
-      faces_.push_back({marker(m), marker(m + width), marker(m + width + 1)});
-      faces_.push_back({marker(m), marker(m + width + 1), marker(m + 1)});
-    } else if (below) {
-      faces_.push_back(edges_.back());
-    }
-  }
-  piece_of_edge_.resize(edges_.size(), patch.piece);
-  piece_of_face_.resize(faces_.size(), patch.piece);
-}
+    : cloths_(cloths), lengths_(lengths), mesh_(cloths) {}
 
 template <int Dim>
 void IntersectionCount<Dim>::count(const Points<Dim>& positions) {
@@ -181,10 +154,14 @@ void IntersectionCount<Dim>::count(const Points<Dim>& positions) {
   if (cloths_.marker_count() == 0) return;
   const EqualSlabs<Dim> slabs(cloths_.comm(), positions, lengths_);
   const Points<Dim> places = cloths_.with_halo(positions);
-  const auto edge = [&](std::size_t n) { return thing<Dim>(edges_[n], places, numbers_, piece_of_edge_[n]); };
-  const auto face = [&](std::size_t n) { return thing<Dim>(faces_[n], places, numbers_, piece_of_face_[n]); };
-  const auto edges = slabs.shared_out(edges_.size(), edge);
-  const auto faces = slabs.shared_out(faces_.size(), face);
+  const auto edge = [&](std::size_t n) {
+    return thing<Dim>(mesh_.edges[n], places, mesh_.numbers, mesh_.piece_of_edge[n]);
+  };
+  const auto face = [&](std::size_t n) {
+    return thing<Dim>(mesh_.faces[n], places, mesh_.numbers, mesh_.piece_of_face[n]);
+  };
+  const auto edges = slabs.shared_out(mesh_.edges.size(), edge);
+  const auto faces = slabs.shared_out(mesh_.faces.size(), face);
   count_among(slabs, edges, faces);
   total_ = ordered_sum(cloths_.comm(), total_);
   share_example();

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 
-#include "washfsi/cloth/cloths.hpp"
+#include "washfsi/machine/cloth_mesh.hpp"
 
 namespace washfsi {
 
@@ -34,7 +33,6 @@ class IntersectionCount {
   std::string describe() const;
 
  private:
-  void add_patch(const Patch& patch);
   template <class Slabs, class Edges, class Faces>
   void count_among(const Slabs& slabs, const Edges& edges, const Faces& faces);
   template <class Edge, class Face>
@@ -44,10 +42,7 @@ class IntersectionCount {
 
   const Cloths<Dim>& cloths_;
   Point<Dim> lengths_;
-  std::vector<PetscInt> numbers_;                  ///< of the markers that this rank sees (`Cloths::with_halo`)
-  std::vector<std::array<std::size_t, 2>> edges_;  ///< that begin at this rank's markers, by where these are seen
-  std::vector<std::array<std::size_t, Dim>> faces_;
-  std::vector<std::size_t> piece_of_edge_, piece_of_face_;
+  ClothMesh<Dim> mesh_;
   double total_ = 0;
   std::optional<Intersection<Dim>> example_;
 };

@@ -15,7 +15,8 @@ ClothMeasure<Dim>::ClothMeasure(const System<Dim>& system, const MachineAxis& ma
       groups_(system.model.cloths.groups().size()),
       centers_(system.model.cloths.pieces().size(), Point<Dim>::Zero()),
       paths_(centers_.size()),
-      time_integrals_(marker_quantities<Dim>().size() * system.model.cloths.owned(), 0.0) {
+      time_integrals_(marker_quantities<Dim>().size() * system.model.cloths.owned(), 0.0),
+      depths_(system.model.cloths, system.model.grid, system.model.bodies) {
   const Cloths<Dim>& cloths = system.model.cloths;
   for (const std::size_t piece : cloths.piece_of_marker()) group_of_.push_back(cloths.pieces()[piece].group);
   const std::vector<double> ones(group_of_.size(), 1.0);
@@ -72,9 +73,9 @@ void ClothMeasure<Dim>::declare_group(QuantityList& quantities, std::size_t g) {
   quantities.add({name + "_max_stretch", "-", "largest \\|X_s\\| - 1 of any edge so far",
                   [&group] { return group.stretch; }, Accumulation::largest_so_far, pointer + "/max_stretch"},
                  {{name + "_stretch", "-", OverCycle::peak, "largest \\|X_s\\| - 1 of any edge"}});
-  quantities.add({name + "_depth", "m", "of the deepest marker in a body; 0 if none is inside",
+  quantities.add({name + "_depth", "m", "how deep the deepest face of a cloth reaches into a body; 0 if none does",
                   [&group] { return group.depth; }, Accumulation::largest, pointer + "/max_depth"},
-                 {{name + "_depth", "m", OverCycle::peak, "of the deepest marker in a body"}});
+                 {{name + "_depth", "m", OverCycle::peak, "how deep the deepest face of a cloth reaches into a body"}});
   if (tumbles_)
     quantities.add(
         {name + "_tumbles", "-", "turns of a cloth in the plane of radius and height so far, mean",
@@ -253,14 +254,8 @@ void ClothMeasure<Dim>::measure_places() {
 
 template <int Dim>
 void ClothMeasure<Dim>::measure_depths() {
-  const Model<Dim>& model = system_.model;
-  std::vector<double> depths(groups_.size(), 0.0);
-  for (std::size_t m = 0; m < system_.state.positions.size(); ++m) {
-    const Point<Dim> place = model.grid.folded(system_.state.positions[m]);
-    const double distance = nearest_distance<Dim>(model.bodies, place, system_.state.clock.time);
-    depths[group_of_[m]] = std::max(depths[group_of_[m]], -distance);
-  }
-  for (std::size_t g = 0; g < groups_.size(); ++g) groups_[g].depth = largest(model.grid.comm(), depths[g]);
+  depths_.look(system_.state.positions, system_.state.clock.time);
+  for (std::size_t g = 0; g < groups_.size(); ++g) groups_[g].depth = depths_.of_groups()[g];
 }
 
 template <int Dim>

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "washfsi/machine/body_depths.hpp"
 #include "washfsi/machine/crossings.hpp"
 #include "washfsi/machine/machine_axis.hpp"
 #include "washfsi/machine/paths.hpp"
@@ -16,13 +17,13 @@ namespace washfsi {
 /// Numbers of one group of cloths. The vectors have a value for each of `marker_quantities`.
 template <int Dim>
 struct GroupMeasures {
-  double elastic_energy = 0;               ///< now [J; per unit depth in the plane]
-  std::vector<double> now;                 ///< means over the markers
-  std::vector<double> mean;                ///< (5.2-5): means over the markers of the averages over the run so far
-  std::vector<double> deviation;           ///< standard deviations of these over the markers
-  double stretch = 0;                      ///< largest |X_s| - 1 now
-  double depth = 0;                        ///< of the deepest marker in any body now [m]; 0 if none is inside
-  double tumbles = 0;                      ///< mean turns of its cloths in the (r, z) plane so far; in space
+  double elastic_energy = 0;      ///< now [J; per unit depth in the plane]
+  std::vector<double> now;        ///< means over the markers
+  std::vector<double> mean;       ///< (5.2-5): means over the markers of the averages over the run so far
+  std::vector<double> deviation;  ///< standard deviations of these over the markers
+  double stretch = 0;             ///< largest |X_s| - 1 now
+  double depth = 0;               ///< how deep the deepest face reaches into a body now [m]; 0 if none is inside
+  double tumbles = 0;             ///< mean turns of its cloths in the (r, z) plane so far; in space
   Point<Dim> center = Point<Dim>::Zero();  ///< mean of its cloths' [m]
 };
 
@@ -74,6 +75,7 @@ class ClothMeasure : public Measure<Dim> {
   std::vector<double> time_integrals_;  ///< of the quantities of each marker
   double averaged_time_ = 0;            ///< [s]
   double step_error_ = 0;               ///< [m/s]
+  BodyDepths<Dim> depths_;
   std::optional<TumbleCounter> tumbles_;
   std::optional<ClothCrossings> crossings_;
 };

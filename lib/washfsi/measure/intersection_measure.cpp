@@ -21,7 +21,9 @@ Point<Dim> periods(const Grid<Dim>& grid) {
 
 template <int Dim>
 IntersectionMeasure<Dim>::IntersectionMeasure(const System<Dim>& system)
-    : system_(system), count_(system.model.cloths, periods(system.model.grid)) {}
+    : system_(system),
+      of_cloths_(system.model.cloths, periods(system.model.grid)),
+      in_bodies_(system.model.cloths, system.model.grid, system.model.bodies) {}
 
 template <int Dim>
 bool IntersectionMeasure<Dim>::counts() const {
@@ -32,15 +34,31 @@ template <int Dim>
 void IntersectionMeasure<Dim>::declare(QuantityList& quantities) {
   if (!counts()) return;
   quantities.add({"intersections", "-", "edges of cloths that go through a cloth, as counted last",
-                  [this] { return count_.total(); }, Accumulation::largest, "/intersections", true});
+                  [this] { return of_cloths_.total(); }, Accumulation::largest, "/intersections", true});
+  if (system_.model.bodies.empty()) return;
+  quantities.add({"body_intersections", "-", "faces of cloths that reach into a body, as counted last",
+                  [this] { return in_bodies_.total(); }, Accumulation::largest, "/body_intersections", true});
+}
+
+template <int Dim>
+void IntersectionMeasure<Dim>::count() {
+  of_cloths_.count(system_.state.positions);
+  in_bodies_.look(system_.state.positions, system_.state.clock.time);
+}
+
+template <int Dim>
+std::string IntersectionMeasure<Dim>::forbidden() const {
+  if (!is_forbidden()) return "";
+  return of_cloths_.total() > 0 ? of_cloths_.describe() : in_bodies_.example();
 }
 
 template <int Dim>
 void IntersectionMeasure<Dim>::verify_start() {
   if (!counts()) return;
-  count_.count(system_.state.positions);
-  if (is_forbidden() && count_.total() > 0)
-    throw InputError("-contact barrier: at the start " + count_.describe() + "; place the cloths apart");
+  count();
+  const std::string found = forbidden();
+  if (!found.empty())
+    throw InputError("-contact barrier: at the start " + found + "; place the cloths apart, and outside of bodies");
 }
 
 template <int Dim>
@@ -48,9 +66,9 @@ void IntersectionMeasure<Dim>::verify(double dt) {
   if (!counts()) return;
   const double interval = system_.model.verify_interval, time = system_.state.clock.time;
   if (interval > 0 && std::floor(time / interval + 1e-6) <= std::floor((time - dt) / interval + 1e-6)) return;
-  count_.count(system_.state.positions);
-  if (is_forbidden() && count_.total() > 0)
-    throw DivergedError("contact: " + count_.describe() + ", which the barrier must not let happen");
+  count();
+  const std::string found = forbidden();
+  if (!found.empty()) throw DivergedError("contact: " + found + ", which the barrier must not let happen");
 }
 
 template class IntersectionMeasure<2>;

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
+
+#include "washfsi/machine/body_depths.hpp"
 #include "washfsi/machine/intersections.hpp"
 #include "washfsi/measure/measure.hpp"
 #include "washfsi/scheme/system.hpp"
 
 namespace washfsi {
 
-/// Counts how often cloths go through each other, after each step or in intervals (-contact_verify_interval). Where
-/// contact limits the cloths' motion there must be none; else they are only counted, if an interval is given.
+/// Counts how often cloths go through each other and reach into bodies, after each step or in intervals
+/// (-contact_verify_interval). Where contact limits the cloths' motion there must be none; else they are only counted,
+/// if an interval is given.
 template <int Dim>
 class IntersectionMeasure {
  public:
@@ -24,9 +28,13 @@ class IntersectionMeasure {
  private:
   bool is_forbidden() const { return system_.model.forces.limit_motion(); }
   bool counts() const;
+  void count();
+  /// The first that must not be, in words; empty if there is none.
+  std::string forbidden() const;
 
   const System<Dim>& system_;
-  IntersectionCount<Dim> count_;
+  IntersectionCount<Dim> of_cloths_;
+  BodyDepths<Dim> in_bodies_;
 };
 
 extern template class IntersectionMeasure<2>;
