@@ -53,8 +53,8 @@ struct Stack {
   Points<Dim> own(const Points<Dim>& values) const {
     return {values.begin() + cloths->begin(), values.begin() + cloths->end()};
   }
-  std::unique_ptr<Barrier<Dim>> barrier(const Points<Dim>& places, double friction = 0) const {
-    auto result = std::make_unique<Barrier<Dim>>(BarrierOptions{distance, 0, 1e4, friction},
+  std::unique_ptr<Barrier<Dim>> barrier(const Points<Dim>& places, double friction = 0, double damping = 0) const {
+    auto result = std::make_unique<Barrier<Dim>>(BarrierOptions{distance, 0, 1e4, friction, 0, damping},
                                                  Surroundings<Dim>{*grid, *boundary, bodies, *cloths});
     const Points<Dim> start = own(places), at_rest(start.size(), Point<Dim>::Zero());
     start_apart(*result);
@@ -345,6 +345,44 @@ TYPED_TEST(BarrierTest, FrictionIsThatOfCoulombAndTheGradientOfItsEnergy) {
     } else {
       EXPECT_LT(pull, 0.3 * normal);
     }
+  }
+}
+
+// The upper cloths come nearer to the lowest, which stays, or go from it.
+TYPED_TEST(BarrierTest, WhatComesNearerIsDampedByTheGradientOfAnEnergy) {
+  constexpr int Dim = TypeParam::value;
+  const Stack<Dim> stack;
+  const auto damped = stack.barrier(stack.all, 0, 1), smooth = stack.barrier(stack.all);
+  const std::size_t of_cloth = stack.all.size() / 3;
+  for (const double nearer : {1e-6, 3e-6, -1e-6}) {
+    Points<Dim> moved = stack.all;
+    for (std::size_t m = of_cloth; m < moved.size(); ++m) moved[m][Dim - 1] -= nearer;
+    const auto damping = [&](const Points<Dim>& places) {
+      return stack.forces(*damped, places) - stack.forces(*smooth, places);
+    };
+    const Points<Dim> forces = damping(moved), direction = random_points<Dim>(moved.size(), 15);
+    double slope = 0, push = 0, size = 0;
+    Point<Dim> sum = Point<Dim>::Zero();
+    for (std::size_t m = 0; m < moved.size(); ++m) {
+      slope -= forces[m].dot(direction[m]);
+      sum += forces[m];
+      size += forces[m].norm();
+      if (m >= of_cloth) push += forces[m][Dim - 1];
+    }
+    EXPECT_LE(sum.norm(), 1e-12 * (size + 1));
+    if (nearer < 0) {
+      EXPECT_EQ(size, 0);
+      continue;
+    }
+    constexpr double e = 1e-10;
+    const auto energy = [&](double way) {
+      return stack.energy(*damped, moved + way * direction) - stack.energy(*smooth, moved + way * direction);
+    };
+    EXPECT_NEAR((energy(e) - energy(-e)) / (2 * e), slope, 1e-3 * std::abs(slope));
+    EXPECT_GT(push, 0);
+    MarkerContact contact(stack.cloths->owned());
+    damped->add_marker_contact(stack.own(moved), contact);
+    EXPECT_NEAR(sum_of(contact.friction_power) * 1e-3, push * nearer, 1e-6 * push * nearer);
   }
 }
 

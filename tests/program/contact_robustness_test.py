@@ -139,6 +139,15 @@ class ContactRobustness(ProgramTest):
         self.assertIn("3 pairs start nearer than 0.00267 m, from 0.001 m", out)
         self.assertIn("3 pairs start nearer than 0.00667 m, from 0.003 m", out)
 
+    def test_what_falls_comes_to_rest_whatever_the_step(self):
+        """Short steps hardly damp by themselves: what is left of the motion is lost where cloths meet."""
+        falls = [*STACK, "-a_count", 2, "-a_markers", 6, "-a_center", "0.15,0.15,0.014", "-a_distance", 0.004, "-time_step", 2e-4,
+                 "-time_end", 0.3]
+        damped = self.history(*falls)["kinetic_energy"]
+        bounces = self.history(*falls, "-contact_damping", 0)["kinetic_energy"]
+        self.assertLess(damped[-1], 1e-6 * damped.max())
+        self.assertGreater(bounces[-1], 1e3 * damped[-1])
+
     def test_the_gap_of_a_stack_is_that_of_the_barriers_law(self):
         """A sheet that carries the weight of w per area is as near as -kappa b'(s) = w has it."""
         _, _, _, heights = self.motion("-a_center", "0.15,0.15,0.0068", "-a_distance", 0.003, "-time_end", 1)

@@ -60,18 +60,32 @@ void Barrier<Dim>::begin_step(const StepStart<Dim>& start) {
   const Points<Dim> all = known(start.positions);
   places_of_blocks_.lay_out(near_, all);
   near_.follow_distances(all);
-  friction_.begin(rubbing_pairs(all), all, start.dt, start.share);
+  friction_.begin(rubbing_pairs(all, options_.damping), all, start.dt, start.share);
   seen_.clear();
 }
 
 // What touches now.
 template <int Dim>
-std::vector<typename PairFriction<Dim>::Pair> Barrier<Dim>::rubbing_pairs(const Points<Dim>& all) const {
+std::vector<typename PairFriction<Dim>::Pair> Barrier<Dim>::rubbing_pairs(const Points<Dim>& all,
+                                                                          double damping) const {
   std::vector<typename PairFriction<Dim>::Pair> pairs;
-  if (options_.friction > 0)
+  if (options_.friction > 0 || damping > 0)
     for (const Touch<Dim>& touch : near_.at(all))
-      if (touch.pressing > 0) pairs.push_back({touch.facing, options_.friction * touch.pressing});
+      if (touch.pressing > 0)
+        pairs.push_back({touch.facing, options_.friction * touch.pressing,
+                         contact_damping(damping, touch.stiffness, mass_of(touch))});
   return pairs;
+}
+
+// That of the lighter cloth, on the area of the touch [kg].
+template <int Dim>
+double Barrier<Dim>::mass_of(const Touch<Dim>& touch) const {
+  const NearMarkers<Dim>& known = near_.search().known();
+  const auto of_cloth = [&](std::size_t marker) {
+    return around_.cloths.groups()[around_.cloths.pieces()[known.piece_of(marker)].group].excess_mass;
+  };
+  const auto& markers = touch.facing.markers;
+  return touch.area * std::min(of_cloth(markers[0]), of_cloth(markers[touch.facing.count - 1]));
 }
 
 // In no time nothing slides.
@@ -79,7 +93,7 @@ template <int Dim>
 void Barrier<Dim>::begin_explicit_friction(const Points<Dim>& all, const StepStart<Dim>& start) {
   seen_.clear();
   if (start.held.dt == 0 || options_.friction == 0) return friction_.begin({}, all, 0);
-  friction_.begin_explicit(rubbing_pairs(all), near_.search().known(), all, known(start.velocities),
+  friction_.begin_explicit(rubbing_pairs(all, 0), near_.search().known(), all, known(start.velocities),
                            near_.search().known().values(start.held.mobilities), start.held.dt);
 }
 

@@ -66,7 +66,8 @@ class Barrier : public ContactForce<Dim> {
   template <class Visit>
   void visit_own(const Facing<Dim>& facing, const Visit& visit) const;
   void add_curvatures(const Points<Dim>& all, std::vector<StiffnessBlock<Dim>>& blocks) const;
-  std::vector<typename PairFriction<Dim>::Pair> rubbing_pairs(const Points<Dim>& all) const;
+  std::vector<typename PairFriction<Dim>::Pair> rubbing_pairs(const Points<Dim>& all, double damping) const;
+  double mass_of(const Touch<Dim>& touch) const;
   void begin_explicit_friction(const Points<Dim>& all, const StepStart<Dim>& start);
 
   BarrierOptions options_;

@@ -37,7 +37,8 @@ MakeForce<Dim> barrier_of_bodies(const BarrierOptions& options) {
     constexpr double usual = 0.4;
     double distance = options.body_distance;
     if (distance == 0) distance = share_of(least_spacing(around.cloths), usual);
-    return Cushion<Dim>::maker({options.stiffness, distance, CushionLaw::barrier, options.body_friction})(around);
+    return Cushion<Dim>::maker(
+        {options.stiffness, distance, CushionLaw::barrier, options.body_friction, options.damping})(around);
   };
 }
 

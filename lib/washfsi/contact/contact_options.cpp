@@ -22,8 +22,8 @@ constexpr Range coefficient{0.0, 5.0, false, "a number from 0 to 5"};
 void mark_unused(Options& options, const ContactOptions& contact) {
   const std::string kind = "-contact is " + name_of(contact.kind);
   if (contact.kind != ContactKind::barrier)
-    options.mark_idle(kind,
-                      {"contact_body_distance", "contact_stiffness", "contact_friction", "contact_body_friction"});
+    options.mark_idle(kind, {"contact_body_distance", "contact_stiffness", "contact_friction", "contact_body_friction",
+                             "contact_damping"});
   if (contact.kind != ContactKind::cushion) options.mark_idle(kind, {"contact_pressure"});
   if (contact.kind == ContactKind::none) options.mark_idle(kind, {"contact_distance"});
   if (contact.kind == ContactKind::cushion && contact.pressure == 0)
@@ -51,6 +51,9 @@ ContactOptions ContactOptions::from_options(Options& options) {
     block.real("friction", contact.friction, "-", coefficient, "coefficient between cloths, with the barrier");
     block.real("body_friction", contact.body_friction, "-", coefficient,
                "coefficient of cloths on bodies and walls, with the barrier");
+    block.real("damping", contact.damping, "-", coefficient,
+               "of cloth that comes nearer to what it touches, over the critical one for its excess mass, with the "
+               "barrier; 0: it bounces");
     block.boolean("drainage", contact.drainage,
                   "water between cloths that are nearer than a cell drains along them, by the law of squeezed films "
                   "(semi_implicit, implicit)");
@@ -88,7 +91,7 @@ template <int Dim>
 std::vector<MakeForce<Dim>> ContactOptions::forces() const {
   if (kind == ContactKind::none) return {};
   if (kind == ContactKind::barrier) {
-    const BarrierOptions barrier{distance, body_distance, stiffness, friction, body_friction};
+    const BarrierOptions barrier{distance, body_distance, stiffness, friction, body_friction, damping};
     return {within_reach<Dim>("-contact_body_distance", body_distance, barrier_of_bodies<Dim>(barrier)),
             Barrier<Dim>::maker(barrier)};
   }

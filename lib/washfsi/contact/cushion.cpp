@@ -100,16 +100,19 @@ void Cushion<Dim>::begin_friction(const StepStart<Dim>& start, const Points<Dim>
   const bool held = start.held.dt > 0;
   const double dt = held ? start.held.dt : start.dt;
   std::vector<Rub<Dim>> rubs;
-  if (options_.friction > 0 && dt > 0)
+  if (dt > 0 && (options_.friction > 0 || options_.damping > 0))
     for (const Plane& plane : planes_) {
-      const double limit = options_.friction * push(plane, plane.before).pressure;
-      if (limit == 0) continue;
+      const CushionPush before = push(plane, plane.before);
+      if (before.pressure == 0) continue;
+      const double limit = options_.friction * before.pressure;
       const Point<Dim> way = dt * planes_near_.velocity_of_surface(plane, time_ - 0.5 * start.dt);
       rubbing_.push_back({plane, held ? Point<Dim>(way - dt * plane.place(velocities)) : way});
       double mobility = 0;
       if (held)
         visit_own(plane, [&](std::size_t, std::size_t m) { mobility = std::max(mobility, start.held.mobilities[m]); });
-      rubs.push_back({plane.normal, limit, 2 * dt * dt * limit * mobility});
+      const double mass = plane.area * around_.cloths.groups()[around_.cloths.pieces()[plane.piece].group].excess_mass;
+      rubs.push_back({plane.normal, limit, 2 * dt * dt * limit * mobility,
+                      contact_damping(held ? 0 : options_.damping, before.stiffness, mass)});
     }
   friction_.begin(std::move(rubs), dt, start.share);
 }

@@ -2,6 +2,7 @@
 #include "washfsi/contact/friction.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace washfsi {
 
@@ -25,6 +26,10 @@ Point<Dim> slide(const Rub<Dim>& rub, const Point<Dim>& way) {
 }
 
 }  // namespace
+
+double contact_damping(double share, double stiffness, double mass) {
+  return 2 * share * std::sqrt(std::max(stiffness, 0.0) * mass);
+}
 
 template <int Dim>
 void Friction<Dim>::begin(std::vector<Rub<Dim>> rubs, double dt, double share) {
@@ -54,19 +59,32 @@ template <int Dim>
 std::vector<RubForce<Dim>> Friction<Dim>::forces(const Points<Dim>& ways) const {
   std::vector<RubForce<Dim>> forces;
   forces.reserve(rubs_.size());
-  for (std::size_t r = 0; r < rubs_.size(); ++r)
-    forces.push_back(force(rubs_[r], directions_[r], slide(rubs_[r], ways[r])));
+  for (std::size_t r = 0; r < rubs_.size(); ++r) forces.push_back(force(rubs_[r], directions_[r], ways[r]));
   return forces;
 }
 
 template <int Dim>
-RubForce<Dim> Friction<Dim>::force(const Rub<Dim>& rub, const Point<Dim>& direction, const Point<Dim>& slide) const {
-  const double y = slide.norm();
+RubForce<Dim> Friction<Dim>::force(const Rub<Dim>& rub, const Point<Dim>& direction, const Point<Dim>& way) const {
+  const Point<Dim> slid = slide(rub, way);
+  const double y = slid.norm();
   const Creep law = creep(y, rub, dt_);
   StiffnessBlock<Dim> stiffness = StiffnessBlock<Dim>::Identity() - rub.normal * rub.normal.transpose();
-  if (y > 0) stiffness -= 0.5 * law.rate / y * (direction * slide.transpose() + slide * direction.transpose());
+  if (y > 0) stiffness -= 0.5 * law.rate / y * (direction * slid.transpose() + slid * direction.transpose());
   const double limit = rub.limit / share_, strength = limit / law.g;
-  return {limit * law.energy, share_ * strength * y * y, strength * slide, strength * stiffness};
+  RubForce<Dim> force{limit * law.energy, share_ * strength * y * y, strength * slid, strength * stiffness};
+  add_damping(rub, way, force);
+  return force;
+}
+
+// The energy is convex, and quadratic on the side of approach.
+template <int Dim>
+void Friction<Dim>::add_damping(const Rub<Dim>& rub, const Point<Dim>& way, RubForce<Dim>& force) const {
+  const double apart = rub.normal.dot(way), strength = rub.damping / (share_ * dt_);
+  if (strength == 0 || apart > 0) return;
+  force.energy += 0.5 * strength * apart * apart;
+  force.work += share_ * strength * apart * apart;
+  force.pull += strength * apart * rub.normal;
+  force.stiffness += strength * rub.normal * rub.normal.transpose();
 }
 
 template class Friction<2>;

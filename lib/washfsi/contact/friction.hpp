@@ -10,16 +10,21 @@ namespace washfsi {
 /// Two surfaces that rub in a step: where they touch, and how hard they are pressed, is taken at its start.
 template <int Dim>
 struct Rub {
-  Point<Dim> normal;  ///< from the second to the first
-  double limit;       ///< friction coefficient times normal force [N; per unit depth in the plane]
-  double stops = 0;   ///< slide below which the whole of it, in an explicit step, would more than stop them [m]
+  Point<Dim> normal;   ///< from the second to the first
+  double limit;        ///< friction coefficient times normal force [N; per unit depth in the plane]
+  double stops = 0;    ///< slide below which the whole of it, in an explicit step, would more than stop them [m]
+  double damping = 0;  ///< of the motion along the normal, while they come nearer [N s/m]
 };
 
-/// What a rub does when the first surface has slid over the second by some way.
+/// The damping of two surfaces that approach each other, as a share of the critical one of a mass [kg] on a spring, the
+/// contact at the step's start [N/m]  [N s/m].
+double contact_damping(double share, double stiffness, double mass);
+
+/// What a rub does when the first surface has gone some way over the second.
 template <int Dim>
 struct RubForce {
   double energy = 0;              ///< of the potential [J]
-  double work = 0;                ///< that friction takes out in the step, pull by its share times slide [J]
+  double work = 0;                ///< that it takes out in the step, pull by its share times way [J]
   Point<Dim> pull;                ///< on the second surface, and minus this on the first [N]
   StiffnessBlock<Dim> stiffness;  ///< of Newton's method [N/m]
 };
@@ -36,6 +41,8 @@ struct RubForce {
 /// is positive, pull over slide at first, when q = 0, and the Hessian in the end.
 /// Friction is that of the step as a whole: where forces at its end make up a share of the step's mean force, and those
 /// at its start, when nothing has slid yet, the rest, the pull is limit/share.
+/// Two surfaces that come nearer to each other are also damped along the normal: what is pressed by a barrier would
+/// bounce, and cloth does not. `contact_damping` gives the coefficient.
 /// In an explicit step of length dt the way is that of the velocities at its start, and e at least so long that the
 /// pull does not turn the slide round: 2 limit dt^2 mobility.
 template <int Dim>
@@ -53,7 +60,8 @@ class Friction {
   double dt() const { return dt_; }
 
  private:
-  RubForce<Dim> force(const Rub<Dim>& rub, const Point<Dim>& direction, const Point<Dim>& slide) const;
+  RubForce<Dim> force(const Rub<Dim>& rub, const Point<Dim>& direction, const Point<Dim>& way) const;
+  void add_damping(const Rub<Dim>& rub, const Point<Dim>& way, RubForce<Dim>& force) const;
 
   std::vector<Rub<Dim>> rubs_;
   Points<Dim> directions_, slides_;  ///< q and u of each, where it was linearised last

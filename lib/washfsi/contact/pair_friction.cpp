@@ -10,7 +10,7 @@ void PairFriction<Dim>::begin(std::vector<Pair> pairs, const Points<Dim>& starts
   pairs_ = std::move(pairs);
   std::vector<Rub<Dim>> rubs;
   for (Pair& pair : pairs_) {
-    rubs.push_back({pair.facing.normal, pair.limit, pair.stops});
+    rubs.push_back({pair.facing.normal, pair.limit, pair.stops, pair.damping});
     for (std::size_t i = 0; i < pair.facing.count; ++i) pair.starts[i] = starts[pair.facing.markers[i]];
   }
   friction_.begin(std::move(rubs), dt, share);

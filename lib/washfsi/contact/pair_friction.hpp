@@ -14,6 +14,7 @@ class PairFriction {
   struct Pair {
     Facing<Dim> facing;  ///< at the step's start
     double limit;        ///< friction coefficient times normal force there [N; per unit depth in the plane]
+    double damping = 0;  ///< as of a `Rub`
     double stops = 0;    ///< as of a `Rub`
     /// Where its markers start; in an explicit step where they would have come from [m].
     std::array<Point<Dim>, 2 * Dim> starts{};

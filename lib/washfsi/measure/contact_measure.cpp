@@ -19,11 +19,11 @@ template <int Dim>
 void ContactMeasure<Dim>::declare(QuantityList& quantities) {
   if (!present(false) && !present(true)) return;
   for (std::size_t g = 0; g < groups_.size(); ++g) declare_group(quantities, g);
-  quantities.add(
-      {"friction_power", Units<Dim>::power, "that all cloths lose to friction on cloths, bodies and walls", [this] {
-         return std::accumulate(groups_.begin(), groups_.end(), 0.0,
-                                [](double sum, const Group& group) { return sum + group.friction_power; });
-       }});
+  quantities.add({"friction_power", Units<Dim>::power,
+                  "that all cloths lose to friction and damping on cloths, bodies and walls", [this] {
+                    return std::accumulate(groups_.begin(), groups_.end(), 0.0,
+                                           [](double sum, const Group& group) { return sum + group.friction_power; });
+                  }});
 }
 
 template <int Dim>
