@@ -35,10 +35,10 @@ TURNING = [*DIRECT, "-grid_cells", "48,48", "-grid_upper", "3,3", "-fluid_viscos
 STOKES = complex(-0.25408, -0.17403)  # torque over angular velocity: -2 pi R^3 mu k K_2(kR)/K_1(kR), k^2 = i w/nu
 
 # 0.78 of a cell lies between drum and box
-SQUEEZED = ["-options_file", SOURCE / "inputs" / "wash.opts", "-grid_cells", "12,12,12", "-towel_count", 4, "-towel_markers", 4,
+SQUEEZED = ["-options_file", SOURCE / "inputs" / "thesis" / "wash33.opts", "-grid_cells", "12,12,12", "-towel_count", 4, "-towel_markers", 4,
             "-agitator_frequency", 10, "-agitator_angular_speed", 15, "-time_end", 0.15, "-output_interval", 1]
 
-MACHINE = ["-options_file", SOURCE / "inputs" / "wash.opts", "-cloths", "", "-time_tolerance", 0, "-time_cfl", 0, "-time_step", 2e-3, "-time_end", 0.2,
+MACHINE = ["-options_file", SOURCE / "inputs" / "thesis" / "wash33.opts", "-cloths", "", "-time_tolerance", 0, "-time_cfl", 0, "-time_step", 2e-3, "-time_end", 0.2,
            "-output_interval", 100]
 
 

@@ -25,7 +25,7 @@ FULL = "full" in sys.argv
 CYCLES = 50 if FULL else 0.5
 STRIDE = 1000 if FULL else 100  # steps, at most between kills
 PERIOD = np.pi / 2  # of the agitator [s]
-CASE = ["-options_file", SOURCE / "inputs" / "wash.opts", "-grid_cells", "12,12,12", "-towel_count", 4, "-time_step", 4e-3,
+CASE = ["-options_file", SOURCE / "inputs" / "thesis" / "wash33.opts", "-grid_cells", "12,12,12", "-towel_count", 4, "-time_step", 4e-3,
         "-time_end", CYCLES * PERIOD, "-output_interval", PERIOD / 2, "-checkpoint_interval", PERIOD / 8]
 KILLED = -signal.SIGKILL
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The washing machine of inputs/wash.opts: balances, ranks, restart. `wash_test.py full` takes its own grid and a tenth
+"""The washing machine of inputs/thesis/wash33.opts: balances, ranks, restart. `wash_test.py full` takes its own grid and a tenth
 of a cycle, and a whole cycle for the balances; else a coarse grid and short times."""
 
 import pathlib
@@ -11,7 +11,7 @@ import numpy as np
 from support import SOURCE, TIGHT, ProgramTest, read_columns, relative_difference, run
 
 FULL = "full" in sys.argv
-CASE = ["-options_file", SOURCE / "inputs" / "wash.opts", *([] if FULL else ["-grid_cells", "17,17,17"])]
+CASE = ["-options_file", SOURCE / "inputs" / "thesis" / "wash33.opts", *([] if FULL else ["-grid_cells", "17,17,17"])]
 SHORT, LONG = (0.157, 1.571) if FULL else (0.05, 0.4)  # [s]
 CYCLE = ["-time_end", LONG, "-output_interval", LONG]
 NOT_PHYSICAL = {"step", "dt", "max_divergence"}

@@ -35,7 +35,7 @@ class Run:
         options = [f"-{group}_{name}" for group in GROUPS for name in ("ke", "damping")]
         values = [stiffness, damping] * len(GROUPS)
         outcome = subprocess.run(
-            command(RANKS, "-options_file", SOURCE / "inputs" / "wash2d.opts", "-coupling_scheme", coupling,
+            command(RANKS, "-options_file", SOURCE / "inputs" / "thesis" / "wash2d64.opts", "-coupling_scheme", coupling,
                     "-time_cfl", 0, "-time_step", step, "-time_end", QUARTER, "-output_interval", INTERVAL,
                     "-checkpoint_interval", 1, "-output_dir", folder,
                     *(word for pair in zip(options, values) for word in pair), others=others),
@@ -72,7 +72,7 @@ def bound(stiffness, damping):
     """The step bound that the program states."""
     options = [word for group in GROUPS for word in (f"-{group}_ke", stiffness, f"-{group}_damping", damping)]
     with tempfile.TemporaryDirectory(prefix="washfsi_") as folder:
-        text = subprocess.run(command(1, "-options_file", SOURCE / "inputs" / "wash2d.opts", "-check",
+        text = subprocess.run(command(1, "-options_file", SOURCE / "inputs" / "thesis" / "wash2d64.opts", "-check",
                                       "-coupling_scheme", "explicit", "-output_dir", folder, *options, others=[]),
                               check=True, capture_output=True, text=True).stdout
     return float(re.search(r"bound of the coupling (\S+) s", text)[1])

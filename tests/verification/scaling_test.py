@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a step of the wash costs on some ranks, and by a model on many more: the tables of docs/performance.md.
 
-Steps of inputs/wash.opts of equal length, all the same on each number of ranks, and of a cavity on the same cells. Whatever
+Steps of inputs/thesis/wash33.opts of equal length, all the same on each number of ranks, and of a cavity on the same cells. Whatever
 number of steps is measured, set-up is not: each figure is the difference of two runs. Fails where results differ between ranks.
 Arguments: the numbers of ranks, 1 2 if none are given; more than there are cores tell of messages and results alone. The model wants 1 and 2.
 
@@ -25,7 +25,7 @@ import support
 
 CELLS = 33
 STEPS = 50, 300
-WASH = ["-options_file", SOURCE / "inputs" / "wash.opts", "-time_cfl", 0, "-time_tolerance", 0, "-time_step", 1e-3]
+WASH = ["-options_file", SOURCE / "inputs" / "thesis" / "wash33.opts", "-time_cfl", 0, "-time_tolerance", 0, "-time_step", 1e-3]
 FINE_CELLS, FINE = 65, ["-grid_cells", "65,65,65", "-towel_markers", 12, "-contact_distance", 0]
 CAVITY = ["-grid_cells", f"{CELLS},{CELLS},{CELLS}", "-bc_y_upper_velocity", "1,0,0", "-fluid_density", 1, "-fluid_viscosity", 1e-3,
           "-time_step", 5e-3, "-time_end", 10]

@@ -31,7 +31,7 @@ def wash(*options, cells=64, end=1.5 * CYCLE, step=STEP):
     groups = [word for name, markers in MARKERS.items() for word in (f"-{name}_markers", markers * cells // 64)]
     clock = ["-time_cfl", 0.5] if step is None else ["-time_cfl", 0, "-time_step", step]
     with tempfile.TemporaryDirectory(prefix="washfsi_") as folder:
-        subprocess.run(command(RANKS, "-options_file", SOURCE / "inputs" / "wash2d.opts", "-grid_cells", f"{cells},{cells}",
+        subprocess.run(command(RANKS, "-options_file", SOURCE / "inputs" / "thesis" / "wash2d64.opts", "-grid_cells", f"{cells},{cells}",
                                "-contact_distance", spacing, *groups, *clock, "-time_end", end, "-output_interval", end,
                                "-checkpoint_interval", end, "-output_dir", folder, *options),
                        check=True, stdout=subprocess.DEVNULL)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The couplings at the three-dimensional wash: step, damping, cost and the stresses of the first agitation cycle.
 
-Prints the tables of docs/verification/wash.md. Arguments: `--shipped` for `inputs/wash.opts` as it is, which chooses its
+Prints the tables of docs/verification/wash.md. Arguments: `--shipped` for `inputs/thesis/wash33.opts` as it is, which chooses its
 steps, instead of the thesis's machine; `--cycles PART` for a part of the cycle only; `--ranks`, 2 if not given; `--keep
 FOLDER` for the runs' results (out/wash_couplings if not given), where a run that has finished is not made again. The
 reference is the explicit coupling with the damping that the semi-implicit step of the machine has by itself, about one
@@ -20,7 +20,7 @@ import numpy as np
 from tables import ARGUMENTS, SOURCE, command, print_record, print_record_head, read_columns
 from wash_runs import CYCLE, STRESSES, read_centers
 
-SHIPPED_MACHINE = SOURCE / "inputs" / "wash.opts"
+SHIPPED_MACHINE = SOURCE / "inputs" / "thesis" / "wash33.opts"
 THESIS_MACHINE = SOURCE / "inputs" / "thesis" / "base" / "machine.opts"
 INTERVAL = 1e-3  # between measurements: the default's step [s]
 SPACING = 0.025  # of the markers [m]

@@ -5,7 +5,7 @@ import numpy as np
 
 from tables import read_columns
 
-CYCLE = np.pi / 2  # of the agitator of inputs/wash.opts [s]
+CYCLE = np.pi / 2  # of the agitator of inputs/thesis/wash33.opts [s]
 STRESSES = ("ss", "rr", "sr")
 
 
