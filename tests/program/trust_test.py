@@ -84,8 +84,9 @@ class Trust(ProgramTest):
     def test_the_shipped_case(self):
         found = self.findings("-options_file", SOURCE / "inputs" / "wash.opts", "-check")
         self.assert_found(found, "viscosity", "warn", "1006 times water's")
-        self.assert_found(found, "agitator cells across", "warn", "1.2 in its thinnest tenth")
-        self.assert_found(found, "towel marker spacing", "warn", "1.67 cells")
+        self.assert_found(found, "agitator cells across", "ok", "2.3 in its thinnest tenth")
+        self.assert_found(found, "boundary layer", "ok", "4.1 cells")
+        self.assert_found(found, "towel marker spacing", "ok", "1.39 cells")
         self.assert_found(found, "Reynolds number", "ok", "the reach of agitator")
         self.assert_found(found, "body drum", "ok", "cells")
         self.assert_found(found, "cycles", "warn", "1 of")

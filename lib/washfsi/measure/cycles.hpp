@@ -15,6 +15,7 @@ namespace washfsi {
 class Cycles {
  public:
   static constexpr long first_in_means = 2;
+  static constexpr long wanted = first_in_means + 1;  ///< for means that have a spread
 
   static constexpr double whole_run = 1e100;  ///< a period that makes it one cycle [s]
 

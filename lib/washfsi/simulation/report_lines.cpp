@@ -2,6 +2,7 @@
 #include "washfsi/simulation/report_lines.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "washfsi/support/format_text.hpp"
 
@@ -56,6 +57,17 @@ std::vector<std::string> banner_lines(const Model<Dim>& model, const std::string
                     " markers), coupled " + coupling);
   lines.push_back("  solvers   " + solvers_text());
   return lines;
+}
+
+// The end that is advised is rounded up, so that the last cycle is complete.
+std::vector<std::string> demonstration_lines(const Cycles& cycles, double end) {
+  constexpr double rounding = 1e-6;
+  if (!cycles.are_there() || end > (1 - rounding) * Cycles::first_in_means * cycles.period()) return {};
+  const bool has_first = end > (1 - rounding) * cycles.period();
+  const double wanted = Cycles::wanted * cycles.period(), unit = std::pow(10, std::floor(std::log10(wanted)) - 3);
+  return {format_text("  cycles    %s: a demonstration; figures of a machine need %ld, -time_end %.4g",
+                      has_first ? "one, which is start-up" : "not one complete", Cycles::wanted,
+                      std::ceil(wanted / unit - rounding) * unit)};
 }
 
 template <int Dim>

@@ -13,6 +13,9 @@ template <int Dim>
 std::vector<std::string> banner_lines(const Model<Dim>& model, const std::string& case_name,
                                       const std::string& coupling);
 
+/// That a run to this time [s] is a demonstration, if it ends before the second cycle has been completed; else nothing.
+std::vector<std::string> demonstration_lines(const Cycles& cycles, double end);
+
 /// What it tells at the end: cost, and the main figures.
 template <int Dim>
 std::vector<std::string> result_lines(const System<Dim>& system, const Measures<Dim>& measures,

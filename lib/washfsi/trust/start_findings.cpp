@@ -168,7 +168,8 @@ void add_times(const RunTimes& times, const Cycles& cycles, bool moves, Findings
                                format_text("%.2g of a cycle", times.history_interval / cycles.period()),
                                "figures of cycles are made of too few rows"));
   const double complete = std::floor(times.end / cycles.period() + 1e-6);
-  findings.push_back(at_least("cycles", complete, {3}, format_text("%.0f of %.4g s", complete, cycles.period()),
+  findings.push_back(at_least("cycles", complete, {Cycles::wanted},
+                              format_text("%.0f of %.4g s", complete, cycles.period()),
                               "the first is start-up, and one more has no spread; longer -time_end"));
 }
 
