@@ -175,7 +175,7 @@ class Tries:
         for path in [*sorted((SOURCE / "inputs").glob("*.opts")), SOURCE / "inputs" / "thesis" / "re1.2e3.opts"]:
             if FULL or path.stem in SAMPLE:
                 self.inputs[path.stem] = (path, self.resolved(path))
-        self.wash = ["-options_file", SOURCE / "inputs" / "wash2d.opts", "-grid_cells", "16,16", "-long_markers", 10,
+        self.wash = ["-options_file", SOURCE / "inputs" / "thesis" / "wash2d64.opts", "-grid_cells", "16,16", "-long_markers", 10,
                      "-long_count", 2, "-short_markers", 5, "-short_count", 1, "-time_cfl", 0, "-time_step", 1e-3]
         (root / "motion.csv").write_bytes(MOTION)
         self.must_run("motion", *self.wash, "-drum_motion_file", root / "motion.csv", "-max_steps", 1, "-output_dir", "out")

@@ -11,7 +11,7 @@ import numpy as np
 
 from support import SOURCE, ProgramTest, command, read_columns, run
 
-CASE = ["-options_file", SOURCE / "inputs" / "wash2d.opts", "-grid_cells", "32,32", "-time_cfl", 0, "-time_step", 1e-3,
+CASE = ["-options_file", SOURCE / "inputs" / "thesis" / "wash2d64.opts", "-grid_cells", "32,32", "-time_cfl", 0, "-time_step", 1e-3,
         "-checkpoint_interval", 0.01]
 WRONG_INPUT, NOT_WRITTEN = 2, 4
 

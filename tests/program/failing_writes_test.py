@@ -26,7 +26,7 @@ LIBRARY = os.environ["WASHFSI_FAILING_WRITES"]
 KINDS = ("kill", "torn", "ENOSPC", "EIO")
 SAMPLE = 5  # calls of each kind, in a run and in a restart of it
 NOT_WRITTEN, KILLED = 4, -9
-CASE = ["-options_file", SOURCE / "inputs" / "wash2d.opts", "-grid_cells", "16,16", "-time_cfl", 0, "-time_step", 1e-3,
+CASE = ["-options_file", SOURCE / "inputs" / "thesis" / "wash2d64.opts", "-grid_cells", "16,16", "-time_cfl", 0, "-time_step", 1e-3,
         "-long_markers", 10, "-long_count", 2, "-short_markers", 5, "-short_count", 1,
         "-output_interval", 1e-3, "-checkpoint_interval", 1e-3]
 HALF, END = 1e-3, 2e-3  # [s]

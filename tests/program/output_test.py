@@ -93,7 +93,7 @@ class Output(ProgramTest):
         summary = json.loads((self.out / "summary.json").read_text())
         self.assertEqual(list(summary), SUMMARY)
         self.assertEqual([summary[key] for key in ("program", "case", "status", "ranks", "steps")],
-                         ["washfsi", "wash2d", "finished", 2, 500])
+                         ["washfsi", "wash2d64", "finished", 2, 500])
         self.assertAlmostEqual(summary["time"], 0.05)
         self.assertEqual(set(summary["iterations"]), {"momentum", "pressure", "cloth"})
         self.assertEqual(list(summary["bodies"]), BODIES)

@@ -153,7 +153,7 @@ class Silence(ProgramTest):
 
     def test_an_effect_that_a_later_place_takes_away_is_a_note(self):
         lines = self.check(*MACHINE[:2], "-contact", "none")
-        self.assertIn("note: -contact is none, so without effect: -contact_distance", lines)
+        self.assertIn("note: -contact is none, so without effect: -contact_body_distance", lines)
         self.assertEqual([line for line in lines if line.startswith("warning")], [])
 
     def test_what_is_switched_off_is_no_matter(self):

@@ -16,7 +16,7 @@ import numpy as np
 PROGRAM = pathlib.Path(os.environ["WASHFSI_PROGRAM"])
 SOURCE = pathlib.Path(os.environ["WASHFSI_SOURCE"])
 PATIENCE = float(os.environ.get("WASHFSI_PATIENCE", 1))
-WASH = SOURCE / "inputs" / "wash2d.opts"
+WASH = SOURCE / "inputs" / "thesis" / "wash2d64.opts"
 CAVITY = SOURCE / "inputs" / "cavity.opts"
 SHEET = SOURCE / "inputs" / "sheet.opts"
 CHANNEL = SOURCE / "inputs" / "channel.opts"
