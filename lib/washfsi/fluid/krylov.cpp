@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/fluid/krylov.hpp"
 
+#include <cmath>
 #include <cstdlib>
 
 #include "washfsi/support/errors.hpp"
@@ -22,7 +23,8 @@ void refuse_deadly_options(const std::string& prefix) {
     const std::string name = "-" + prefix + option, value = petsc::option_value("", name, "1");
     char* end = nullptr;
     const double number = std::strtod(value.c_str(), &end);
-    if (*end != '\0' || !range.contains(number)) throw InputError(name + " " + value + ": must be " + range.text);
+    if (*end != '\0' || number != std::floor(number) || !range.contains(number))
+      throw InputError(name + " " + value + ": must be " + range.text);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "washfsi/fluid/krylov.hpp"
+#include "washfsi/fluid/pressure_multigrid.hpp"
 #include "washfsi/fluid/transform_preconditioner.hpp"
 #include "washfsi/grid/stencils.hpp"
 #include "washfsi/support/collective.hpp"
@@ -18,20 +19,11 @@ namespace {
 
 constexpr const char* transform = "transform";  // the preconditioner that is the default
 
-/// Assembles -div( ratio grad ) times the cell volume on a DM, the form whose coarse versions fit multigrid's sums over
-/// cells; ratio(cell, d) is that of the cell's lower d-face, 0 in the boundary.
+/// Assembles -div( ratio grad ) times the cell volume; ratio(cell, d) is that of the cell's lower d-face, 0 in the
+/// boundary.
 template <int Dim, class Ratio>
-void assemble_laplacian(DM dm, const Point<Dim>& extent, Mat matrix, const Ratio& ratio) {
-  DMDALocalInfo info;
-  WASH_PETSC(DMDAGetLocalInfo(dm, &info));
-  const Index<3> start{info.xs, info.ys, info.zs}, count{info.xm, info.ym, info.zm}, cells{info.mx, info.my, info.mz};
-  Box<Dim> owned;
-  Point<Dim> h;
-  for (int d = 0; d < Dim; ++d) {
-    owned.lower[d] = start[d];
-    owned.upper[d] = start[d] + count[d];
-    h[d] = extent[d] / static_cast<double>(cells[d]);
-  }
+void assemble_laplacian(const Grid<Dim>& grid, Mat matrix, const Ratio& ratio) {
+  const Point<Dim> h = grid.spacing();
   const auto stencil_of = [](const Index<Dim>& cell) {
     MatStencil stencil{};
     stencil.i = cell[0];
@@ -40,7 +32,7 @@ void assemble_laplacian(DM dm, const Point<Dim>& extent, Mat matrix, const Ratio
     return stencil;
   };
   WASH_PETSC(MatZeroEntries(matrix));
-  for_each<Dim>(owned, [&](const Index<Dim>& cell) {
+  for_each<Dim>(grid.owned(), [&](const Index<Dim>& cell) {
     const MatStencil row = stencil_of(cell);
     std::array<MatStencil, 2 * Dim + 1> columns{row};
     std::array<double, 2 * Dim + 1> values{};
@@ -119,48 +111,11 @@ void PressureSolver<Dim>::set_preconditioner_defaults() {
     petsc::set_default_option("-pressure_pc_hypre_boomeramg_relax_type_coarse", "symmetric-SOR/Jacobi");
   }
   if (chosen == PCGAMG) petsc::set_default_option("-pressure_mg_coarse_sub_pc_type", "svd");
-  if (chosen == PCMG) configure_multigrid();
-}
-
-// Rediscretised cell-centred multigrid, as many levels as the cell counts can be halved. Coarse levels have
-// uniform density: the preconditioner needs no more.
-template <int Dim>
-void PressureSolver<Dim>::configure_multigrid() {
-  PetscInt levels = 1;
-  Index<Dim> cells = grid_.cells();
-  const PetscInt fewest = std::max<PetscInt>(4, ranks_of(grid_.comm()));  // per direction, on the coarsest level
-  const auto even = [fewest](PetscInt n) { return n % 2 == 0 && n / 2 >= fewest; };
-  for (; std::all_of(cells.begin(), cells.end(), even); ++levels)
-    for (auto& n : cells) n /= 2;
-  double coarsest = 1;
-  for (const PetscInt n : cells) coarsest *= static_cast<double>(n);
-  if (coarsest > 512)
-    throw InputError(
-        "-pressure_pc_type mg: the cell counts in -grid_cells must be divisible by a power of 2 that leaves"
-        " at most 512 cells; this grid leaves " +
-        std::to_string(static_cast<int>(coarsest)));
-  petsc::set_default_option("-pressure_pc_mg_levels", std::to_string(levels));
-  petsc::set_default_option("-pressure_mg_coarse_pc_type", "redundant");
-  petsc::set_default_option("-pressure_mg_coarse_redundant_pc_type", "svd");  // the coarse matrix is singular too
-  WASH_PETSC(DMKSPSetComputeOperators(grid_.stencil_dm(), &PressureSolver::assemble_coarse, this));
-}
-
-template <int Dim>
-PetscErrorCode PressureSolver<Dim>::assemble_coarse(KSP solver, Mat, Mat preconditioner, void* context) {
-  return petsc::guarded([&] {
-    const auto& self = *static_cast<PressureSolver*>(context);
-    DM dm = nullptr;
-    WASH_PETSC(KSPGetDM(solver, &dm));
-    DMDALocalInfo info;
-    WASH_PETSC(DMDAGetLocalInfo(dm, &info));
-    const Index<3> cells{info.mx, info.my, info.mz};
-    assemble_laplacian<Dim>(dm, self.grid_.upper() - self.grid_.lower(), preconditioner,
-                            [&](const Index<Dim>& face, int d) {
-                              const bool in_boundary = !self.grid_.periodic(d) && (face[d] == 0 || face[d] == cells[d]);
-                              return in_boundary ? 0.0 : 1.0;
-                            });
-    WASH_PETSC(MatSetNullSpace(preconditioner, self.constants_));
-  });
+  if (chosen == PCMG) {
+    PC pc = nullptr;
+    WASH_PETSC(KSPGetPC(solver_, &pc));
+    set_up_multigrid(grid_, pc);
+  }
 }
 
 template <int Dim>
@@ -225,11 +180,10 @@ template <int Dim>
 void PressureSolver<Dim>::assemble() {
   const ConstFaceView<Dim> ratio(grid_.face_dm(), ratio_);
   const bool uniform = assembled_is_uniform_;
-  assemble_laplacian<Dim>(grid_.stencil_dm(), grid_.upper() - grid_.lower(), assembled_,
-                          [&](const Index<Dim>& face, int d) {
-                            const double value = ratio(face, d);
-                            return uniform && value != 0 ? 1.0 : value;
-                          });
+  assemble_laplacian<Dim>(grid_, assembled_, [&](const Index<Dim>& face, int d) {
+    const double value = ratio(face, d);
+    return uniform && value != 0 ? 1.0 : value;
+  });
   WASH_PETSC(KSPSetOperators(solver_, matrix_, assembled_));
 }
 

@@ -36,7 +36,6 @@ class PressureSolver {
 
  private:
   static PetscErrorCode multiply(Mat matrix, Vec x, Vec y);
-  static PetscErrorCode assemble_coarse(KSP solver, Mat matrix, Mat preconditioner, void* context);
   void apply(Vec x, Vec y);
   void solve_directly(Vec minus_divergence, Vec phi) const;
   void create_matrices();
@@ -46,7 +45,6 @@ class PressureSolver {
   void correct_by(const Ratio& ratio, Vec phi, Vec velocity) const;
   void assemble();
   void set_preconditioner_defaults();
-  void configure_multigrid();
 
   const Grid<Dim>& grid_;
   double reference_density_;

@@ -104,8 +104,7 @@ void Grid<Dim>::create_partition() {
       throw InputError(too_few + muted.message());
     }
   }
-  WASH_PETSC(DMDASetInterpolationType(stencil_dm_, DMDA_Q0));  // cell-centred multigrid
-  WASH_PETSC(DMSetApplicationContext(stencil_dm_, this));      // for preconditioners that need the spacing
+  WASH_PETSC(DMSetApplicationContext(stencil_dm_, this));  // for preconditioners that need the spacing
   std::array<const PetscInt*, 3> lengths{};
   std::array<PetscInt, 3> parts{};
   WASH_PETSC(DMDAGetOwnershipRanges(stencil_dm_, &lengths[0], &lengths[1], &lengths[2]));
