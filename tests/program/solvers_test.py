@@ -51,7 +51,7 @@ class SolversOfWater(ProgramTest):
         return columns, [int(count) for count in re.findall(r"pressure_ solve converged .* iterations (\d+)", text)]
 
     def test_all_give_the_same_wash(self):
-        case = ["-grid_cells", "21,21,15", *TIGHT, "-coupling_tolerance", 1e-9, "-max_steps", 10]
+        case = ["-grid_cells", "21,21,15", *TIGHT, "-coupling_tolerance", 1e-9, "-max_steps", 5]
         expected, _ = self.machine(1, *case, "-pressure_pc_type", "transform", "-momentum_ksp_type", "gmres")
         for pressure, momentum, ranks in WATER_SOLVERS:
             columns, _ = self.machine(ranks, *case, "-pressure_pc_type", pressure, "-momentum_ksp_type", momentum)
