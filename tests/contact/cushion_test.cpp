@@ -72,9 +72,9 @@ TEST(Cushion, PushesOutwardsWithinItsDistanceAndReactsOnTheBody) {
 // Nearer than a cell the water beside a wall would hold the cloth; markers here are 0.01 m apart.
 TEST(Cushion, OfTheBarrierBeginsFartherOffThanThatBetweenCloths) {
   const Room room(1);
-  const auto pushes = [&](double gap, double body_distance) {
+  const auto pushes = [&](double gap, double body_distance, bool in_water = false) {
     const Surroundings<2> around{room.grid, room.boundary, room.bodies, room.cloths};
-    const auto force = barrier_of_bodies<2>({.distance = 0.001, .body_distance = body_distance})(around);
+    const auto force = barrier_of_bodies<2>({.distance = 0.001, .body_distance = body_distance}, in_water)(around);
     const Points<2> places{{1.1 + gap, 2}}, at_rest{Point<2>::Zero()}, far_off{{2, 3}};
     force->begin_step({far_off, at_rest, 0, 0});
     force->begin_step({places, at_rest, 0, 0});
@@ -86,6 +86,10 @@ TEST(Cushion, OfTheBarrierBeginsFartherOffThanThatBetweenCloths) {
   EXPECT_FALSE(pushes(0.0041, 0));
   EXPECT_TRUE(pushes(0.0059, 0.006));
   EXPECT_FALSE(pushes(0.0061, 0.006));
+  const double cell = room.grid.spacing().minCoeff();
+  EXPECT_TRUE(pushes(0.99 * cell, 0, true));
+  EXPECT_FALSE(pushes(1.01 * cell, 0, true));
+  EXPECT_FALSE(pushes(0.0061, 0.006, true));
 }
 
 TEST(Cushion, PushesAwayFromTheWallsOfTheBox) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/contact/barrier_options.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "washfsi/cloth/facets.hpp"
@@ -32,11 +33,13 @@ double barrier_distance(const BarrierOptions& options, const Cloths<Dim>& cloths
 }
 
 template <int Dim>
-MakeForce<Dim> barrier_of_bodies(const BarrierOptions& options) {
-  return [options](const Surroundings<Dim>& around) {
+MakeForce<Dim> barrier_of_bodies(const BarrierOptions& options, bool in_water) {
+  return [options, in_water](const Surroundings<Dim>& around) {
     constexpr double usual = 0.4;
     double distance = options.body_distance;
-    if (distance == 0) distance = share_of(least_spacing(around.cloths), usual);
+    if (distance == 0)
+      distance =
+          std::max(share_of(least_spacing(around.cloths), usual), in_water ? around.grid.spacing().minCoeff() : 0.0);
     return Cushion<Dim>::maker(
         {options.stiffness, distance, CushionLaw::barrier, options.body_friction, options.damping})(around);
   };
@@ -44,7 +47,7 @@ MakeForce<Dim> barrier_of_bodies(const BarrierOptions& options) {
 
 template double barrier_distance<2>(const BarrierOptions&, const Cloths<2>&);
 template double barrier_distance<3>(const BarrierOptions&, const Cloths<3>&);
-template MakeForce<2> barrier_of_bodies<2>(const BarrierOptions&);
-template MakeForce<3> barrier_of_bodies<3>(const BarrierOptions&);
+template MakeForce<2> barrier_of_bodies<2>(const BarrierOptions&, bool);
+template MakeForce<3> barrier_of_bodies<3>(const BarrierOptions&, bool);
 
 }  // namespace washfsi

@@ -44,7 +44,8 @@ ContactOptions ContactOptions::from_options(Options& options) {
     block.real("distance", contact.distance, "m", non_negative,
                "at which contact begins; 0: 0.01 of the cushion, 0.16 of the least spacing of markers of the barrier");
     block.real("body_distance", contact.body_distance, "m", non_negative,
-               "at which the barrier of bodies and walls begins; 0: 0.4 of the least spacing of markers");
+               "at which the barrier of bodies and walls begins; 0: 0.4 of the least spacing of markers, and in "
+               "water at least the least width of a cell");
     block.real("pressure", contact.pressure, "Pa", non_negative,
                "push of the cushion on cloth at a body's surface; 0: no cushion");
     block.real("stiffness", contact.stiffness, "Pa", positive, "of the barrier");
@@ -88,11 +89,11 @@ MakeForce<Dim> within_reach(const std::string& option, double distance, MakeForc
 }  // namespace
 
 template <int Dim>
-std::vector<MakeForce<Dim>> ContactOptions::forces() const {
+std::vector<MakeForce<Dim>> ContactOptions::forces(bool in_water) const {
   if (kind == ContactKind::none) return {};
   if (kind == ContactKind::barrier) {
     const BarrierOptions barrier{distance, body_distance, stiffness, friction, body_friction, damping};
-    return {within_reach<Dim>("-contact_body_distance", body_distance, barrier_of_bodies<Dim>(barrier)),
+    return {within_reach<Dim>("-contact_body_distance", body_distance, barrier_of_bodies<Dim>(barrier, in_water)),
             Barrier<Dim>::maker(barrier)};
   }
   CushionOptions cushion;
@@ -101,7 +102,7 @@ std::vector<MakeForce<Dim>> ContactOptions::forces() const {
   return {within_reach<Dim>("-contact_distance", distance, Cushion<Dim>::maker(cushion))};
 }
 
-template std::vector<MakeForce<2>> ContactOptions::forces<2>() const;
-template std::vector<MakeForce<3>> ContactOptions::forces<3>() const;
+template std::vector<MakeForce<2>> ContactOptions::forces<2>(bool) const;
+template std::vector<MakeForce<3>> ContactOptions::forces<3>(bool) const;
 
 }  // namespace washfsi

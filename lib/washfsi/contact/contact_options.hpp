@@ -30,7 +30,7 @@ struct ContactOptions {
   static ContactOptions from_options(Options& options);
   /// What these ask for.
   template <int Dim>
-  std::vector<MakeForce<Dim>> forces() const;
+  std::vector<MakeForce<Dim>> forces(bool in_water) const;
 };
 
 }  // namespace washfsi

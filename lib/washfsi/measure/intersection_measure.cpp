@@ -68,7 +68,10 @@ void IntersectionMeasure<Dim>::verify(double dt) {
   if (interval > 0 && std::floor(time / interval + 1e-6) <= std::floor((time - dt) / interval + 1e-6)) return;
   count();
   const std::string found = forbidden();
-  if (!found.empty()) throw DivergedError("contact: " + found + ", which the barrier must not let happen");
+  if (!found.empty())
+    throw DivergedError("contact: " + found +
+                        ", which the barrier must not let happen; shorter -time_step or -time_cfl" +
+                        (of_cloths_.total() > 0 ? "" : ", larger -contact_body_distance"));
 }
 
 template class IntersectionMeasure<2>;

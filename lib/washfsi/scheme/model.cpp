@@ -85,7 +85,7 @@ ModelOptions<Dim> ModelOptions<Dim>::from_options(Options& options, MassCarrier 
   model.treatment.inner_water_slides = model.fluid.wall_model != WallTreatment::none;
   model.delta = DeltaOptions::from_options(options);
   const ContactOptions contact = ContactOptions::from_options(options);
-  model.surrounding_forces = contact.forces<Dim>();
+  model.surrounding_forces = contact.forces<Dim>(model.medium == Medium::water);
   model.films_drain = contact.drainage;
   model.verify_interval = contact.verify_interval;
   return model;
