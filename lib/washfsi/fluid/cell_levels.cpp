@@ -2,6 +2,7 @@
 #include "washfsi/fluid/cell_levels.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
 
