@@ -13,7 +13,7 @@ struct BarrierOptions {
   double stiffness = 1e4;      ///< kappa [Pa]
   double friction = 0.4;       ///< coefficient between cloths, in steps that are solved for
   double body_friction = 0.2;  ///< the same on bodies and walls
-  double damping = 1;          ///< of what comes nearer, over the critical one
+  double damping = 0.3;        ///< of the motion along the normal, over the critical one
 };
 
 /// d^ for these cloths [m]. Errors: InputError if it is too large for their lattices.

@@ -52,9 +52,10 @@ ContactOptions ContactOptions::from_options(Options& options) {
     block.real("friction", contact.friction, "-", coefficient, "coefficient between cloths, with the barrier");
     block.real("body_friction", contact.body_friction, "-", coefficient,
                "coefficient of cloths on bodies and walls, with the barrier");
-    block.real("damping", contact.damping, "-", coefficient,
-               "of cloth that comes nearer to what it touches, over the critical one for its excess mass, with the "
-               "barrier; 0: it bounces");
+    block.real(
+        "damping", contact.damping, "-", coefficient,
+        "of the motion towards and from what a cloth touches, over the critical one for its excess mass, with the "
+        "barrier; 0: it bounces");
     block.boolean("drainage", contact.drainage,
                   "water between cloths that are nearer than a cell drains along them, by the law of squeezed films "
                   "(semi_implicit, implicit)");

@@ -23,7 +23,7 @@ struct ContactOptions {
   double stiffness = 1e4;      ///< of the barrier, kappa [Pa]
   double friction = 0.4;       ///< coefficient between cloths, with the barrier
   double body_friction = 0.2;  ///< the same on bodies and walls
-  double damping = 1;          ///< with the barrier, of what comes nearer, over the critical one
+  double damping = 0.3;        ///< with the barrier, of the motion along the normal, over the critical one
   bool drainage = false;       ///< films between cloths that are nearer than a cell drain along themselves
   double verify_interval = 0;  ///< between counts of intersections [s]; 0: after each step
 

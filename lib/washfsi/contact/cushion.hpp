@@ -15,7 +15,7 @@ struct CushionOptions {
   double distance = 0.01;  ///< d0 [m]
   CushionLaw law = CushionLaw::quadratic;
   double friction = 0;  ///< coefficient, in steps that are solved for
-  double damping = 0;   ///< of what comes nearer, over the critical one, in steps that are solved for
+  double damping = 0;   ///< of the motion along the normal, over the critical one, in steps that are solved for
 };
 
 /// What a cushion does per undeformed area at a distance from a surface.

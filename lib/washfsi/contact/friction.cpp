@@ -76,11 +76,10 @@ RubForce<Dim> Friction<Dim>::force(const Rub<Dim>& rub, const Point<Dim>& direct
   return force;
 }
 
-// The energy is convex, and quadratic on the side of approach.
 template <int Dim>
 void Friction<Dim>::add_damping(const Rub<Dim>& rub, const Point<Dim>& way, RubForce<Dim>& force) const {
   const double apart = rub.normal.dot(way), strength = rub.damping / (share_ * dt_);
-  if (strength == 0 || apart > 0) return;
+  if (strength == 0) return;
   force.energy += 0.5 * strength * apart * apart;
   force.work += share_ * strength * apart * apart;
   force.pull += strength * apart * rub.normal;

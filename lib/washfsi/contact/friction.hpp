@@ -13,10 +13,10 @@ struct Rub {
   Point<Dim> normal;   ///< from the second to the first
   double limit;        ///< friction coefficient times normal force [N; per unit depth in the plane]
   double stops = 0;    ///< slide below which the whole of it, in an explicit step, would more than stop them [m]
-  double damping = 0;  ///< of the motion along the normal, while they come nearer [N s/m]
+  double damping = 0;  ///< of the motion along the normal [N s/m]
 };
 
-/// The damping of two surfaces that approach each other, as a share of the critical one of a mass [kg] on a spring, the
+/// The damping of two surfaces along their normal, as a share of the critical one of a mass [kg] on a spring, the
 /// contact at the step's start [N/m]  [N s/m].
 double contact_damping(double share, double stiffness, double mass);
 
@@ -41,10 +41,9 @@ struct RubForce {
 /// is positive, pull over slide at first, when q = 0, and the Hessian in the end.
 /// Friction is that of the step as a whole: where forces at its end make up a share of the step's mean force, and those
 /// at its start, when nothing has slid yet, the rest, the pull is limit/share.
-/// Two surfaces that come nearer to each other are also damped along the normal: what is pressed by a barrier would
-/// bounce, and cloth does not. `contact_damping` gives the coefficient.
-/// In an explicit step of length dt the way is that of the velocities at its start, and e at least so long that the
-/// pull does not turn the slide round: 2 limit dt^2 mobility.
+/// The motion along the normal is damped: what is pressed by a barrier would bounce, and cloth does not.
+/// `contact_damping` gives the coefficient. In an explicit step of length dt the way is that of the velocities at its
+/// start, and e at least so long that the pull does not turn the slide round: 2 limit dt^2 mobility.
 template <int Dim>
 class Friction {
  public:
