@@ -2,9 +2,12 @@
 #include "washfsi/machine/body_depths.hpp"
 
 #include <algorithm>
+#include <array>
+#include <type_traits>
+#include <vector>
 
-#include "washfsi/support/of_all_ranks.hpp"
 #include "washfsi/support/format_text.hpp"
+#include "washfsi/support/of_all_ranks.hpp"
 #include "washfsi/support/text.hpp"
 
 namespace washfsi {
