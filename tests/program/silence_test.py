@@ -152,8 +152,8 @@ class Silence(ProgramTest):
                 self.assertTrue([line for line in self.check(*case, *options) if line[6:8] == "  " and line[8:30].strip() == name])
 
     def test_an_effect_that_a_later_place_takes_away_is_a_note(self):
-        lines = self.check(*MACHINE[:2], "-contact", "none")
-        self.assertIn("note: -contact is none, so without effect: -contact_body_distance", lines)
+        lines = self.check("-options_file", INPUTS / "thesis" / "wash33.opts", "-contact", "none")
+        self.assertIn("note: -contact is none, so without effect: -contact_distance", lines)
         self.assertEqual([line for line in lines if line.startswith("warning")], [])
 
     def test_what_is_switched_off_is_no_matter(self):
