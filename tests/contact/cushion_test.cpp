@@ -92,6 +92,19 @@ TEST(Cushion, OfTheBarrierBeginsFartherOffThanThatBetweenCloths) {
   EXPECT_FALSE(pushes(0.0061, 0.006, true));
 }
 
+// Then no mobilities are found either.
+TEST(Cushion, WithoutFrictionLeavesExplicitStepsAlone) {
+  const Room room(1);
+  CushionOptions damped = hard;
+  damped.damping = 1;
+  const Points<2> places{{1.11, 2}}, nearer{Point<2>(-1, 0)};
+  Cushion<2> cushion(damped, Surroundings<2>{room.grid, room.boundary, room.bodies, room.cloths});
+  cushion.begin_step({{{2.5, 3}}, nearer, 0, 0});
+  cushion.begin_step({places, nearer, 0, 0, {}, ExplicitStep{1e-3, {}}});
+  const Points<2> forces = forces_of(cushion, places);
+  EXPECT_EQ(forces, forces_of(*room.cushion(places, 0, hard), places));
+}
+
 TEST(Cushion, PushesAwayFromTheWallsOfTheBox) {
   const Room room(3, false);
   const Points<2> places{{-0.99, 2}, {2, 3.995}, {2, 2}};

@@ -46,6 +46,8 @@ class Cloths {
   /// The name of a piece: its group's, and its number in that, from 1.
   std::string name_of(std::size_t piece) const;
 
+  const ClothGroup<Dim>& group_of_piece(std::size_t piece) const { return groups_[pieces_[piece].group]; }
+
   /// Piece and group of each of this rank's markers, and its number among those of all ranks.
   const std::vector<std::size_t>& piece_of_marker() const { return piece_of_marker_; }
   std::size_t group_number(std::size_t marker) const { return pieces_[piece_of_marker_[marker]].group; }
@@ -62,7 +64,7 @@ class Cloths {
 
   /// What this rank sees of the cloths, for whatever acts between neighbours on a lattice.
   const std::vector<Patch>& patches() const { return patches_; }
-  const ClothGroup<Dim>& group_of(const Patch& patch) const { return groups_[pieces_[patch.piece].group]; }
+  const ClothGroup<Dim>& group_of(const Patch& patch) const { return group_of_piece(patch.piece); }
   /// This rank's values and those of the other markers that it sees. Collective.
   Points<Dim> with_halo(const Points<Dim>& values) const;
   std::vector<double> with_halo(const std::vector<double>& values) const;

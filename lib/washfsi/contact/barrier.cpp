@@ -82,7 +82,7 @@ template <int Dim>
 double Barrier<Dim>::mass_of(const Touch<Dim>& touch) const {
   const NearMarkers<Dim>& known = near_.search().known();
   const auto of_cloth = [&](std::size_t marker) {
-    return around_.cloths.groups()[around_.cloths.pieces()[known.piece_of(marker)].group].excess_mass;
+    return around_.cloths.group_of_piece(known.piece_of(marker)).excess_mass;
   };
   const auto& markers = touch.facing.markers;
   return touch.area * std::min(of_cloth(markers[0]), of_cloth(markers[touch.facing.count - 1]));

@@ -98,9 +98,9 @@ template <int Dim>
 void Cushion<Dim>::begin_friction(const StepStart<Dim>& start, const Points<Dim>& velocities) {
   rubbing_.clear();
   const bool held = start.held.dt > 0;
-  const double dt = held ? start.held.dt : start.dt;
+  const double dt = held ? start.held.dt : start.dt, damping = held ? 0 : options_.damping;
   std::vector<Rub<Dim>> rubs;
-  if (dt > 0 && (options_.friction > 0 || options_.damping > 0))
+  if (dt > 0 && (options_.friction > 0 || damping > 0))
     for (const Plane& plane : planes_) {
       const CushionPush before = push(plane, plane.before);
       if (before.pressure == 0) continue;
@@ -110,9 +110,9 @@ void Cushion<Dim>::begin_friction(const StepStart<Dim>& start, const Points<Dim>
       double mobility = 0;
       if (held)
         visit_own(plane, [&](std::size_t, std::size_t m) { mobility = std::max(mobility, start.held.mobilities[m]); });
-      const double mass = plane.area * around_.cloths.groups()[around_.cloths.pieces()[plane.piece].group].excess_mass;
-      rubs.push_back({plane.normal, limit, 2 * dt * dt * limit * mobility,
-                      contact_damping(held ? 0 : options_.damping, before.stiffness, mass)});
+      const double mass = plane.area * around_.cloths.group_of_piece(plane.piece).excess_mass;
+      rubs.push_back(
+          {plane.normal, limit, 2 * dt * dt * limit * mobility, contact_damping(damping, before.stiffness, mass)});
     }
   friction_.begin(std::move(rubs), dt, start.share);
 }
