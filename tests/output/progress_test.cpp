@@ -44,7 +44,7 @@ TEST(Pace, GoesOnFromACheckpoint) {
   EXPECT_NEAR(pace.seconds_left(6.0), 0.5 * 96, 1e-6);
 }
 
-// Steps of a start are short and dear: they are forgotten, and what is left is in steps as long as the last.
+// Steps of a start are short and expensive: they are forgotten, and what is left is in steps as long as the last.
 TEST(Pace, FollowsTheLatestSteps) {
   Pace pace;
   double wall = 0, time = 0;

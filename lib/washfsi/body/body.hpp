@@ -87,7 +87,7 @@ class PosedBody {
   }
   /// From the centre of the nearest image [m].
   Point<Dim> arm(const Point<Dim>& place) const { return beside(place) - motion_.center; }
-  /// Of the body's material at a place [m/s, m/s2].
+  /// The body's material at a place moves so [m/s, m/s2].
   Point<Dim> velocity(const Point<Dim>& place) const { return motion_.velocity_at(turns() ? beside(place) : place); }
   Point<Dim> acceleration(const Point<Dim>& place) const {
     return motion_.acceleration_at(turns() ? beside(place) : place);

@@ -44,7 +44,7 @@ class ControlVolumes {
   const Boundary<Dim>& boundary_;
   const std::vector<Body<Dim>>& bodies_;
   bool all_at_rest_;
-  /// Of the layer round each body in which its weight falls: it ends before the middle of the way to an image [m].
+  /// The layer round each body in which its weight falls ends before the middle of the way to an image [m].
   std::vector<double> widths_;
   std::vector<petsc::Vector> weights_;  ///< of each body, in cells, local
   petsc::Vector mean_velocity_;

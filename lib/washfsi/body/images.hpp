@@ -68,7 +68,7 @@ class Images {
     return ((place - middle_).cwiseAbs() - half_).cwiseMax(0.0).norm();
   }
 
-  // Of what is deeper in an image, or nearer to it, than in the first.
+  // Takes an image if the place is deeper in it, or nearer to it, than to the first.
   template <class Distance>
   void look_further(const Aside& from, const Distance& distance, Nearest& best) const {
     for_each<Dim>(others_, [&](const Index<Dim>& other) {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <set>
 
+#include "washfsi/grid/partition.hpp"
 #include "washfsi/support/collective.hpp"
 
 namespace washfsi {
@@ -81,28 +82,17 @@ double CellLevel<Dim>::cell_count() const {
 
 template <int Dim>
 Box<Dim> CellLevel<Dim>::owned_by(int rank) const {
-  Box<Dim> box;
-  for (int d = 0; d < Dim; ++d) {
-    const auto& ends = lines_[d].part_ends;
-    const auto part = static_cast<std::size_t>(rank) % ends.size();
-    rank /= static_cast<int>(ends.size());
-    box.lower[d] = part == 0 ? 0 : ends[part - 1];
-    box.upper[d] = ends[part];
-  }
-  return box;
+  return cells_of_rank<Dim>(
+      rank, [this](int axis) -> const auto& { return lines_[axis].part_ends; });
 }
 
 template <int Dim>
 PetscInt CellLevel<Dim>::number(const Index<Dim>& cell) const {
-  std::ptrdiff_t rank = 0;
+  const int rank = rank_of_cell<Dim>(
+      cell, [this](int axis) -> const auto& { return lines_[axis].part_ends; });
+  const Box<Dim> box = owned_by(rank);
   PetscInt offset = 0;
-  for (int d = Dim; d-- > 0;) {
-    const auto& ends = lines_[d].part_ends;
-    const auto part = std::upper_bound(ends.begin(), ends.end(), cell[d]) - ends.begin();
-    const PetscInt lower = part == 0 ? 0 : ends[part - 1];
-    rank = rank * static_cast<std::ptrdiff_t>(ends.size()) + part;
-    offset = offset * (ends[part] - lower) + cell[d] - lower;
-  }
+  for (int d = Dim; d-- > 0;) offset = offset * (box.upper[d] - box.lower[d]) + cell[d] - box.lower[d];
   return starts_[rank] + offset;
 }
 

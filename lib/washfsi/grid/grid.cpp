@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "washfsi/grid/partition.hpp"
 #include "washfsi/support/collective.hpp"
 #include "washfsi/support/errors.hpp"
 #include "washfsi/support/options.hpp"
@@ -171,26 +172,14 @@ Index<Dim> Grid<Dim>::inside(Index<Dim> cell) const {
 
 template <int Dim>
 int Grid<Dim>::owner(const Index<Dim>& cell) const {
-  std::ptrdiff_t rank = 0;
-  for (int d = Dim; d-- > 0;) {
-    const auto& ends = part_ends_[d];
-    const auto part = std::upper_bound(ends.begin(), ends.end(), cell[d]) - ends.begin();
-    rank = rank * static_cast<std::ptrdiff_t>(ends.size()) + part;
-  }
-  return static_cast<int>(rank);
+  return rank_of_cell<Dim>(
+      cell, [this](int axis) -> const auto& { return part_ends_[axis]; });
 }
 
 template <int Dim>
 Box<Dim> Grid<Dim>::owned_by(int rank) const {
-  Box<Dim> box;
-  for (int d = 0; d < Dim; ++d) {
-    const auto& ends = part_ends_[d];
-    const auto part = static_cast<std::size_t>(rank) % ends.size();
-    rank /= static_cast<int>(ends.size());
-    box.lower[d] = part == 0 ? 0 : ends[part - 1];
-    box.upper[d] = ends[part];
-  }
-  return box;
+  return cells_of_rank<Dim>(
+      rank, [this](int axis) -> const auto& { return part_ends_[axis]; });
 }
 
 template <int Dim>

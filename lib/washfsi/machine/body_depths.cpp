@@ -74,11 +74,14 @@ BodyDepths<Dim>::BodyDepths(const Cloths<Dim>& cloths, const Grid<Dim>& grid, co
 
 template <int Dim>
 void BodyDepths<Dim>::look(const Points<Dim>& positions, double time) {
+  if (bodies_.empty() || cloths_.marker_count() == 0) return;
+  if (time == time_ && !any_rank(cloths_.comm(), positions != seen_)) return;
+  seen_ = positions;
+  time_ = time;
   total_ = 0;
   example_.clear();
   deepest_ = {};
   std::ranges::fill(of_groups_, 0.0);
-  if (bodies_.empty() || cloths_.marker_count() == 0) return;
   const Points<Dim> places = cloths_.with_halo(positions);
   const PosedBodies<Dim> posed(bodies_, time);
   const auto add_all = [&](const auto& faces, const auto& pieces, const auto& is_meant) {
@@ -91,7 +94,7 @@ void BodyDepths<Dim>::look(const Points<Dim>& positions, double time) {
   add_all(mesh_.faces, mesh_.piece_of_face, [](std::size_t) { return true; });
   if (Dim == 3)
     add_all(mesh_.edges, mesh_.piece_of_edge,
-            [&](std::size_t piece) { return cloths_.groups()[cloths_.pieces()[piece].group].sheet.width == 1; });
+            [&](std::size_t piece) { return cloths_.group_of_piece(piece).sheet.width == 1; });
   total_ = ordered_sum(cloths_.comm(), total_);
   for (double& depth : of_groups_) depth = largest(cloths_.comm(), depth);
   share(deepest_);

@@ -21,7 +21,7 @@ class BodyDepths {
   /// All must outlive it.
   BodyDepths(const Cloths<Dim>& cloths, const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies);
 
-  /// Takes the places of this rank's markers. Collective.
+  /// Takes the places of this rank's markers; where it has looked at these last, nothing is done. Collective.
   void look(const Points<Dim>& positions, double time);
   /// Faces that reach into a body.
   double total() const { return total_; }
@@ -44,6 +44,8 @@ class BodyDepths {
   const Grid<Dim>& grid_;
   const std::vector<Body<Dim>>& bodies_;
   ClothMesh<Dim> mesh_;
+  Points<Dim> seen_;  ///< at which it looked last, and when
+  double time_ = 0;
   double total_ = 0;
   std::vector<double> of_groups_;
   Deepest deepest_;

@@ -10,13 +10,13 @@
 namespace washfsi {
 
 template <int Dim>
-ClothMeasure<Dim>::ClothMeasure(const System<Dim>& system, const MachineAxis& machine)
+ClothMeasure<Dim>::ClothMeasure(const System<Dim>& system, const MachineAxis& machine, BodyDepths<Dim>& depths)
     : system_(system),
       groups_(system.model.cloths.groups().size()),
       centers_(system.model.cloths.pieces().size(), Point<Dim>::Zero()),
       paths_(centers_.size()),
       time_integrals_(marker_quantities<Dim>().size() * system.model.cloths.owned(), 0.0),
-      depths_(system.model.cloths, system.model.grid, system.model.bodies) {
+      depths_(depths) {
   const Cloths<Dim>& cloths = system.model.cloths;
   for (const std::size_t piece : cloths.piece_of_marker()) group_of_.push_back(cloths.pieces()[piece].group);
   const std::vector<double> ones(group_of_.size(), 1.0);

@@ -31,7 +31,8 @@ struct GroupMeasures {
 template <int Dim>
 class ClothMeasure : public Measure<Dim> {
  public:
-  ClothMeasure(const System<Dim>& system, const MachineAxis& machine);
+  /// What is given must outlive it.
+  ClothMeasure(const System<Dim>& system, const MachineAxis& machine, BodyDepths<Dim>& depths);
 
   void declare(QuantityList& quantities) override;
   void observe(const Observation<Dim>& seen) override;
@@ -75,7 +76,7 @@ class ClothMeasure : public Measure<Dim> {
   std::vector<double> time_integrals_;  ///< of the quantities of each marker
   double averaged_time_ = 0;            ///< [s]
   double step_error_ = 0;               ///< [m/s]
-  BodyDepths<Dim> depths_;
+  BodyDepths<Dim>& depths_;
   std::optional<TumbleCounter> tumbles_;
   std::optional<ClothCrossings> crossings_;
 };

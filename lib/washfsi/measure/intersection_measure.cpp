@@ -20,10 +20,8 @@ Point<Dim> periods(const Grid<Dim>& grid) {
 }  // namespace
 
 template <int Dim>
-IntersectionMeasure<Dim>::IntersectionMeasure(const System<Dim>& system)
-    : system_(system),
-      of_cloths_(system.model.cloths, periods(system.model.grid)),
-      in_bodies_(system.model.cloths, system.model.grid, system.model.bodies) {}
+IntersectionMeasure<Dim>::IntersectionMeasure(const System<Dim>& system, BodyDepths<Dim>& depths)
+    : system_(system), of_cloths_(system.model.cloths, periods(system.model.grid)), in_bodies_(depths) {}
 
 template <int Dim>
 bool IntersectionMeasure<Dim>::counts() const {

@@ -16,8 +16,8 @@ namespace washfsi {
 template <int Dim>
 class IntersectionMeasure {
  public:
-  /// The system must outlive it.
-  explicit IntersectionMeasure(const System<Dim>& system);
+  /// What is given must outlive it.
+  IntersectionMeasure(const System<Dim>& system, BodyDepths<Dim>& depths);
 
   void declare(QuantityList& quantities);
   /// Before the first step, of a restarted run too. Collective. Errors: InputError if there is one that must not be.
@@ -34,7 +34,7 @@ class IntersectionMeasure {
 
   const System<Dim>& system_;
   IntersectionCount<Dim> of_cloths_;
-  BodyDepths<Dim> in_bodies_;
+  BodyDepths<Dim>& in_bodies_;
 };
 
 extern template class IntersectionMeasure<2>;

@@ -72,9 +72,10 @@ Measures<Dim>::Measures(const System<Dim>& system, const MeasureOptions& options
       flow_(system),
       bodies_(system, options.balance_loads),
       walls_(system),
-      cloth_(system, options.machine),
+      depths_(system.model.cloths, system.model.grid, system.model.bodies),
+      cloth_(system, options.machine, depths_),
       coupling_(system, cloth_),
-      intersections_(system),
+      intersections_(system, depths_),
       further_(further_measures(system)) {
   flow_.declare(quantities_);
   bodies_.declare(quantities_);

@@ -74,6 +74,7 @@ class Measures {
   FlowMeasure<Dim> flow_;
   BodyMeasure<Dim> bodies_;
   WallMeasure<Dim> walls_;
+  BodyDepths<Dim> depths_;  ///< that counts and figures of cloths share
   ClothMeasure<Dim> cloth_;
   CouplingMeasure<Dim> coupling_;
   IntersectionMeasure<Dim> intersections_;

@@ -45,7 +45,7 @@ typename SurfaceSeries<Dim>::Surfaces SurfaceSeries<Dim>::find(const Grid<Dim>& 
   return found;
 }
 
-// Of the image that lies in the box, if only by its middle.
+// Shows the image that lies in the box, if only by its middle.
 template <int Dim>
 Pose<Dim> SurfaceSeries<Dim>::shown(const Body<Dim>& body, double time) const {
   Pose<Dim> pose = body.motion.pose(time);
