@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace washfsi {
 
@@ -14,11 +15,11 @@ using Feature = std::array<std::size_t, Dim>;
 
 template <int Dim>
 Feature<Dim> feature_of(const Facing<Dim>& facing) {
+  const std::span markers(facing.markers.begin() + Dim, facing.count - Dim);
   Feature<Dim> feature{};
-  for (std::size_t i = Dim; i < facing.count; ++i) feature[i - Dim] = facing.markers[i];
-  const auto count = static_cast<std::ptrdiff_t>(facing.count) - Dim;
-  std::sort(feature.begin(), feature.begin() + count);
-  std::fill(feature.begin() + count, feature.end(), feature[static_cast<std::size_t>(count - 1)]);
+  feature.fill(std::ranges::max(markers));
+  std::ranges::copy(markers, feature.begin());
+  std::ranges::sort(feature);
   return feature;
 }
 
