@@ -5,14 +5,12 @@ The cavity is inputs/cavity.opts: unit square or cube, lid at y = 1 moving at 1 
 environment: WASHFSI_PROGRAM is the program, WASHFSI_SOURCE the root of the sources.
 """
 
-import pathlib
-import subprocess
-import tempfile
 from typing import NamedTuple
 
 import numpy as np
 
-from tables import (ARGUMENTS, CAVITY, SOURCE, command, print_head, print_origin, print_record,  # noqa: F401
+import results
+from tables import (ARGUMENTS, CAVITY, SOURCE, print_head, print_origin, print_record,  # noqa: F401
                     print_record_head, print_row, read_columns)  # (for the tests)
 
 REFERENCE = SOURCE / "tests" / "verification" / "reference" / "cavity"
@@ -41,18 +39,14 @@ class Flow(NamedTuple):
         return abs(self.drift) < MOST_DRIFT
 
 
-def run_cavity(cells, reynolds, end=None, dimensions=2, advection="central"):
+def run_cavity(cells, reynolds, end=None, dimensions=2, advection="central", options=()):
     """Runs the cavity with so many cells a side from rest to the end [s], by default the steady state in the plane."""
     end = end or STEADY_AFTER[reynolds]
-    with tempfile.TemporaryDirectory(prefix="washfsi_") as name:
-        folder = pathlib.Path(name)
-        options = ["-options_file", CAVITY, "-fluid_viscosity", repr(1 / reynolds),
-                   "-grid_cells", ",".join([str(cells)] * dimensions), *(IN_SPACE if dimensions == 3 else []),
-                   "-advection", advection, "-time_step", repr(COURANT[advection] / cells), "-time_end", end,
-                   "-output_interval", end, "-checkpoint_interval", end, "-output_dir", folder,
-                   *centre_line_options(cells, dimensions)]
-        subprocess.run(command(RANKS, *options), check=True, stdout=subprocess.DEVNULL)
-        return read_flow(folder)
+    result = results.run(RANKS, "-options_file", CAVITY, "-fluid_viscosity", repr(1 / reynolds), "-grid_cells",
+                         ",".join([str(cells)] * dimensions), *(IN_SPACE if dimensions == 3 else []), "-advection", advection,
+                         "-time_step", repr(COURANT[advection] / cells), "-time_end", end, "-output_interval", end,
+                         "-checkpoint_interval", 0.1 * end, *centre_line_options(cells, dimensions), *options)
+    return read_flow(result.folder)
 
 
 def centre_line_options(cells, dimensions):

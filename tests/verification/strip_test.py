@@ -16,7 +16,7 @@ from tables import SOURCE, command, print_record, print_record_head, read_marker
 ELASTICA = SOURCE / "tests" / "verification" / "reference" / "elastica"
 MARKERS = (33, 5)
 OVERHANG = 41.5  # [degrees] of the chord, where the strip is 2.0004 bending lengths long (Peirce's test)
-MOST_OFF_TIP, MOST_OFF_OVERHANG = 0.01, 0.02
+MOST_OFF_TIP, MOST_OFF_OVERHANG = 4e-4, 2e-3
 
 
 def tip_of(weight):

@@ -10,6 +10,7 @@ import functools
 import pathlib
 import subprocess
 import sys
+from typing import NamedTuple
 
 import h5py
 import numpy as np
@@ -33,6 +34,19 @@ def read_markers(folder, axes=2):
         frames = sorted(file["frames"].values(), key=lambda frame: frame.attrs["time"])
         return (np.array([float(frame.attrs["time"]) for frame in frames]),
                 np.array([frame["position"][:, :axes] for frame in frames]))
+
+
+class Miss(NamedTuple):
+    """In the place of a bound: a figure that is known to be beyond it. It may move neither way; a better one asks for a bound again."""
+    figure: float
+    within: float = 0.05  # relative
+
+
+def agrees(found, expected, bound):
+    """Whether a figure is within a relative bound of the one expected, or, where that is known to be missed, as it was."""
+    if isinstance(bound, Miss):
+        return abs(found / bound.figure - 1) <= bound.within
+    return abs(found / expected - 1) <= bound
 
 
 def print_row(*words):

@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Results of runs of the program, kept so that a long table can be interrupted and taken up again.
+
+With WASHFSI_RESULTS naming a folder, each run has a folder of its own there. A run that has finished is not made again, one
+that was interrupted goes on from its checkpoint. What a run depends on (the program's sources, the options, the files that
+they name) is part of its folder's name, so a change of any of it makes the run anew. Without WASHFSI_RESULTS results last as
+long as the script that made them.
+"""
+
+import atexit
+import functools
+import hashlib
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import time
+from typing import NamedTuple
+
+from tables import command, git, support
+
+FINISHED = "finished.json"
+
+
+class Result(NamedTuple):
+    """What a run left behind."""
+    folder: pathlib.Path
+    seconds: float
+    failed: bool  # the program ended with an error
+
+
+@functools.cache
+def root():
+    """The folder of all results."""
+    if "WASHFSI_RESULTS" in os.environ:
+        return pathlib.Path(os.environ["WASHFSI_RESULTS"]).absolute()
+    folder = pathlib.Path(tempfile.mkdtemp(prefix="washfsi_"))
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    return folder
+
+
+@functools.cache
+def program_identity():
+    """The commit that last changed the program's sources; the program itself where there is none, or they are changed."""
+    sources = ("--", ":/lib", ":/apps")
+    if (commit := git("log", "-1", "--format=%h", *sources)) and not git("status", "--porcelain", *sources):
+        return commit
+    return hashlib.sha256(support.PROGRAM.read_bytes()).hexdigest()
+
+
+def contents(path):
+    """What an options file says, and those that it names."""
+    text = path.read_text(encoding="utf-8")
+    named = [line.split()[1] for line in text.splitlines() if line.startswith("-options_file")]
+    return [text, *(words for name in named for words in contents(path.parent / name))]
+
+
+def place(ranks, options):
+    """The folder of a run."""
+    words = [str(option).replace(str(support.SOURCE), "") for option in options]
+    files = [option for option in options if isinstance(option, pathlib.Path) and option.suffix == ".opts"]
+    everything = [program_identity(), ranks, words, [contents(path) for path in files]]
+    key = hashlib.sha256(json.dumps(everything).encode()).hexdigest()[:12]
+    return root() / "-".join([*(path.stem for path in files[:1]), key])
+
+
+def spent(folder):
+    """Seconds that attempts before this one took, by when they last wrote a row."""
+    attempts = folder / "attempts.json"
+    if not attempts.is_file() or not (folder / "history.csv").is_file():
+        return 0
+    begun, before = json.loads(attempts.read_text())
+    return before + max(0, (folder / "history.csv").stat().st_mtime - begun)
+
+
+USED = {}  # seconds of the runs that have been asked for since `timed` began, by folder
+
+
+def run(ranks, *options, may_fail=False, earlier=None):
+    """Runs the program with options, or finds the results of that. Fails with the program, unless it may fail.
+
+    `earlier`: the result of a run to an earlier `-time_end`, to go on from.
+    """
+    folder = place(ranks, options)
+    if earlier and not folder.exists():
+        shutil.copytree(earlier.folder, folder, ignore=shutil.ignore_patterns(FINISHED))
+    if not (folder / FINISHED).is_file():
+        make(folder, ranks, options, may_fail)
+    finished = json.loads((folder / FINISHED).read_text())
+    USED[folder] = finished["seconds"]
+    return Result(folder, finished["seconds"], finished["failed"])
+
+
+def make(folder, ranks, options, may_fail):
+    """Runs the program from the start, or from the checkpoint of a run that was interrupted."""
+    folder.mkdir(parents=True, exist_ok=True)
+    before, begun = spent(folder), time.time()
+    (folder / "attempts.json").write_text(json.dumps([begun, before]))
+    checkpoint = folder / "checkpoint.h5"
+    line = command(ranks, *options, *(["-restart", checkpoint] if checkpoint.is_file() else []), "-output_dir", folder)
+    with open(folder / "output.txt", "a", encoding="utf-8") as output:
+        status = subprocess.run(line, check=not may_fail, stdout=output, stderr=subprocess.STDOUT).returncode
+    finished = {"seconds": before + time.time() - begun, "failed": status != 0, "command": " ".join(line)}
+    (folder / FINISHED).write_text(json.dumps(finished, indent=1))
+
+
+def timed(measure):
+    """What a measurement returns, and how many seconds its runs took, those that were made before too."""
+    USED.clear()
+    value = measure()
+    return value, sum(USED.values())

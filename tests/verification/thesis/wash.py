@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Thesis 5.5: the washing machine in three dimensions: stresses over the step, Reynolds number and load, and motion.
+
+Stresses are averages over all markers and the first cycles, with the standard deviation over the markers [MPa]. The
+thesis's runs crashed or were stopped; ours of its numerics go as far as they go.
+"""
+
+import functools
+import json
+import math
+
+import numpy as np
+
+import results
+from tables import SOURCE, read_columns
+from thesis.rows import THEIRS, TODAY, Row
+from wash_runs import CYCLE, STRESSES, read_centers
+
+CASES = SOURCE / "inputs" / "thesis"
+RADIUS = 0.31  # of the drum [m]
+MOTION = 0.3  # cloths mix: figures move by so much between versions
+STEPS = {"dt": ("0.418 (0.242)", "0.424 (0.244)", "0.0375 (0.0169)"), "dt_half": ("0.615 (0.317)", "0.630 (0.307)", "0.0409 (0.0188)"),
+         "dt_quarter": ("0.699 (0.366)", "0.747 (0.358)", "0.0441 (0.0208)")}
+EIGHT = {"re1.2e2": ("0.069 (0.021)", "0.061 (0.018)", "0.0280 (0.0084)"), "re1.2e3": ("0.160 (0.096)", "0.153 (0.079)", "0.0268 (0.0086)"),
+         "re1.2e4": ("0.651 (0.345)", "0.847 (0.340)", "0.0516 (0.0171)"), "re1.2e5": ("1.022 (0.286)", "1.067 (0.836)", "0.0723 (0.0178)")}
+TWO = {"re1.2e2": ("0.077 (0.028)", "0.062 (0.022)", "0.0270 (0.0093)"), "re1.2e3": ("0.096 (0.055)", "0.103 (0.049)", "0.0197 (0.0073)"),
+       "re1.2e4": ("0.699 (0.366)", "0.748 (0.358)", "0.0441 (0.0208)"), "re1.2e5": ("1.119 (0.477)", "1.608 (1.535)", "0.0525 (0.0201)"),
+       "re1.2e6": ("1.308 (0.571)", "1.294 (0.532)", "0.0697 (0.0307)")}
+LOAD = {"re1.2e3": ("0.119 (0.069)", "0.127 (0.066)", "0.023 (0.007)"), "cloths32": ("0.143 (0.080)", "0.131 (0.077)", "0.027 (0.012)"),
+        "cloths64": ("0.163 (0.119)", "0.170 (0.114)", "0.028 (0.014)")}
+LENGTHS = {**dict.fromkeys(EIGHT, (2, 5, 8)), "cloths32": (2, 5), "cloths64": (1, 2, 5)}  # cycles after which runs are looked at
+LONG = {"re1.2e2": "1.6 h", "re1.2e3": "1.6 h", "re1.2e4": "3.2 h", "re1.2e5": "1.6 h"}  # with the thesis's steps
+LOADED = {"cloths64": "2 h"}
+CASE_NAMES = {"dt": "dt*", "dt_half": "dt*/2", "dt_quarter": "dt*/4", "cloths32": "32 cloths", "cloths64": "64 cloths",
+              "width1.5": "64 cloths, half width 1.5 h", "ratio1to2": "markers half as far apart", "smooth": "smooth mask",
+              **{f"re{number}": f"Re = {number}" for number in ("1.2e2", "1.2e3", "1.2e4", "1.2e5", "1.2e6")}}
+
+
+MPA = 1e-6
+
+
+def wash(numerics, name, cycles):
+    """A run of a case over so many cycles, going on from that of the fewer cycles before; it may fail."""
+    case = (CASES if numerics == THEIRS else CASES / "today") / f"{name}.opts"
+    before = [number for number in LENGTHS.get(name, ()) if number < cycles]
+    earlier = wash(numerics, name, before[-1]) if before else None
+    if earlier and earlier.failed:
+        return earlier
+    return results.run(1, "-options_file", case, "-history_interval", 1e-3, "-output_interval", 0.1, "-checkpoint_interval", 0.1,
+                       "-time_end", cycles * CYCLE, may_fail=True, earlier=earlier)
+
+
+def history(numerics, name, cycles):
+    """The history of the first cycles of a run, as far as it came."""
+    columns = read_columns(wash(numerics, name, cycles).folder / "history.csv")
+    until = columns["time"] <= cycles * CYCLE + 1e-3
+    return {key: values[until] for key, values in columns.items()}
+
+
+def cycles_run(numerics, name, cycles):
+    """How far a run came, in cycles."""
+    return history(numerics, name, cycles)["time"][-1] / CYCLE
+
+
+def stress(numerics, name, cycles, component):
+    """Mean stress of the markers and its standard deviation [MPa]; NaN if the run failed."""
+    result = wash(numerics, name, cycles)
+    if result.failed:
+        return math.nan, math.nan
+    towel = json.loads((result.folder / "summary.json").read_text())["cloths"]["towel"]
+    return tuple(MPA * towel[f"stress_{component}_{part}"] for part in ("mean", "std"))
+
+
+def tumbles(numerics, name, cycles):
+    """Turns of a cloth in the plane of radius and height, in a cycle."""
+    found = history(numerics, name, cycles)
+    return found["towel_tumbles"][-1] / (found["time"][-1] / CYCLE)
+
+
+def depth(numerics, name, cycles):
+    """How deep the deepest face of a cloth reaches into a body [mm]."""
+    return 1e3 * history(numerics, name, cycles)["towel_depth"].max()
+
+
+def plane_tracks(numerics, name, cycles):
+    """Places of the cloths' centres in the plane of radius and height over the drum's radius, cloth by axis by time."""
+    time, centers = read_centers(wash(numerics, name, cycles).folder)
+    centers = centers[..., time <= cycles * CYCLE + 1e-3]
+    return np.stack([np.hypot(centers[:, 0], centers[:, 1]), centers[:, 2]], axis=1) / RADIUS
+
+
+def centre_moves(numerics, name, cycles):
+    """How far the common centre strays from its mean place in the plane of radius and height, rms over the drum's radius."""
+    centre = plane_tracks(numerics, name, cycles).mean(axis=0)
+    return np.sqrt(((centre - centre.mean(axis=1, keepdims=True)) ** 2).sum(axis=0).mean())
+
+
+def track_length(numerics, name, cycles):
+    """Mean length of a cloth's track in the plane of radius and height, over the drum's radius."""
+    return np.linalg.norm(np.diff(plane_tracks(numerics, name, cycles), axis=2), axis=1).sum(axis=1).mean()
+
+
+def stress_rows(tables, figures, cycles, not_run=()):
+    """Three tables of stresses: along warp, along weft, shear."""
+    for table, component, place in zip(tables, STRESSES, range(3)):
+        for name, of_thesis in figures.items():
+            few = {"numerics": (TODAY,), "not_run": f"not run: {not_run[name]} on one core"} if name in not_run else {}
+            yield Row(table, f"{CASE_NAMES[name]}, {cycles} cycles", f"sigma_{component}, mean (standard deviation) [MPa]",
+                      of_thesis[place], functools.partial(stress, name=name, cycles=cycles, component=component), within=MOTION, **few)
+
+
+def motion_rows():
+    """What the text and the figures of 5.5.5 say of the cloths' motion."""
+    for name, figure in (("dt", "crashed after 2.9"), ("dt_half", "crashed after 5.3"), ("dt_quarter", "ran on after 7.4")):
+        yield Row("5.5.5.1", f"{CASE_NAMES[name]}", "cycles run, of two", figure,
+                  functools.partial(cycles_run, name=name, cycles=2), within=0.2)
+    for name in ("dt", "dt_half", "dt_quarter"):
+        yield Row("5.5.5.1, depth", f"{CASE_NAMES[name]}", "deepest face of a cloth in a body [mm]", "slight penetration",
+                  functools.partial(depth, name=name, cycles=2), within=MOTION)
+    for name, figure in (("re1.2e2", "very low"), ("re1.2e3", "tumbled"), ("re1.2e4", "slower"), ("re1.2e5", "slower"), ("re1.2e6", "slower")):
+        yield Row("5.5.5.2", f"{CASE_NAMES[name]}", "turns of a cloth in a cycle, of two", figure,
+                  functools.partial(tumbles, name=name, cycles=2), within=MOTION)
+    for name, figure in (("re1.2e2", ""), ("re1.2e3", "stagnant"), ("re1.2e4", "wider"), ("re1.2e5", "wider"), ("re1.2e6", "wider")):
+        yield Row("Figs. 5.5-8 to 12", f"{CASE_NAMES[name]}", "common centre's way from its mean, rms over r_o", figure,
+                  functools.partial(centre_moves, name=name, cycles=2), within=MOTION)
+    for name in ("re1.2e3", "cloths32", "cloths64"):
+        yield Row("5.5.5.3", f"{CASE_NAMES[name]}", "turns of a cloth in a cycle, of two", "slower with the load",
+                  functools.partial(tumbles, name=name, cycles=2), within=MOTION)
+    for name, figure in (("cloths64", "0.5 of that below"), ("width1.5", "more mobile, then a crash")):
+        yield Row("Figs. 5.5-18, 19", f"{CASE_NAMES[name]}", "length of a cloth's track over r_o, first cycle", figure,
+                  functools.partial(track_length, name=name, cycles=1), within=MOTION)
+    for name, figure in (("re1.2e4", "circular orbits"), ("ratio1to2", "cusps, less tumbling")):
+        yield Row("Figs. 5.5-20, 21", f"{CASE_NAMES[name]}", "turns of a cloth in a cycle, of two", figure,
+                  functools.partial(tumbles, name=name, cycles=2), within=MOTION)
+    for name, figure in (("dt", "circular orbits"), ("smooth", "ambiguous")):
+        few = {"numerics": (THEIRS,), "not_run": "no mask"} if name == "smooth" else {}
+        yield Row("Figs. 5.5-22, 23", f"{CASE_NAMES[name]}", "turns of a cloth in a cycle, of two", figure,
+                  functools.partial(tumbles, name=name, cycles=2), within=MOTION, **few)
+
+
+def rows():
+    """Tables 5.5-3 to 5.5-14 and what is said of the motion."""
+    yield from stress_rows(("5.5-3", "5.5-4", "5.5-5"), STEPS, 2)
+    yield from stress_rows(("5.5-6", "5.5-7", "5.5-8"), EIGHT, 8, LONG)
+    yield from stress_rows(("5.5-9", "5.5-10", "5.5-11"), TWO, 2)
+    yield from stress_rows(("5.5-12", "5.5-13", "5.5-14"), LOAD, 5, LOADED)
+    yield from motion_rows()

@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The thesis's tables beside ours: with its own numerics, and with today's.
+
+    thesis_test.py 3.5                    measures the rows of all tables whose numbers begin so, those that are kept
+    thesis_test.py 3.5-1 --all            those too for which no figure is kept yet
+    thesis_test.py 3.5-1 --with theirs    with one of the numerics alone
+    thesis_test.py 3.5 --minutes 20       those alone whose runs took no longer
+    thesis_test.py 3.5-1 --keep           keeps what is found, in thesis/figures.csv, in the place of what was
+    thesis_test.py 3.5-1 --page           runs nothing: prints the kept figures as docs/verification/thesis.md has them
+
+Fails when a figure is farther from the kept one than its row allows, to the better or to the worse.
+"""
+
+import argparse
+import math
+import re
+import sys
+
+import results
+from tables import ARGUMENTS, commit, print_head, print_row
+from thesis import beam, cavity, conclusions, couette, cylinder, drape, falling_plate, plate, rows, wash, wash2d
+from thesis.rows import NUMERICS, THEIRS, TODAY, as_figures, as_text
+
+CHAPTERS = (cavity, plate, beam, falling_plate, couette, cylinder, drape, wash2d, wash)
+
+
+def selected(prefixes):
+    """The rows of the tables whose numbers begin so (3.5-1 is not the beginning of 3.5-10), all rows if there is no prefix."""
+    everything = [row for chapter in CHAPTERS for row in chapter.rows()]
+    return [row for row in everything
+            if not prefixes or any(re.match(re.escape(prefix) + r"(?!\d)", row.table) for prefix in prefixes)]
+
+
+def ratio(row, kept):
+    """Today's figure over the thesis's, in words."""
+    ours = kept.get(row.key(TODAY))
+    try:
+        return f"{ours.figures[0] / float(row.thesis.split()[0]):.2f}" if ours and not math.isnan(ours.figures[0]) else ""
+    except (ValueError, ZeroDivisionError):
+        return ""
+
+
+def cell(row, numerics, kept):
+    """What a table says of a row with one of the numerics."""
+    found = kept.get(row.key(numerics))
+    if found:
+        return as_text(found.figures)
+    return "" if numerics in row.numerics else row.not_run
+
+
+def minutes(row, kept):
+    """How long the runs of a row took, with both numerics."""
+    return ", ".join(f"{kept[row.key(numerics)].minutes:.1f}" for numerics in NUMERICS if row.key(numerics) in kept)
+
+
+def print_page(chosen, kept):
+    """Prints the kept figures, a table for each of the thesis's."""
+    for table in dict.fromkeys(row.table for row in chosen):
+        of_table = [row for row in chosen if row.table == table]
+        print(f"\n**{table}**. {of_table[0].quantity}; `scripts/verification thesis {table}`\n")
+        print_head("", "thesis", "its numerics here", "ours today", "ours over the thesis's", "commit", "minutes")
+        for row in of_table:
+            commits = dict.fromkeys(kept[row.key(numerics)].commit for numerics in NUMERICS if row.key(numerics) in kept)
+            name = row.what if row.quantity == of_table[0].quantity else f"{row.what}, {row.quantity}"
+            print_row(name, row.thesis, *(cell(row, numerics, kept) for numerics in NUMERICS),
+                      "larger: " * bool(row.miss) + ratio(row, kept), ", ".join(commits), minutes(row, kept))
+        for reason in dict.fromkeys(row.miss for row in of_table if row.miss):
+            print(f"\nExpected miss: {reason}")
+
+
+def judged(row, numerics, found, known):
+    """What is wrong with figures that were found; nothing if they are as kept."""
+    if known is None:
+        return "not kept"
+    if (off := rows.moved(found, known.figures, row.within)) > 1:
+        return f"moved by {off:.1f} of what is allowed"
+    if numerics == TODAY and rows.is_missed(row, found) not in (None, bool(row.miss)):
+        return "no longer a miss" if row.miss else "a miss that is not marked as one"
+    return ""
+
+
+def measure(chosen, kept, options):
+    """Measures rows; returns whether all figures are where they were."""
+    passed = True
+    print_head("table", "row", "numerics", "thesis", "found", "kept", "minutes", "")
+    for row in chosen:
+        for numerics in row.numerics:
+            known = kept.get(row.key(numerics))
+            if numerics not in options.numerics or not (known or options.all) or (known and known.minutes > options.minutes):
+                continue
+            found, spent = results.timed(lambda row=row, numerics=numerics: as_figures(row.measure(numerics)))
+            wrong = judged(row, numerics, found, known)
+            print_row(row.table, row.what, numerics, row.thesis, as_text(found), as_text(known.figures) if known else "",
+                      f"{spent / 60:.1f}", wrong)
+            passed = passed and not wrong
+            if options.keep:
+                keep(row.key(numerics), rows.Kept(found, spent / 60, commit()))
+    return passed
+
+
+def keep(key, found):
+    """Keeps figures, in the order of the rows, without those of rows that there are no more."""
+    kept = {**rows.read_figures(), key: found}
+    keys = [row.key(numerics) for row in selected(()) for numerics in row.numerics]
+    rows.write_figures({key: kept[key] for key in keys if key in kept})
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("tables", nargs="*")
+    parser.add_argument("--all", action="store_true")
+    parser.add_argument("--with", dest="numerics", nargs="+", choices=NUMERICS, default=NUMERICS)
+    parser.add_argument("--minutes", type=float, default=math.inf)
+    parser.add_argument("--keep", action="store_true")
+    parser.add_argument("--page", action="store_true")
+    options = parser.parse_args(ARGUMENTS)
+    chosen, kept = selected(options.tables), rows.read_figures()
+    if options.page:
+        return conclusions.print_page(kept, print_head, print_row) if options.tables == ["conclusions"] else print_page(chosen, kept)
+    return 0 if measure(chosen, kept, options) or options.keep else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
