@@ -2,7 +2,7 @@
 """Results of runs of the program, kept so that a long table can be interrupted and taken up again.
 
 With WASHFSI_RESULTS naming a folder, each run has a folder of its own there. A run that has finished is not made again, one
-that was interrupted goes on from its checkpoint. What a run depends on (the program's sources, the options, the files that
+that was interrupted goes on from its checkpoint; fields of a finished one are removed. What a run depends on (the program's sources, the options, the files that
 they name) is part of its folder's name, so a change of any of it makes the run anew. Without WASHFSI_RESULTS results last as
 long as the script that made them.
 """
@@ -22,6 +22,7 @@ from typing import NamedTuple
 from tables import command, git, support
 
 FINISHED = "finished.json"
+FIELDS = ("flow", "slices", "surfaces")  # large, and no table reads them
 
 
 class Result(NamedTuple):
@@ -103,6 +104,8 @@ def make(folder, ranks, options, may_fail):
     with open(folder / "output.txt", "a", encoding="utf-8") as output:
         status = subprocess.run(line, check=not may_fail, stdout=output, stderr=subprocess.STDOUT).returncode
     finished = {"seconds": before + time.time() - begun, "failed": status != 0, "command": " ".join(line)}
+    for name in FIELDS:
+        shutil.rmtree(folder / name, ignore_errors=True)
     (folder / FINISHED).write_text(json.dumps(finished, indent=1))
 
 
