@@ -44,9 +44,12 @@ class Miss(NamedTuple):
 
 def agrees(found, expected, bound):
     """Whether a figure is within a relative bound of the one expected, or, where that is known to be missed, as it was."""
-    if isinstance(bound, Miss):
-        return abs(found / bound.figure - 1) <= bound.within
-    return abs(found / expected - 1) <= bound
+    return is_small(found, bound) if isinstance(bound, Miss) else abs(found / expected - 1) <= bound
+
+
+def is_small(found, bound):
+    """Whether a difference is within an absolute bound, or, where that is known to be missed, as it was."""
+    return abs(found / bound.figure - 1) <= bound.within if isinstance(bound, Miss) else found <= bound
 
 
 def print_row(*words):

@@ -6,7 +6,7 @@ steps, instead of the thesis's machine; `--cycles PART` for a part of the cycle 
 FOLDER` for the runs' results (out/wash_couplings if not given), where a run that has finished is not made again. The
 reference is the explicit coupling with the damping that the semi-implicit step of the machine has by itself, about one
 step. Tracks: rms distance of the cloths' centres from the reference's, over the marker spacing. Fails where the
-default's stresses are more than 15 % from the reference's.
+default's stresses are more than 8 % from the reference's.
 """
 
 import argparse
