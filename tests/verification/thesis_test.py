@@ -33,11 +33,8 @@ def selected(prefixes):
 
 def ratio(row, kept):
     """Today's figure over the thesis's, in words."""
-    ours = kept.get(row.key(TODAY))
-    try:
-        return f"{ours.figures[0] / float(row.thesis.split()[0]):.2f}" if ours and not math.isnan(ours.figures[0]) else ""
-    except (ValueError, ZeroDivisionError):
-        return ""
+    ours, thesis = kept.get(row.key(TODAY)), rows.first_number(row.thesis)
+    return f"{ours.figures[0] / thesis:.2f}" if ours and thesis and not math.isnan(ours.figures[0]) else ""
 
 
 def cell(row, numerics, kept):
@@ -74,7 +71,7 @@ def judged(row, numerics, found, known):
         return "not kept"
     if (off := rows.moved(found, known.figures, row.within)) > 1:
         return f"moved by {off:.1f} of what is allowed"
-    if numerics == TODAY and rows.is_missed(row, found) not in (None, bool(row.miss)):
+    if numerics == TODAY and rows.is_missed(row, found) != bool(row.miss):
         return "no longer a miss" if row.miss else "a miss that is not marked as one"
     return ""
 

@@ -10,34 +10,18 @@ import functools
 import numpy as np
 
 import results
-from tables import SOURCE
-from thesis.rows import THEIRS, TODAY, Row
+from beam_test import BENDING_LENGTH, GRIDS, PULLS, WEIGHT, exact_points
+from tables import scientific
+from thesis.rows import THEIRS, TODAY, Row, case_file
 
-EXACT = SOURCE / "tests" / "verification" / "reference" / "elastica"
-CASES = SOURCE / "inputs" / "thesis"
-GRIDS = {65: (9, "5.21e-2"), 129: (17, "8.5e-3"), 257: (33, "3.2e-3"), 513: (65, "1.9e-3")}  # markers on a half, thesis
-PULLS = (0.5, 1, 2, 5, 10)  # alpha_o
-BENDING_LENGTH, WEIGHT = 0.1 ** (1 / 3), 10  # c = (Kb/w)^(1/3) [m], w [N/m2]; L = 1 m
 STEPS = {65: 1e-3, 129: 2.5e-4}  # [s] about the longest that Broyden's method converges with
 NOT_RUN = {257: "not run: 3 h", 513: "not run: 50 h"}
-
-
-def exact_points(alpha, arclengths):
-    """Points of Bickley's cantilever, between those of the file by cubics that keep the slope."""
-    table = np.genfromtxt(EXACT / f"bickley_b3_10_alpha_{alpha:g}.csv", delimiter=",", skip_header=2)
-    s, slope = table[:, 0], np.column_stack([np.cos(table[:, 3]), np.sin(table[:, 3])])
-    k = np.clip(np.searchsorted(s, arclengths) - 1, 0, len(s) - 2)
-    step = (s[k + 1] - s[k])[:, None]
-    t = (arclengths - s[k])[:, None] / step
-    return ((1 + 2 * t) * (1 - t) ** 2 * table[k, 1:3] + t ** 2 * (3 - 2 * t) * table[k + 1, 1:3]
-            + t * (1 - t) ** 2 * step * slope[k] - t ** 2 * (1 - t) * step * slope[k + 1])
 
 
 def bend(numerics, cells, alpha):
     """The beam's markers at rest."""
     half, pull = GRIDS[cells][0], alpha * WEIGHT * BENDING_LENGTH
-    case = CASES / "beam.opts" if numerics == THEIRS else CASES / "today" / "beam.opts"
-    result = results.run(1, "-options_file", case, "-grid_cells", f"{cells},{cells}", "-beam_markers", 2 * half - 1,
+    result = results.run(1, "-options_file", case_file(numerics, "beam"), "-grid_cells", f"{cells},{cells}", "-beam_markers", 2 * half - 1,
                          "-beam_end_force_last", f"{pull},0", "-beam_end_force_first", f"{-pull},0", "-checkpoint_interval", 1,
                          *(["-time_step", STEPS[cells]] if numerics == THEIRS else []))
     return np.genfromtxt(result.folder / "cloth_final.csv", delimiter=",", skip_header=2, usecols=(4, 5))
@@ -54,7 +38,7 @@ def rows():
     """Tables 3.5-10 and 3.5-11."""
     for cells, (half, figure) in GRIDS.items():
         few = {"numerics": (TODAY,), "not_run": NOT_RUN[cells]} if cells in NOT_RUN else {}
-        yield Row("3.5-10", f"{cells} x {cells}, {half} markers on a half", "rms error/L", figure,
+        yield Row("3.5-10", f"{cells} x {cells}, {half} markers on a half", "rms error/L", scientific(figure),
                   functools.partial(error, cells=cells), is_error=True, **few)
     for alpha in PULLS:
         yield Row("3.5-11", f"alpha_o = {alpha}, 129 x 129", "rms error/L", "not in our copy, 513 x 513",

@@ -7,10 +7,9 @@ from typing import NamedTuple
 import numpy as np
 
 import results
-from tables import SOURCE, read_columns
-from thesis.rows import THEIRS, TODAY, Row
+from tables import read_columns
+from thesis.rows import THEIRS, TODAY, Row, case_file
 
-CASES = SOURCE / "inputs" / "thesis"
 SETTLED = 110  # [s] by then the shedding is periodic
 COST = "not run: {} h on one core"
 
@@ -39,8 +38,7 @@ def shedding(history, prefix="cylinder_force"):
 
 def flow(numerics, cells, width, *options):
     """The shedding in a box of a width in diameters, a quarter of it ahead of the cylinder."""
-    case = CASES / "cylinder.opts" if numerics == THEIRS else CASES / "today" / "cylinder.opts"
-    result = results.run(1, "-options_file", case, "-grid_cells", f"{cells},{cells}", "-grid_lower",
+    result = results.run(1, "-options_file", case_file(numerics, "cylinder"), "-grid_cells", f"{cells},{cells}", "-grid_lower",
                          f"{-0.25 * width},{-0.5 * width}", "-grid_upper", f"{0.75 * width},{0.5 * width}", "-body_balance",
                          "false", "-time_end", 170, "-checkpoint_interval", 10, *options)
     return shedding(read_columns(result.folder / "history.csv"))

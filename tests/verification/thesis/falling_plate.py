@@ -7,11 +7,10 @@ import math
 import numpy as np
 
 import results
-from tables import SOURCE, read_columns, read_markers
-from thesis.rows import THEIRS, Row
+from falling_plate_test import LEAST_WAY, turns
+from tables import read_columns
+from thesis.rows import Row, case_file
 
-CASES = SOURCE / "inputs" / "thesis"
-LEAST_WAY = 0.1  # lengths: a shorter way back is no turn
 LENGTH = {"falling_plate": 0.0183, "andersen": 0.0071}  # [m]
 TANK = {256: (23, 5e-4), 512: (46, 3e-4), 1024: (92, 3e-4)}  # markers, step [s]
 ANDERSEN = {256: (29, 2.5e-4), 512: (58, 1.25e-4), 1024: (116, 1.25e-4)}
@@ -20,22 +19,9 @@ ANDERSEN = {256: (29, 2.5e-4), 512: (58, 1.25e-4), 1024: (116, 1.25e-4)}
 def fall(numerics, name, cells):
     """The history of a fall; nothing if it failed."""
     markers, step = (TANK if name == "falling_plate" else ANDERSEN)[cells]
-    case = CASES / f"{name}.opts" if numerics == THEIRS else CASES / "today" / f"{name}.opts"
-    result = results.run(1, "-options_file", case, "-grid_cells", f"{cells},{cells}", "-plate_markers", markers, "-time_step", step,
+    result = results.run(1, "-options_file", case_file(numerics, name), "-grid_cells", f"{cells},{cells}", "-plate_markers", markers, "-time_step", step,
                          "-checkpoint_interval", 0.05, "-history_interval", 1e-3, may_fail=True)
     return None if result.failed else result.folder
-
-
-def turns(values, least):
-    """Indices of the extremes, a highest one first, from each of which the values then go back by more than least."""
-    found, best, sign = [], 0, 1
-    for k, value in enumerate(values):
-        if sign * (value - values[best]) > 0:
-            best = k
-        elif sign * (values[best] - value) > least:
-            found.append(best)
-            best, sign = k, -sign
-    return found
 
 
 def half_period(numerics, name, cells):
@@ -57,13 +43,6 @@ def amplitudes(numerics, name, cells):
     found = turns(history["plate_center_x"], LEAST_WAY * LENGTH[name])
     later = slice(found[0] if found else 0, None)
     return tuple(0.5 * np.ptp(np.gradient(history[f"plate_center_{axis}"], history["time"])[later]) for axis in "xy")
-
-
-def most_bent(numerics, name, cells):
-    """Largest distance of a marker from a straight line through all, in any frame, over the length."""
-    places = read_markers(fall(numerics, name, cells))[1]
-    straight = [place - place.mean(axis=0) for place in places]
-    return max(np.abs(place @ np.linalg.svd(place, full_matrices=False)[2][1]).max() for place in straight) / LENGTH[name]
 
 
 def rows():

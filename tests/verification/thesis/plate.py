@@ -6,38 +6,26 @@ the thesis's frequencies fit modes 6/7, 8 and 4/5 at a Poisson's ratio of 0.225 
 of the lowest (tests/verification/reference/plate/README.md).
 """
 
-import csv
 import functools
 import math
 
 import numpy as np
 
 import results
-from tables import SOURCE, read_markers
-from thesis.rows import THEIRS, Row
+from plate_test import KB, MASS, THIN, exact_frequencies, frequency, step_for
+from tables import read_markers
+from thesis.rows import THEIRS, Row, case_file
 
-EXACT = SOURCE / "tests" / "verification" / "reference" / "plate" / "bending_FFFF_square.csv"
-CASES = SOURCE / "inputs" / "thesis"
-KB, MASS = 1e-3, 1
-THIN = 0.007  # rho_f over rho_s/h at 33^3 cells
 POISSON = 0.225
 PERIODS, FRAMES = 1.6, 80
 STEPS_OF_A_PERIOD = 128  # of today's numerics, which the coupling does not bound
 GRIDS = ((33, 15), (65, 30), (129, 60))
+FAILS = "with today's numerics the motion of case (a) on 129^3 cells grows or does not swing; the cause is not known"
 
 
-def case_file(numerics):
-    """The case with the thesis's numerics, or with today's."""
-    return CASES / "plate.opts" if numerics == THEIRS else CASES / "today" / "plate.opts"
-
-
-@functools.cache
 def exact_frequency(mode, poisson, markers):
-    """Of a bending mode [rad/s]: Ritz's frequencies times a^2 sqrt(rho_s/Kb), and the side a."""
-    with open(EXACT, encoding="utf-8") as file:
-        rows = csv.DictReader(line for line in file if not line.startswith("#"))
-        row = next(row for row in rows if abs(float(row["nu"]) - poisson) < 1e-9)
-    return float(row[f"m{mode}"]) * math.sqrt(KB / MASS) / (markers / (markers - 1)) ** 2
+    """Of a bending mode [rad/s]."""
+    return exact_frequencies(poisson)[mode] * math.sqrt(KB / MASS) / (markers / (markers - 1)) ** 2
 
 
 def vibrate(cells, markers, numerics, exact, step, *options):
@@ -45,7 +33,7 @@ def vibrate(cells, markers, numerics, exact, step, *options):
     seconds = PERIODS * 2 * math.pi / exact
     if numerics != THEIRS:
         step = 2 * math.pi / exact / STEPS_OF_A_PERIOD
-    result = results.run(2, "-options_file", case_file(numerics), "-grid_cells", ",".join([str(cells)] * 3), "-plate_markers",
+    result = results.run(2, "-options_file", case_file(numerics, "plate"), "-grid_cells", ",".join([str(cells)] * 3), "-plate_markers",
                          markers, "-plate_size", markers / (markers - 1), "-time_step", step, "-time_end", seconds,
                          "-output_interval", seconds / FRAMES, *options, may_fail=True)
     return math.nan if result.failed else swing(*read_markers(result.folder, axes=3), markers)
@@ -57,19 +45,13 @@ def swing(time, places, markers):
     motion = places.reshape(len(time), markers, markers, 3) - np.stack(
         [*np.meshgrid(s, s, indexing="ij"), np.zeros((markers, markers))], axis=-1)
     size = np.abs(motion).max(axis=(1, 2, 3))
-    part = (motion * motion[0]).sum(axis=(1, 2, 3))
-    before = np.flatnonzero(part[:-1] * part[1:] < 0)
-    if len(before) < 3 or not size[-1] < 2 * size[0]:
-        return math.nan
-    zeros = time[before] + np.diff(time)[before] * part[before] / (part[before] - part[before + 1])
-    return math.pi / np.mean(np.diff(zeros))
+    return frequency(time, motion) if size[-1] < 2 * size[0] else math.nan
 
 
 def bending_error(numerics, cells, markers, mode, options=(), poisson=POISSON):
     """Relative error of a bending frequency [%]."""
     exact = exact_frequency(mode, poisson, markers)
-    step = 0.027 * (14 / (markers - 1)) ** 2
-    return 100 * (vibrate(cells, markers, numerics, exact, step, "-plate_mode", mode, "-plate_poisson", poisson,
+    return 100 * (vibrate(cells, markers, numerics, exact, step_for(markers), "-plate_mode", mode, "-plate_poisson", poisson,
                           "-fluid_density", THIN * MASS * 33 / 2, *options) / exact - 1)
 
 
@@ -97,7 +79,8 @@ def rows():
              "3.5-3": ("case (c), mode 4/5", 4, ("-5.59", "-2.36", "-0.24"))}
     for table, (name, mode, thesis) in cases.items():
         for (cells, markers), figure in zip(GRIDS, thesis):
-            yield bending_row(table, f"{name}, {cells}^3 / {markers}^2", figure, mode, cells, markers)
+            miss = FAILS if (table, cells) == ("3.5-1", 129) else ""
+            yield bending_row(table, f"{name}, {cells}^3 / {markers}^2", figure, mode, cells, markers)._replace(miss=miss)
     for (cells, markers), figure in zip(((17, 7), (33, 15), (65, 30)), ("-7.59", "-2.37", "-0.92")):
         yield error_row("3.5-4", f"in plane, {cells}^3 / {markers}^2", figure, in_plane_error, cells=cells, markers=markers)
     for markers, figure in ((15, "-8.79"), (30, "diverged"), (60, "diverged")):

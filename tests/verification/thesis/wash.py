@@ -12,11 +12,10 @@ import math
 import numpy as np
 
 import results
-from tables import SOURCE, read_columns
-from thesis.rows import THEIRS, TODAY, Row
+from tables import read_columns
+from thesis.rows import THEIRS, TODAY, Row, case_file
 from wash_runs import CYCLE, STRESSES, read_centers
 
-CASES = SOURCE / "inputs" / "thesis"
 RADIUS = 0.31  # of the drum [m]
 MOTION = 0.3  # cloths mix: figures move by so much between versions
 STEPS = {"dt": ("0.418 (0.242)", "0.424 (0.244)", "0.0375 (0.0169)"), "dt_half": ("0.615 (0.317)", "0.630 (0.307)", "0.0409 (0.0188)"),
@@ -35,18 +34,16 @@ CASE_NAMES = {"dt": "dt*", "dt_half": "dt*/2", "dt_quarter": "dt*/4", "cloths32"
               "width1.5": "64 cloths, half width 1.5 h", "ratio1to2": "markers half as far apart", "smooth": "smooth mask",
               **{f"re{number}": f"Re = {number}" for number in ("1.2e2", "1.2e3", "1.2e4", "1.2e5", "1.2e6")}}
 
-
 MPA = 1e-6
 
 
 def wash(numerics, name, cycles):
     """A run of a case over so many cycles, going on from that of the fewer cycles before; it may fail."""
-    case = (CASES if numerics == THEIRS else CASES / "today") / f"{name}.opts"
     before = [number for number in LENGTHS.get(name, ()) if number < cycles]
     earlier = wash(numerics, name, before[-1]) if before else None
     if earlier and earlier.failed:
         return earlier
-    return results.run(1, "-options_file", case, "-history_interval", 1e-3, "-output_interval", 0.1, "-checkpoint_interval", 0.1,
+    return results.run(1, "-options_file", case_file(numerics, name), "-history_interval", 1e-3, "-output_interval", 0.1, "-checkpoint_interval", 0.1,
                        "-time_end", cycles * CYCLE, may_fail=True, earlier=earlier)
 
 
@@ -102,7 +99,7 @@ def track_length(numerics, name, cycles):
 
 def stress_rows(tables, figures, cycles, not_run=()):
     """Three tables of stresses: along warp, along weft, shear."""
-    for table, component, place in zip(tables, STRESSES, range(3)):
+    for place, (table, component) in enumerate(zip(tables, STRESSES)):
         for name, of_thesis in figures.items():
             few = {"numerics": (TODAY,), "not_run": f"not run: {not_run[name]} on one core"} if name in not_run else {}
             yield Row(table, f"{CASE_NAMES[name]}, {cycles} cycles", f"sigma_{component}, mean (standard deviation) [MPa]",

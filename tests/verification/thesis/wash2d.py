@@ -9,16 +9,12 @@ import functools
 import json
 import math
 
-import numpy as np
-
 import results
-from tables import SOURCE
-from thesis.rows import THEIRS, TODAY, Row
+import wash2d_test
+from thesis.rows import THEIRS, TODAY, Row, case_file
+from wash2d_test import CYCLE, MARKERS
 
-CASES = SOURCE / "inputs" / "thesis"
-CYCLE = 1.5707963
 BOX = 0.6912  # [m]
-MARKERS = {"long": 24, "short": 16}  # of 64 x 64 cells
 TABLE = {32: "1.492 (0.511)", 64: "0.386 (0.171)", 128: "0.135 (0.034)", 256: "0.087 (0.017)"}  # h/2r_o from 3.39e-2 on
 STEP = 7.52e-6  # [s] 9.45e-5/Omega_max
 LONGEST = 1.5e-5  # [s] dt* of Table 5.4-4
@@ -27,42 +23,36 @@ MOTION = 0.3  # cloths mix: figures move by so much between versions
 
 def folder(numerics, cells, step, *options):
     """Where the results of one and a half cycles are; nothing if the run failed."""
-    case = CASES / "wash2d.opts" if numerics == THEIRS else CASES / "today" / "wash2d.opts"
     spacing = BOX / cells
     groups = [word for name, markers in MARKERS.items() for word in (f"-{name}_markers", markers * cells // 64)]
     others = ["-time_step", step] if numerics == THEIRS else ["-contact_distance", spacing, "-time_cfl", 0, "-time_step", step]
-    result = results.run(1, "-options_file", case, "-grid_cells", f"{cells},{cells}", *groups, "-time_end", 1.5 * CYCLE,
-                         "-history_interval", 1e-3, "-output_interval", 0.1, *others, *options, may_fail=True)
+    result = results.run(1, "-options_file", case_file(numerics, "wash2d"), "-grid_cells", f"{cells},{cells}", *groups,
+                         "-time_end", 1.5 * CYCLE, "-history_interval", 1e-3, "-output_interval", 0.1, *others, *options, may_fail=True)
     return None if result.failed else result.folder
 
 
-def groups_of(numerics, cells, step, options):
-    """The groups' summaries; nothing if the run failed."""
+def summary(numerics, cells, step, options):
+    """What a run says of itself; nothing if it failed."""
     where = folder(numerics, cells, step, *options)
-    return where and json.loads((where / "summary.json").read_text())["cloths"]
+    return where and json.loads((where / "summary.json").read_text())
 
 
 def stress(numerics, cells, steps, options=()):
     """Mean and standard deviation over the markers of all cloths [MPa]."""
-    found = groups_of(numerics, cells, steps[numerics], options)
-    if not found:
-        return math.nan, math.nan
-    numbers = np.array([markers * 10 for markers in MARKERS.values()], dtype=float)
-    means, deviations = (np.array([found[name][key] for name in MARKERS]) for key in ("stress_mean", "stress_std"))
-    mean = np.average(means, weights=numbers)
-    return mean / 1e6, np.sqrt(np.average(deviations ** 2 + means ** 2, weights=numbers) - mean ** 2) / 1e6
+    found = summary(numerics, cells, steps[numerics], options)
+    return wash2d_test.stress(found) if found else (math.nan, math.nan)
 
 
 def depth(numerics, cells, steps, options=()):
     """Depth of the deepest marker in a body, in cells."""
-    found = groups_of(numerics, cells, steps[numerics], options)
-    return max(found[name]["max_depth"] for name in MARKERS) / (BOX / cells) if found else math.nan
+    found = summary(numerics, cells, steps[numerics], options)
+    return wash2d_test.depth(found, BOX / cells) if found else math.nan
 
 
 def stretch(numerics, cells, steps, options=()):
     """Largest stretch of an edge [%]."""
-    found = groups_of(numerics, cells, steps[numerics], options)
-    return 100 * max(found[name]["max_stretch"] for name in MARKERS) if found else math.nan
+    found = summary(numerics, cells, steps[numerics], options)
+    return 100 * max(found["cloths"][name]["max_stretch"] for name in MARKERS) if found else math.nan
 
 
 def rows():
