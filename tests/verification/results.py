@@ -19,10 +19,14 @@ import tempfile
 import time
 from typing import NamedTuple
 
-from tables import command, git, support
+from tables import command, git, read_columns, support
 
 FINISHED = "finished.json"
 FIELDS = ("flow", "slices", "surfaces")  # large, and no table reads them
+
+
+class Unfinished(Exception):
+    """A run that was stopped since it took too long. It can go on from its checkpoint."""
 
 
 class Result(NamedTuple):
@@ -76,6 +80,25 @@ def spent(folder):
     return before + max(0, (folder / "history.csv").stat().st_mtime - begun)
 
 
+def wait_for(process, folder):
+    """The status of a run; asks for a checkpoint and raises Unfinished where it takes longer than an attempt may."""
+    try:
+        return process.wait(LONGEST["run"])
+    except subprocess.TimeoutExpired as late:
+        process.terminate()
+        process.wait()
+        LATE[folder] = Unfinished(f"stopped at {reached(folder)} s after {spent(folder) / 60:.0f} minutes")
+        raise LATE[folder] from late
+
+
+def reached(folder):
+    """The time in a run that it came to."""
+    history = folder / "history.csv"
+    return f"{read_columns(history)['time'][-1]:.4g}" if history.is_file() else "0"
+
+
+LONGEST = {"run": None}  # seconds that an attempt at a run may take
+LATE = {}  # what was raised of runs that took longer, by folder: they do not go on before the next time
 USED = {}  # seconds of the runs that have been asked for since `timed` began, by folder
 
 
@@ -87,6 +110,8 @@ def run(ranks, *options, may_fail=False, earlier=None):
     folder = place(ranks, options)
     if earlier and not folder.exists():
         shutil.copytree(earlier.folder, folder, ignore=shutil.ignore_patterns(FINISHED))
+    if folder in LATE:
+        raise LATE[folder]
     if not (folder / FINISHED).is_file():
         make(folder, ranks, options, may_fail)
     finished = json.loads((folder / FINISHED).read_text())
@@ -102,7 +127,9 @@ def make(folder, ranks, options, may_fail):
     checkpoint = folder / "checkpoint.h5"
     line = command(ranks, *options, *(["-restart", checkpoint] if checkpoint.is_file() else []), "-output_dir", folder)
     with open(folder / "output.txt", "a", encoding="utf-8") as output:
-        status = subprocess.run(line, check=not may_fail, stdout=output, stderr=subprocess.STDOUT).returncode
+        status = wait_for(subprocess.Popen(line, stdout=output, stderr=subprocess.STDOUT), folder)
+    if status and not may_fail:
+        raise subprocess.CalledProcessError(status, line)
     finished = {"seconds": before + time.time() - begun, "failed": status != 0, "command": " ".join(line)}
     for name in FIELDS:
         shutil.rmtree(folder / name, ignore_errors=True)

@@ -3,6 +3,8 @@
 
     thesis_test.py 3.5                    measures the rows of all tables whose numbers begin so, those that are kept
     thesis_test.py 3.5-1 --all            those too for which no figure is kept yet
+    thesis_test.py 3.5-1 --new            only those for which none is kept yet
+    thesis_test.py 3.5-1 --longest 20     stops runs that take more minutes than that: they go on the next time
     thesis_test.py 3.5-1 --with theirs    with one of the numerics alone
     thesis_test.py 3.5 --minutes 20       those alone whose runs took no longer
     thesis_test.py 3.5-1 --keep           keeps what is found, in thesis/figures.csv, in the place of what was
@@ -76,6 +78,13 @@ def judged(row, numerics, found, known):
     return ""
 
 
+def is_wanted(known, options):
+    """Whether a row is to be measured of which these figures are kept, or none."""
+    if options.new:
+        return not known
+    return known.minutes <= options.minutes if known else options.all
+
+
 def measure(chosen, kept, options):
     """Measures rows; returns whether all figures are where they were."""
     passed = True
@@ -83,9 +92,14 @@ def measure(chosen, kept, options):
     for row in chosen:
         for numerics in row.numerics:
             known = kept.get(row.key(numerics))
-            if numerics not in options.numerics or not (known or options.all) or (known and known.minutes > options.minutes):
+            if numerics not in options.numerics or not is_wanted(known, options):
                 continue
-            found, spent = results.timed(lambda row=row, numerics=numerics: as_figures(row.measure(numerics)))
+            try:
+                found, spent = results.timed(lambda row=row, numerics=numerics: as_figures(row.measure(numerics)))
+            except results.Unfinished as late:
+                print_row(row.table, row.what, numerics, row.thesis, "", "", "", late)
+                passed = False
+                continue
             wrong = judged(row, numerics, found, known)
             print_row(row.table, row.what, numerics, row.thesis, as_text(found), as_text(known.figures) if known else "",
                       f"{spent / 60:.1f}", wrong)
@@ -106,11 +120,14 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("tables", nargs="*")
     parser.add_argument("--all", action="store_true")
+    parser.add_argument("--new", action="store_true")
+    parser.add_argument("--longest", type=float)
     parser.add_argument("--with", dest="numerics", nargs="+", choices=NUMERICS, default=NUMERICS)
     parser.add_argument("--minutes", type=float, default=math.inf)
     parser.add_argument("--keep", action="store_true")
     parser.add_argument("--page", action="store_true")
     options = parser.parse_args(ARGUMENTS)
+    results.LONGEST["run"] = options.longest and 60 * options.longest
     chosen, kept = selected(options.tables), rows.read_figures()
     if options.page:
         return conclusions.print_page(kept, print_head, print_row) if options.tables == ["conclusions"] else print_page(chosen, kept)
