@@ -19,7 +19,7 @@ import re
 import sys
 
 import results
-from tables import ARGUMENTS, commit, print_head, print_row
+from tables import ARGUMENTS, print_head, print_row
 from thesis import beam, cavity, conclusions, couette, cylinder, drape, falling_plate, plate, rows, wash, wash2d
 from thesis.rows import NUMERICS, THEIRS, TODAY, as_figures, as_text
 
@@ -105,7 +105,7 @@ def measure(chosen, kept, options):
                       f"{spent / 60:.1f}", wrong)
             passed = passed and not wrong
             if options.keep:
-                keep(row.key(numerics), rows.Kept(found, spent / 60, commit()))
+                keep(row.key(numerics), rows.Kept(found, spent / 60, results.program_identity()))
     return passed
 
 
