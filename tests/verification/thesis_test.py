@@ -10,7 +10,8 @@
     thesis_test.py 3.5-1 --keep           keeps what is found, in thesis/figures.csv, in the place of what was
     thesis_test.py 3.5-1 --page           runs nothing: prints the kept figures as docs/verification/thesis.md has them
 
-Fails when a figure is farther from the kept one than its row allows, to the better or to the worse.
+Fails when a figure is farther from the kept one than its row allows, to the better or to the worse, or when a check of a table
+(thesis/checks.py) does not hold of what was found and what is kept of the rest.
 """
 
 import argparse
@@ -23,14 +24,23 @@ from tables import ARGUMENTS, print_head, print_row
 from thesis import beam, cavity, conclusions, couette, cylinder, drape, falling_plate, plate, rows, wash, wash2d
 from thesis.rows import NUMERICS, THEIRS, TODAY, as_figures, as_text
 
+SAID = {THEIRS: "with its numerics", TODAY: "today"}
 CHAPTERS = (cavity, plate, beam, falling_plate, couette, cylinder, drape, wash2d, wash)
 
 
 def selected(prefixes):
-    """The rows of the tables whose numbers begin so (3.5-1 is not the beginning of 3.5-10), all rows if there is no prefix."""
-    everything = [row for chapter in CHAPTERS for row in chapter.rows()]
-    return [row for row in everything
-            if not prefixes or any(re.match(re.escape(prefix) + r"(?!\d)", row.table) for prefix in prefixes)]
+    """The rows of the tables and figures whose numbers begin so (3.5-1 is not the beginning of 3.5-10), all if there is no prefix."""
+    return [row for chapter in CHAPTERS for row in chapter.rows() if is_of(row, prefixes)]
+
+
+def selected_checks(prefixes):
+    """Their checks."""
+    return [check for chapter in CHAPTERS if hasattr(chapter, "claims") for check in chapter.claims() if is_of(check, prefixes)]
+
+
+def is_of(row, prefixes):
+    """Whether the number of the table of a row or a check, or of the figure, begins with one of these, if there are any."""
+    return not prefixes or any(re.match(r"(Figs?\. )?" + re.escape(prefix) + r"(?!\d)", row.table) for prefix in prefixes)
 
 
 def ratio(row, kept):
@@ -52,8 +62,17 @@ def minutes(row, kept):
     return ", ".join(f"{kept[row.key(numerics)].minutes:.1f}" for numerics in NUMERICS if row.key(numerics) in kept)
 
 
-def print_page(chosen, kept):
-    """Prints the kept figures, a table for each of the thesis's."""
+def print_checks(of_table, kept):
+    """Prints the checks of a table: what they found with both numerics, and their limits."""
+    for number, check in enumerate(of_table):
+        found = {numerics: check.found(kept, numerics) for numerics in check.numerics}
+        words = ", ".join(f"{value:.3g} {SAID[numerics]}" for numerics, value in found.items() if value is not None)
+        print("\n" * (not number) + f"- Checked: {check.claim}: {words or 'not yet'} ({check.limits()}"
+              f"{', an expected miss: ' * bool(check.miss)}{check.miss}).")
+
+
+def print_page(chosen, checks_of, kept):
+    """Prints the kept figures, a table for each of the thesis's, and its checks."""
     for table in dict.fromkeys(row.table for row in chosen):
         of_table = [row for row in chosen if row.table == table]
         print(f"\n**{table}**. {of_table[0].quantity}; `scripts/verification thesis {table}`\n")
@@ -65,13 +84,14 @@ def print_page(chosen, kept):
                       "larger: " * bool(row.miss) + ratio(row, kept), ", ".join(commits), minutes(row, kept))
         for reason in dict.fromkeys(row.miss for row in of_table if row.miss):
             print(f"\nExpected miss: {reason}")
+        print_checks([check for check in checks_of if check.table == table], kept)
 
 
 def judged(row, numerics, found, known):
     """What is wrong with figures that were found; nothing if they are as kept."""
     if known is None:
         return "not kept"
-    if (off := rows.moved(found, known.figures, row.within)) > 1:
+    if (off := rows.moved(row, found, known.figures)) > 1:
         return f"moved by {off:.1f} of what is allowed"
     if numerics == TODAY and rows.is_missed(row, found) != bool(row.miss):
         return "no longer a miss" if row.miss else "a miss that is not marked as one"
@@ -86,8 +106,8 @@ def is_wanted(known, options):
 
 
 def measure(chosen, kept, options):
-    """Measures rows; returns whether all figures are where they were."""
-    passed = True
+    """Measures rows; returns whether all figures are where they were, and the figures, those kept of rows that are not measured."""
+    passed, figures = True, dict(kept)
     print_head("table", "row", "numerics", "thesis", "found", "kept", "minutes", "")
     for row in chosen:
         for numerics in row.numerics:
@@ -104,8 +124,25 @@ def measure(chosen, kept, options):
             print_row(row.table, row.what, numerics, row.thesis, as_text(found), as_text(known.figures) if known else "",
                       f"{spent / 60:.1f}", wrong)
             passed = passed and not wrong
+            figures[row.key(numerics)] = rows.Kept(found, spent / 60, results.program_identity())
             if options.keep:
-                keep(row.key(numerics), rows.Kept(found, spent / 60, results.program_identity()))
+                keep(row.key(numerics), figures[row.key(numerics)])
+    return passed, figures
+
+
+def assert_checks(checks_of, figures, options):
+    """Prints the checks of which all figures are there; returns whether they hold, or do not where that is known."""
+    passed = True
+    print()
+    print_head("table", "check", "numerics", "limits", "found", "")
+    for check in checks_of:
+        for numerics in check.numerics:
+            value = check.found(figures, numerics)
+            if numerics not in options.numerics or value is None:
+                continue
+            wrong = ("no longer a miss" if check.miss else "beyond its limits") if check.holds(value) == bool(check.miss) else ""
+            print_row(check.table, check.claim, numerics, check.limits(), f"{value:.3g}", wrong)
+            passed = passed and not wrong
     return passed
 
 
@@ -128,10 +165,14 @@ def main():
     parser.add_argument("--page", action="store_true")
     options = parser.parse_args(ARGUMENTS)
     results.LONGEST["run"] = options.longest and 60 * options.longest
-    chosen, kept = selected(options.tables), rows.read_figures()
+    chosen, checks_of, kept = selected(options.tables), selected_checks(options.tables), rows.read_figures()
     if options.page:
-        return conclusions.print_page(kept, print_head, print_row) if options.tables == ["conclusions"] else print_page(chosen, kept)
-    return 0 if measure(chosen, kept, options) or options.keep else 1
+        if options.tables == ["conclusions"]:
+            return conclusions.print_page(kept, print_head, print_row)
+        return print_page(chosen, checks_of, kept)
+    as_kept, figures = measure(chosen, kept, options)
+    hold = assert_checks(checks_of, figures, options)
+    return 0 if (as_kept and hold) or options.keep else 1
 
 
 if __name__ == "__main__":

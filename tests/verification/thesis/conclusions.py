@@ -3,6 +3,7 @@
 
 from typing import NamedTuple
 
+from thesis.checks import figure_of
 from thesis.rows import NUMERICS
 
 
@@ -15,12 +16,11 @@ class Smaller(NamedTuple):
 
     def found(self, kept, numerics):
         """Both figures in words and whether the claim holds; nothing where a figure is missing."""
-        wanted = (self.table, self.smaller), (self.other_table or self.table, self.larger)
-        first, second = (next((value.figures for (table, what, _, of), value in kept.items() if (table, what, of) == (*row, numerics)),
-                              None) for row in wanted)
-        if not first or not second:
+        first = figure_of(kept, self.table, self.smaller, numerics)
+        second = figure_of(kept, self.other_table or self.table, self.larger, numerics)
+        if first is None or second is None:
             return ""
-        return f"{first[0]:.3g} {'<' if abs(first[0]) < abs(second[0]) else 'not <'} {second[0]:.3g}"
+        return f"{first:.3g} {'<' if abs(first) < abs(second) else 'not <'} {second:.3g}"
 
 
 class Conclusion(NamedTuple):

@@ -39,7 +39,8 @@ class Row(NamedTuple):
     measure: Callable  # takes the numerics; returns a figure or several, NaN for a run that failed
     numerics: tuple = NUMERICS  # it is measured with these
     not_run: str = ""  # why not with the others, and what it would cost
-    within: float = WITHIN
+    within: float = WITHIN  # infinite: the kept figure is only told, and checks judge (checks.py)
+    slack: float = 1e-12  # it may move by so much however small it is
     is_error: bool = False  # the thesis's figure is an error itself: smaller is better
     miss: str = ""  # why ours is worse, where it is
 
@@ -85,16 +86,16 @@ def write_figures(kept):
             writer.writerow([*key, " ".join(f"{figure:.6g}" for figure in figures), f"{minutes:.1f}", commit])
 
 
-def moved(figures, kept, within):
-    """How far figures are from those kept, over what is allowed; infinite where one failed and the other did not."""
+def moved(row, figures, kept):
+    """How far figures are from those kept, over what the row allows; infinite where one failed and the other did not."""
     if len(figures) != len(kept):
         return math.inf
     largest = 0.0
     for found, known in zip(figures, kept):
         if math.isnan(found) != math.isnan(known):
             return math.inf
-        if not math.isnan(found):
-            largest = max(largest, abs(found - known) / max(within * abs(known), 1e-12))
+        if not math.isnan(found) and row.within < math.inf:
+            largest = max(largest, abs(found - known) / max(row.within * abs(known), row.slack))
     return largest
 
 

@@ -13,10 +13,13 @@ import numpy as np
 
 import results
 from tables import read_columns
+from thesis import checks
 from thesis.rows import THEIRS, TODAY, Row, case_file
 from wash_runs import CYCLE, STRESSES, read_centers
 
 RADIUS = 0.31  # of the drum [m]
+INNER, OUTER = 0.45, 0.65  # of the drum's radius: where cloths are to sink, and to rise
+LEAST_SPEED = 0.02  # [m/s] with which they do
 MOTION = 0.3  # cloths mix: figures move by so much between versions
 STEPS = {"dt": ("0.418 (0.242)", "0.424 (0.244)", "0.0375 (0.0169)"), "dt_half": ("0.615 (0.317)", "0.630 (0.307)", "0.0409 (0.0188)"),
          "dt_quarter": ("0.699 (0.366)", "0.747 (0.358)", "0.0441 (0.0208)")}
@@ -33,6 +36,9 @@ LOADED = {"cloths64": "2 h"}
 CASE_NAMES = {"dt": "dt*", "dt_half": "dt*/2", "dt_quarter": "dt*/4", "cloths32": "32 cloths", "cloths64": "64 cloths",
               "width1.5": "64 cloths, half width 1.5 h", "ratio1to2": "markers half as far apart", "smooth": "smooth mask",
               **{f"re{number}": f"Re = {number}" for number in ("1.2e2", "1.2e3", "1.2e4", "1.2e5", "1.2e6")}}
+AXIS, DRUM = "near the axis", "near the drum"
+IN_THICK_LIQUID = "in thick liquid the cloths are still round the post, where the agitator drags them, after two cycles"
+CLOTHS_DECIDE = "beyond Re = 1.2e3 it is where cloths touch the drum that decides, and eddies have no model"
 
 MPA = 1e-6
 
@@ -79,6 +85,22 @@ def depth(numerics, name, cycles):
     return 1e3 * history(numerics, name, cycles)["towel_depth"].max()
 
 
+def drum_torque(numerics, name, cycles):
+    """Torque on the drum, root mean square [N m]."""
+    found = history(numerics, name, cycles)
+    return np.sqrt(np.average(found["drum_torque_z"] ** 2, weights=found["dt"]))
+
+
+def rising(numerics, name, cycles, near_drum):
+    """Mean vertical speed of the cloths' centres near the axis or near the drum [m/s]; NaN if none came there."""
+    time, centers = read_centers(wash(numerics, name, cycles).folder)
+    until = time <= cycles * CYCLE + 1e-3
+    x, y, z = np.moveaxis(centers[..., until], 1, 0)
+    radius = np.hypot(x, y)[:, :-1] / RADIUS
+    part = radius > OUTER if near_drum else radius < INNER
+    return (np.diff(z, axis=1) / np.diff(time[until]))[part].mean() if part.any() else math.nan
+
+
 def plane_tracks(numerics, name, cycles):
     """Places of the cloths' centres in the plane of radius and height over the drum's radius, cloth by axis by time."""
     time, centers = read_centers(wash(numerics, name, cycles).folder)
@@ -117,6 +139,13 @@ def motion_rows():
     for name, figure in (("re1.2e2", "very low"), ("re1.2e3", "tumbled"), ("re1.2e4", "slower"), ("re1.2e5", "slower"), ("re1.2e6", "slower")):
         yield Row("5.5.5.2", f"{CASE_NAMES[name]}", "turns of a cloth in a cycle, of two", figure,
                   functools.partial(tumbles, name=name, cycles=2), within=MOTION)
+    for name in TWO:
+        yield Row("5.5.5.2, drum", CASE_NAMES[name], "torque on the drum, rms of two cycles [N m]", "",
+                  functools.partial(drum_torque, name=name, cycles=2), within=MOTION)
+    for place in (AXIS, DRUM):
+        for name in ("re1.2e3", "re1.2e4"):
+            yield Row("5.5.5.2, orbits", f"{CASE_NAMES[name]}, {place}", "vertical speed of cloths, mean of two cycles [m/s]", "",
+                      functools.partial(rising, name=name, cycles=2, near_drum=place == DRUM), within=MOTION)
     for name, figure in (("re1.2e2", ""), ("re1.2e3", "stagnant"), ("re1.2e4", "wider"), ("re1.2e5", "wider"), ("re1.2e6", "wider")):
         yield Row("Figs. 5.5-8 to 12", f"{CASE_NAMES[name]}", "common centre's way from its mean, rms over r_o", figure,
                   functools.partial(centre_moves, name=name, cycles=2), within=MOTION)
@@ -142,3 +171,21 @@ def rows():
     yield from stress_rows(("5.5-9", "5.5-10", "5.5-11"), TWO, 2)
     yield from stress_rows(("5.5-12", "5.5-13", "5.5-14"), LOAD, 5, LOADED)
     yield from motion_rows()
+
+
+def claims():
+    """The thesis's trends over the Reynolds number and the load, and that of the torque on the drum, which falls with the Reynolds
+    number (Akcabay, Dowling and Schultz, Clothes washing simulations, Computers & Fluids, 2014)."""
+    only = {"numerics": (TODAY,)}
+    names = [f"{CASE_NAMES[name]}, 2 cycles" for name in TWO]
+    yield checks.rises("5.5-9", names[:2], miss=IN_THICK_LIQUID, **only)
+    yield checks.rises("5.5-9", names[1:], **only)
+    yield checks.rises("5.5-12", [f"{CASE_NAMES[name]}, 5 cycles" for name in LOAD], **only)
+    names = [CASE_NAMES[name] for name in TWO]
+    yield checks.falls("5.5.5.2", names[1:3], **only)
+    yield checks.falls("5.5.5.2, drum", names[:2], **only)
+    yield checks.falls("5.5.5.2, drum", names[1:], miss=CLOTHS_DECIDE, **only)
+    yield checks.falls("5.5.5.3", [CASE_NAMES[name] for name in ("re1.2e3", "cloths64")], **only)
+    for name in names[1:3]:
+        yield checks.Check("5.5.5.2, orbits", f"vertical speed, {name}, {AXIS} [m/s]", (f"{name}, {AXIS}",), max, most=-LEAST_SPEED, **only)
+        yield checks.Check("5.5.5.2, orbits", f"vertical speed, {name}, {DRUM} [m/s]", (f"{name}, {DRUM}",), min, least=LEAST_SPEED, **only)
