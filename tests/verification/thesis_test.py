@@ -17,6 +17,7 @@ Fails when a figure is farther from the kept one than its row allows, to the bet
 import argparse
 import math
 import re
+import shlex
 import sys
 
 import results
@@ -75,7 +76,7 @@ def print_page(chosen, checks_of, kept):
     """Prints the kept figures, a table for each of the thesis's, and its checks."""
     for table in dict.fromkeys(row.table for row in chosen):
         of_table = [row for row in chosen if row.table == table]
-        print(f"\n**{table}**. {of_table[0].quantity}; `scripts/verification thesis {table}`\n")
+        print(f"\n**{table}**. {of_table[0].quantity}; `scripts/verification thesis {shlex.quote(table)}`\n")
         print_head("", "thesis", "its numerics here", "ours today", "ours over the thesis's", "commit", "minutes")
         for row in of_table:
             commits = dict.fromkeys(kept[row.key(numerics)].commit for numerics in NUMERICS if row.key(numerics) in kept)
