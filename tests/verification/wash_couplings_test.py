@@ -2,22 +2,20 @@
 """The couplings at the three-dimensional wash: step, damping, cost and the stresses of the first agitation cycle.
 
 Prints the tables of docs/verification/wash.md. Arguments: `--shipped` for `inputs/thesis/wash33.opts` as it is, which chooses its
-steps, instead of the thesis's machine; `--cycles PART` for a part of the cycle only; `--ranks`, 2 if not given; `--keep
-FOLDER` for the runs' results (out/wash_couplings if not given), where a run that has finished is not made again. The
-reference is the explicit coupling with the damping that the semi-implicit step of the machine has by itself, about one
+steps, instead of the thesis's machine; `--cycles PART` for a part of the cycle only; `--ranks`, 2 if not given. Results
+are kept as results.py says. The reference is the explicit coupling with the damping that the semi-implicit step of the machine has by itself, about one
 step. Tracks: rms distance of the cloths' centres from the reference's, over the marker spacing. Fails where the
 default's stresses are more than 8 % from the reference's.
 """
 
 import argparse
 import json
-import subprocess
 import sys
-from pathlib import Path
 
 import numpy as np
 
-from tables import ARGUMENTS, SOURCE, command, print_record, print_record_head, read_columns
+import results
+from tables import ARGUMENTS, OPTIONS, SOURCE, print_record, print_record_head, read_columns
 from wash_runs import CYCLE, STRESSES, read_centers
 
 MACHINE = SOURCE / "inputs" / "thesis" / "wash33.opts"
@@ -37,17 +35,13 @@ SHIPPED_RUNS = [REFERENCE, ("explicit", 1e-4, 6e-5), AS_SHIPPED]
 class Run:
     """The start of a machine."""
 
-    def __init__(self, study, ranks, end, machine, coupling, damping, step):
-        folder = study / f"{'mask_' if machine else ''}{coupling}_{damping:g}_{step:g}".replace(" ", "_")
-        summary = folder / "summary.json"
-        if not summary.is_file() or json.loads(summary.read_text())["status"] != "finished":
-            equal_steps = ["-coupling_scheme", coupling, "-coupling_order", 1, "-time_tolerance", 0, "-time_step", step,
-                           *(["-towel_damping", damping] if damping else [])]
-            subprocess.run(command(ranks, "-options_file", MACHINE, *machine, *(equal_steps if step else []), "-time_end", end,
-                                   "-history_interval", INTERVAL, "-output_dir", folder),
-                           check=False, stdout=subprocess.DEVNULL)
-        result = json.loads(summary.read_text())
-        self.stable = result["status"] == "finished"
+    def __init__(self, ranks, end, machine, coupling, damping, step):
+        equal_steps = ["-coupling_scheme", coupling, "-coupling_order", 1, "-time_tolerance", 0, "-time_step", step,
+                       *(["-towel_damping", damping] if damping else [])]
+        folder, _, failed = results.run(ranks, "-options_file", MACHINE, *machine, *(equal_steps if step else []), "-time_end", end,
+                                        "-history_interval", INTERVAL, "-checkpoint_interval", 0.1, *OPTIONS, may_fail=True)
+        result = json.loads((folder / "summary.json").read_text())
+        self.stable = not failed
         self.ms = 1e3 * result["seconds_per_step"]
         cloth = result["cloths"]["towel"]
         self.stretch, self.crossings = cloth["max_stretch"], result["cloth_crossings"]
@@ -56,13 +50,18 @@ class Run:
             for part in ("membrane", "bending"))
         self.time, self.centers = read_centers(folder)
         self.cost = result["seconds_per_step"] * result["steps"] / self.time[-1]  # of a run that diverged too
-        cycles = read_columns(folder / "cycles.csv").get("agitator_work", [])
-        self.work = f"{cycles[0]:.1f}" if len(cycles) else ""
+        self.work = first_cycle(folder)
 
     def tracks_off(self, reference, time):
         """Rms distance of the cloths' centres from the reference's at a time, over the marker spacing."""
         centers, others = (run.centers[..., np.argmin(np.abs(run.time - time))] for run in (self, reference))
         return np.sqrt(np.mean(np.sum((centers - others) ** 2, axis=1))) / SPACING
+
+
+def first_cycle(folder):
+    """Work of the agitator in the first cycle [J] in words; none where a run did not come so far."""
+    cycles = read_columns(folder / "cycles.csv").get("agitator_work", []) if (folder / "cycles.csv").is_file() else []
+    return f"{cycles[0]:.1f}" if len(cycles) else ""
 
 
 def off(values, reference):
@@ -75,7 +74,6 @@ def main():
     parser.add_argument("--shipped", action="store_true")
     parser.add_argument("--cycles", type=float, default=1)
     parser.add_argument("--ranks", type=int, default=2)
-    parser.add_argument("--keep", type=Path, default=SOURCE / "out" / "wash_couplings")
     options = parser.parse_args(ARGUMENTS)
     machine, cases, default = ((), SHIPPED_RUNS, AS_SHIPPED) if options.shipped else (WITH_MASK, RUNS, DEFAULT)
     end = options.cycles * CYCLE
@@ -84,7 +82,7 @@ def main():
                       "tracks off half-way and at the end", "largest stretch", "crossings", "work [J]")
     runs = {}
     for case in cases:
-        run = runs[case] = Run(options.keep, options.ranks, end, machine, *case)
+        run = runs[case] = Run(options.ranks, end, machine, *case)
         words = [case[0], f"{case[1]:g}", f"{case[2]:g}", f"{run.ms:.1f}", f"{run.cost:.0f}"]
         if not run.stable:
             print_record(*words, "diverged", *[""] * 7)
