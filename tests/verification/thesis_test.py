@@ -131,9 +131,19 @@ def measure(chosen, kept, options):
     return passed, figures
 
 
+def are_of_rows(checks_of):
+    """Whether all rows that checks name are there, with their numerics; prints those that are not."""
+    known = {(row.table, row.what, numerics) for row in selected(()) for numerics in row.numerics}
+    lost = [name for check in checks_of for what in check.rows for numerics in check.numerics
+            if (name := (check.table, what, numerics)) not in known]
+    for name in lost:
+        print("\nA check names a row that there is not:", *name)
+    return not lost
+
+
 def assert_checks(checks_of, figures, options):
     """Prints the checks of which all figures are there; returns whether they hold, or do not where that is known."""
-    passed = True
+    passed = are_of_rows(checks_of)
     print()
     print_head("table", "check", "numerics", "limits", "found", "")
     for check in checks_of:
