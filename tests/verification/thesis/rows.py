@@ -40,7 +40,7 @@ class Row(NamedTuple):
     numerics: tuple = NUMERICS  # it is measured with these
     not_run: str = ""  # why not with the others, and what it would cost
     within: float = WITHIN  # infinite: the kept figure is only told, and checks judge (checks.py)
-    slack: float = 1e-12  # it may move by so much however small it is
+    slack: float = 0  # it may move by so much however small it is
     is_error: bool = False  # the thesis's figure is an error itself: smaller is better
     miss: str = ""  # why ours is worse, where it is
 
@@ -95,7 +95,7 @@ def moved(row, figures, kept):
         if math.isnan(found) != math.isnan(known):
             return math.inf
         if not math.isnan(found) and row.within < math.inf:
-            largest = max(largest, abs(found - known) / max(row.within * abs(known), row.slack))
+            largest = max(largest, abs(found - known) / max(row.within * abs(known), row.slack, 1e-12))
     return largest
 
 
