@@ -67,8 +67,8 @@ def print_checks(of_table, kept):
     """Prints the checks of a table: what they found with both numerics, and their limits."""
     for number, check in enumerate(of_table):
         found = {numerics: check.found(kept, numerics) for numerics in check.numerics}
-        words = ", ".join(f"{value:.3g} {SAID[numerics]}" for numerics, value in found.items() if value is not None)
-        print("\n" * (not number) + f"- Checked: {check.claim}: {words or 'not yet'} ({check.limits()}"
+        words = ", ".join(f"{'not yet' if value is None else f'{value:.3g}'} {SAID[numerics]}" for numerics, value in found.items())
+        print("\n" * (not number) + f"- Checked: {check.claim}: {words} ({check.limits()}"
               f"{', an expected miss: ' * bool(check.miss)}{check.miss}).")
 
 
