@@ -72,7 +72,7 @@ def claims():
     """All digits that the thesis prints, steady flows, and order 2."""
     for table, off in OFF.items():
         printed = {row.what: float(row.thesis) for row in rows() if row.table == table and row.thesis and row.what != "v max"}
-        yield checks.Check(table, "largest difference from the thesis's figures", tuple(printed),
+        yield checks.Check(table, "largest difference from the thesis's figures" + " but v max" * (table == "2.3-1"), tuple(printed),
                            lambda figures, printed=tuple(printed.values()): max(abs(ours - theirs) for ours, theirs in zip(figures, printed)),
                            most=off)
     for norm, name in enumerate(NORMS):
