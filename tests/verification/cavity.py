@@ -41,12 +41,16 @@ class Flow(NamedTuple):
 
 def run_cavity(cells, reynolds, end=None, dimensions=2, advection="central", options=()):
     """Runs the cavity with so many cells a side from rest to the end [s], by default the steady state in the plane."""
+    return read_flow(run_along(cells, reynolds, (*centre_line_options(cells, dimensions), *options), end, dimensions, advection).folder)
+
+
+def run_along(cells, reynolds, profiles, end=None, dimensions=2, advection="central"):
+    """The run of the cavity with some profiles."""
     end = end or STEADY_AFTER[reynolds]
-    result = results.run(RANKS, "-options_file", CAVITY, "-fluid_viscosity", repr(1 / reynolds), "-grid_cells",
-                         ",".join([str(cells)] * dimensions), *(IN_SPACE if dimensions == 3 else []), "-advection", advection,
-                         "-time_step", repr(COURANT[advection] / cells), "-time_end", end, "-output_interval", end,
-                         "-checkpoint_interval", 0.1 * end, *centre_line_options(cells, dimensions), *options)
-    return read_flow(result.folder)
+    return results.run(RANKS, "-options_file", CAVITY, "-fluid_viscosity", repr(1 / reynolds), "-grid_cells",
+                       ",".join([str(cells)] * dimensions), *(IN_SPACE if dimensions == 3 else []), "-advection", advection,
+                       "-time_step", repr(COURANT[advection] / cells), "-time_end", end, "-output_interval", end,
+                       "-checkpoint_interval", 0.1 * end, *profiles)
 
 
 def centre_line_options(cells, dimensions):

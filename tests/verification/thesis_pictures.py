@@ -23,7 +23,7 @@ from thesis.rows import NUMERICS, THEIRS, TODAY  # noqa: E402
 IMAGES = SOURCE / "docs" / "images"
 NAMES = {THEIRS: "the thesis's numerics", TODAY: "today's numerics"}
 ORBITS = {"re1.2e2": 2, "re1.2e3": 2, "re1.2e4": 2, "re1.2e5": 2, "re1.2e6": 2}
-OTHERS = {"cloths64": 1, "width1.5": 1, "ratio1to2": 2, "dt": 2, "smooth": 2}
+OTHERS = {"cloths64": 1, "width1.5": 1, "ratio1to1": 3, "ratio1to2": 3, "dt": 2.9, "smooth": 2.9}
 
 
 def save(figure, name):
@@ -33,9 +33,9 @@ def save(figure, name):
     plt.close(figure)
 
 
-def draw_fall(axes, numerics, name, cells):
+def draw_fall(axes, numerics, name, spacing):
     """The plate at equal times, and both velocities of its centre over its angle."""
-    folder, length = falling_plate.fall(numerics, name, cells), falling_plate.LENGTH[name]
+    folder, length = falling_plate.fall(numerics, name, spacing), falling_plate.LENGTH[name]
     time, places = read_markers(folder)
     for place in places:
         axes[0].plot(*(place / length).T, color="tab:blue", linewidth=1)
@@ -50,10 +50,10 @@ def draw_fall(axes, numerics, name, cells):
 
 def plate():
     """Figs. 3.5-6 to 3.5-8."""
-    for name, cells in (("falling_plate", 512), ("andersen", 512)):
+    for name, spacing in (("falling_plate", "0.0216"), ("andersen", "0.0172")):
         figure, panels = plt.subplots(2, 3, figsize=(11, 9))
         for axes, numerics in zip(panels, NUMERICS):
-            draw_fall(axes, numerics, name, cells)
+            draw_fall(axes, numerics, name, spacing)
         save(figure, name)
 
 

@@ -13,10 +13,11 @@ import time
 
 import results
 from tables import support
+from thesis import checks
 from thesis.rows import THEIRS, Row
 
 TEST = support.PROGRAM.with_name("couette_test")
-TREATMENTS = {"mapping": 0, "smooth": 1, "cut_stencil": 4, "direct_forcing": 5}  # of the test's parameters
+TREATMENTS = {"mapping": 0, "smooth": 1, "ghost": 3, "cut_stencil": 4, "direct_forcing": 5}  # of the test's parameters
 GRIDS = {129: "Coarse", 257: "Fine", 513: "Finest"}
 LINE = re.compile(r"^ *(\d+)\^2 +(.*?) +rms (\S+) +max (\S+)", re.M)
 
@@ -35,20 +36,37 @@ def printed(name):
     return output.read_text()
 
 
-def errors(numerics, cells, smooth=False):
-    """The largest and the rms error."""
-    treatment = ("smooth" if smooth else "mapping") if numerics == THEIRS else "direct_forcing"
+def errors(numerics, cells, treatment="mapping"):
+    """The largest and the rms error, with a treatment of the walls in the place of which today's has markers."""
+    treatment = treatment if numerics == THEIRS else "direct_forcing"
     lines = [line for line in LINE.findall(printed(f"{GRIDS[cells]}/{TREATMENTS[treatment]}"))
              if int(line[0]) == cells and "one place" not in line[1]]
     return float(lines[-1][3]), float(lines[-1][2])
 
 
+def name_of(mask, cells):
+    """What a grid is called in the tables."""
+    return f"{mask} mask, {cells} x {cells}"
+
+
 def rows():
-    """Tables 4.3-1 and 4.3-2."""
+    """Tables 4.3-1 and 4.3-2, and the method of Yokoi (4.3.1.2)."""
     sharp, smooth = ("3.65e-2 (1.05e-2)", "3.09e-2 (7.95e-3)", "1.2e-2 (3.47e-3)"), ("1.133e-1 (4.69e-2)", "4e-2 (1.67e-2)", "1e-2 (4.0e-3)")
-    for cells, figures in zip(GRIDS, sharp):
-        yield Row("4.3-1", f"sharp mask, {cells} x {cells}", "largest (rms) error", figures, functools.partial(errors, cells=cells),
-                  is_error=True)
-    for cells, figures in zip(GRIDS, smooth):
-        yield Row("4.3-2", f"smooth mask, {cells} x {cells}", "largest (rms) error", figures,
-                  functools.partial(errors, cells=cells, smooth=True), is_error=True)
+    for table, mask, treatment, figures in (("4.3-1", "sharp", "mapping", sharp), ("4.3-2", "smooth", "smooth", smooth)):
+        for cells, figure in zip(GRIDS, figures):
+            yield Row(table, name_of(mask, cells), "largest (rms) error", figure,
+                      functools.partial(errors, cells=cells, treatment=treatment), is_error=True)
+    yield Row("4.3.1.2", "method of Yokoi (2003), 129 x 129", "largest (rms) error", "2.15e-2 (4.0e-3)",
+              functools.partial(errors, cells=129, treatment="ghost"), is_error=True)
+
+
+def claims():
+    """The rates of the largest and of the rms error, as the thesis prints them, and that the smooth mask's are higher."""
+    for table, mask, rates in (("4.3-1", "sharp", (("0.24", "1.4"), ("0.40", "1.2"))), ("4.3-2", "smooth", (("1.5", "2.0"), ("1.5", "2.1")))):
+        for part, (error, of_error) in enumerate(zip(("largest", "rms"), rates)):
+            for coarse, fine, rate in zip(GRIDS, list(GRIDS)[1:], of_error):
+                check = checks.order(table, name_of(mask, coarse), name_of(mask, fine), fine / coarse, part=part, thesis=rate)
+                yield check._replace(claim=f"{check.claim}, {error} error")
+    ends = [(table, name_of(mask, cells)) for table, mask in (("4.3-2", "smooth"), ("4.3-1", "sharp")) for cells in (129, 513)]
+    yield checks.Check("4.3-2", "fall of the rms error from 129 x 129 to 513 x 513 over that with the sharp mask", tuple(ends),
+                       lambda figures: figures[0] / figures[1] * figures[3] / figures[2], least=1, part=1, numerics=(THEIRS,))

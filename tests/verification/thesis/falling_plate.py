@@ -3,6 +3,7 @@
 
 import functools
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -16,15 +17,27 @@ MOST_BENT = 1e-3  # lengths
 MOST_INCLINED = 90  # [degrees] beyond, the plate has tumbled
 RATIO = (1.5, 2.5)  # frequency of the vertical speed over that of the horizontal one
 LENGTH = {"falling_plate": 0.0183, "andersen": 0.0071}  # [m]
-TANK = {256: (23, 5e-4), 512: (46, 3e-4), 1024: (92, 3e-4)}  # markers, step [s]
-ANDERSEN = {256: (29, 2.5e-4), 512: (58, 1.25e-4), 1024: (116, 1.25e-4)}
+TANK_EXPERIMENT = 0.35  # [s] half period, +- 0.05
 
 
-def fall(numerics, name, cells):
-    """The history of a fall; nothing if it failed."""
-    markers, step = (TANK if name == "falling_plate" else ANDERSEN)[cells]
+class Grid(NamedTuple):
+    """Cells a side, markers, step [s] and the box where it is not that of the case."""
+    cells: int
+    markers: int
+    step: float
+    box: tuple = ()
+
+
+WIDE = ("-grid_lower", "-0.06248,0", "-grid_upper", "0.06248,0.12496", "-plate_center", "-0.005,0.11748")  # 17.6 l, as far from the top
+GRIDS = {"falling_plate": {"0.0216": Grid(512, 46, 3e-4), "0.0108": Grid(1024, 92, 3e-4)},
+         "andersen": {"0.0344": Grid(512, 29, 2.5e-4, WIDE), "0.0172": Grid(1024, 58, 1.25e-4, WIDE), "0.0086": Grid(1024, 116, 1.25e-4)}}  # by h/l
+
+
+def fall(numerics, name, spacing):
+    """The folder of a fall; nothing if it failed."""
+    cells, markers, step, box = GRIDS[name][spacing]
     result = results.run(1, "-options_file", case_file(numerics, name), "-grid_cells", f"{cells},{cells}", "-plate_markers", markers, "-time_step", step,
-                         "-checkpoint_interval", 0.05, "-history_interval", 1e-3, may_fail=True)
+                         "-checkpoint_interval", 0.05, "-history_interval", 1e-3, *box, may_fail=True)
     return None if result.failed else result.folder
 
 
@@ -40,18 +53,18 @@ def turns(values, least):
     return found
 
 
-def motion(numerics, name, cells):
+def motion(numerics, name, spacing):
     """The history of a fall, and the rows at which the plate turns; nothing if it failed."""
-    folder = fall(numerics, name, cells)
+    folder = fall(numerics, name, spacing)
     if not folder:
         return None, []
     history = read_columns(folder / "history.csv")
     return history, turns(history["plate_center_x"], LEAST_WAY * LENGTH[name])
 
 
-def half_period(numerics, name, cells):
+def half_period(numerics, name, spacing):
     """Mean of the first two half periods, or the first alone, [s]; NaN if there is none."""
-    history, found = motion(numerics, name, cells)
+    history, found = motion(numerics, name, spacing)
     return np.diff(history["time"][found])[:2].mean() if len(found) > 1 else math.nan
 
 
@@ -60,17 +73,17 @@ def speed(history, axis):
     return np.gradient(history[f"plate_center_{axis}"], history["time"])
 
 
-def amplitudes(numerics, name, cells):
+def amplitudes(numerics, name, spacing):
     """Half the range of the centre's horizontal and vertical speed after the first turn [m/s]."""
-    history, found = motion(numerics, name, cells)
+    history, found = motion(numerics, name, spacing)
     if not history:
         return math.nan, math.nan
     return tuple(0.5 * np.ptp(speed(history, axis)[found[0] if found else 0:]) for axis in "xy")
 
 
-def frequency_ratio(numerics, name, cells):
+def frequency_ratio(numerics, name, spacing):
     """Frequency of the vertical speed over that of the horizontal one, from the first turn on; NaN without two turns of each."""
-    history, found = motion(numerics, name, cells)
+    history, found = motion(numerics, name, spacing)
     if len(found) < 2:
         return math.nan
     time, rate = history["time"][found[0]:], speed(history, "y")[found[0]:]
@@ -78,9 +91,39 @@ def frequency_ratio(numerics, name, cells):
     return np.diff(history["time"][found]).mean() / np.diff(time[swings]).mean() if len(swings) > 1 else math.nan
 
 
-def bent(numerics, name, cells):
+def amplitude_ratios(numerics):
+    """Amplitudes of the horizontal and the vertical speed on the coarser grid over those on the finer one."""
+    coarse, fine = (amplitudes(numerics, "andersen", spacing) for spacing in ("0.0172", "0.0086"))
+    return tuple(first / second for first, second in zip(coarse, fine))
+
+
+def unevenness(numerics, name, spacing):
+    """The longest half period over the shortest; NaN if there are not two."""
+    history, found = motion(numerics, name, spacing)
+    periods = np.diff(history["time"][found]) if len(found) > 2 else [math.nan]
+    return max(periods) / min(periods)
+
+
+def angles(folder):
+    """Times of the frames and the plate's angle to the horizontal in them [degrees]."""
+    time, places = read_markers(folder)
+    way = places[:, -1] - places[:, 0]
+    return time, np.degrees(np.unwrap(np.arctan2(way[:, 1], way[:, 0])))
+
+
+def angles_of_least_speeds(numerics, name, spacing):
+    """The size of the angle at which the horizontal speed, and that downwards, is least after the first turn [degrees]."""
+    history, found = motion(numerics, name, spacing)
+    if not found:
+        return math.nan, math.nan
+    late = np.arange(len(history["time"])) >= found[0]
+    angle = np.abs(np.interp(history["time"], *angles(fall(numerics, name, spacing))))[late]
+    return angle[np.argmin(speed(history, "x")[late])], angle[np.argmin(-speed(history, "y")[late])]
+
+
+def bent(numerics, name, spacing):
     """Largest distance of a marker from a straight line through all of its plate, in any frame, over the length."""
-    folder = fall(numerics, name, cells)
+    folder = fall(numerics, name, spacing)
     if not folder:
         return math.nan
     places = read_markers(folder)[1]
@@ -89,50 +132,60 @@ def bent(numerics, name, cells):
     return off / np.linalg.norm(places[0, -1] - places[0, 0])
 
 
-def inclined(numerics, name, cells):
+def inclined(numerics, name, spacing):
     """Largest angle to the horizontal [degrees]."""
-    folder = fall(numerics, name, cells)
+    folder = fall(numerics, name, spacing)
     if not folder:
         return math.nan
-    places = read_markers(folder)[1]
-    way = places[:, -1] - places[:, 0]
-    return np.degrees(np.abs(np.unwrap(np.arctan2(way[:, 1], way[:, 0])))).max()
-
-
-def in_tank(cells):
-    """What a grid is called in Table 3.5-12."""
-    return f"h/l = {0.20313 / cells / LENGTH['falling_plate']:.4f} (tank: 0.35 +- 0.05)"
-
-
-def of_andersen(cells):
-    """What a grid is called in Table 3.5-13."""
-    return f"h/l = {0.06248 / cells / LENGTH['andersen']:.4f}"
+    return np.abs(angles(folder)[1]).max()
 
 
 BENT, INCLINED, FREQUENCIES = "bent, over the length", "largest angle to the horizontal [degrees]", "frequency of Vy over that of Vx"
+AMPLITUDE, RATIO_OF_GRIDS, HALF_PERIOD = "amplitude of Vx (of Vy) [m/s]", "h/l = 0.0172 over h/l = 0.0086", "half period [s]"
+UNEVEN, LEAST = "longest half period over the shortest", "angle at the least Vx (the least -Vy) [degrees]"
 
 
 def other_rows(table, name, names):
     """What a plate must do besides."""
     for quantity, measure, within in ((BENT, bent, math.inf), (INCLINED, inclined, 0.2)):
-        for cells, what in names.items():
-            yield Row(table, what, quantity, "", functools.partial(measure, name=name, cells=cells), within=within)
+        for spacing, what in names.items():
+            yield Row(table, what, quantity, "", functools.partial(measure, name=name, spacing=spacing), within=within)
 
 
-TANK_NAMES, ANDERSEN_NAMES = ({cells: name(cells) for cells in (512, 1024)} for name in (in_tank, of_andersen))
+def uneven_rows(table, name, names):
+    """How uniform the flutter is, which the thesis says of its coarser grids alone."""
+    for spacing, what in names.items():
+        yield Row(table, what, UNEVEN, "not uniform" if spacing == "0.0344" else "", functools.partial(unevenness, name=name, spacing=spacing),
+                  within=0.2)
+
+
+TANK_NAMES = {spacing: f"h/l = {spacing} (tank: {TANK_EXPERIMENT:.2f} +- 0.05)" for spacing in GRIDS["falling_plate"]}
+ANDERSEN_NAMES = {spacing: f"h/l = {spacing}" for spacing in list(GRIDS["andersen"])[1:]}
+COARSEST = {"0.0344": "h/l = 0.0344"}  # the grids that the thesis calls coarser are not named
+
+
+def tank_rows():
+    """Table 3.5-12 and Fig. 3.5-7."""
+    for (spacing, what), figure in zip(TANK_NAMES.items(), ("0.21", "0.275")):
+        yield Row("3.5-12", what, HALF_PERIOD, figure, functools.partial(half_period, name="falling_plate", spacing=spacing), within=0.1)
+    for spacing, what in TANK_NAMES.items():
+        yield Row("3.5-12", what, LEAST, "around 20 (around 20)" if spacing == "0.0108" else "",
+                  functools.partial(angles_of_least_speeds, name="falling_plate", spacing=spacing), within=0.3)
+    yield from other_rows("3.5-12", "falling_plate", TANK_NAMES)
+    yield from uneven_rows("3.5-12", "falling_plate", TANK_NAMES)
 
 
 def rows():
     """Tables 3.5-12 and 3.5-13: the cases, and what the text says of them."""
-    for (cells, what), figure in zip(TANK_NAMES.items(), ("0.21", "0.275")):
-        yield Row("3.5-12", what, "half period [s]", figure, functools.partial(half_period, name="falling_plate", cells=cells), within=0.1)
-    yield from other_rows("3.5-12", "falling_plate", TANK_NAMES)
-    for (cells, what), figure in zip(ANDERSEN_NAMES.items(), ("56 (39) % below Andersen et al.", "21 (14) % below")):
-        yield Row("3.5-13", what, "amplitude of Vx (of Vy) [m/s]", figure, functools.partial(amplitudes, name="andersen", cells=cells),
-                  within=0.1)
-    for cells, what in ANDERSEN_NAMES.items():
-        yield Row("3.5-13", what, FREQUENCIES, "", functools.partial(frequency_ratio, name="andersen", cells=cells), within=0.2)
+    yield from tank_rows()
+    for (spacing, what), figure in zip(ANDERSEN_NAMES.items(), ("56 (39) % below Andersen et al.", "21 (14) % below")):
+        yield Row("3.5-13", what, AMPLITUDE, figure, functools.partial(amplitudes, name="andersen", spacing=spacing),
+                  within=0.1, comparable=False)
+    yield Row("3.5-13", RATIO_OF_GRIDS, "amplitude of Vx (of Vy), one over the other", "0.557 (0.709)", amplitude_ratios, within=0.1)
+    for spacing, what in ANDERSEN_NAMES.items():
+        yield Row("3.5-13", what, FREQUENCIES, "", functools.partial(frequency_ratio, name="andersen", spacing=spacing), within=0.2)
     yield from other_rows("3.5-13", "andersen", ANDERSEN_NAMES)
+    yield from uneven_rows("3.5-13", "andersen", {**COARSEST, **ANDERSEN_NAMES})
 
 
 def claims():

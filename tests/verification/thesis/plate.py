@@ -21,6 +21,7 @@ EXACT = SOURCE / "tests" / "verification" / "reference" / "plate" / "bending_FFF
 KB, MASS = 1e-3, 1
 THIN = 0.007  # rho_f over rho_s/h at 33^3 cells
 POISSON = 0.225
+AMPLITUDE = 1e-4  # [m]
 PERIODS, FRAMES = 1.6, 80
 MANY_PERIODS = 10  # after which energy may have gone to the highest modes
 LOWEST = {1: "twist", 2: "saddle", 3: "breathing"}
@@ -32,6 +33,10 @@ CASES = {"3.5-1": ("case (a), mode 6/7", 6, ("-8.69", "-3.17", "-1.31")),
          "3.5-3": ("case (c), mode 4/5", 4, ("-5.59", "-2.36", "-0.24"))}
 LEAST_ORDER = {THEIRS: 1.4, TODAY: 1}  # of bending frequencies from 33^3 to 65^3
 LEAST_ORDER_IN_PLANE = {THEIRS: 1, TODAY: 0.4}  # from 33^3 to 65^3; what is left there is the lattice's and the step's
+DENSITIES = (4, 2, 1, 0.5, 0.25, 0.125)  # of the fluid, over THIN
+WIDTHS = (1.5, 2, 3, 4)  # half widths of the delta [h]
+RATES = {"3.5-1": ("1.49", "1.29"), "3.5-2": ("1.41", "1.88"), "3.5-3": ("1.27", "3.33"), "3.5-4": ("1.75", "1.40")}  # of the thesis
+DENSITY_RATES = ("0.29", "0.21", "0.13", "0.08", "0.03")
 MOST_IN_HIGH_MODES = 0.01  # [%]
 FAILS = "with today's numerics the motion of case (a) on 129^3 cells grows or does not swing; the cause is not known"
 
@@ -54,13 +59,14 @@ def step_for(markers):
     return 0.027 * (14 / (markers - 1)) ** 2
 
 
-def let_go(cells, markers, numerics, exact, step, *options, periods=PERIODS, frames=FRAMES):
-    """Times and displacements, frame by i by j by axis, of a plate that is let go in a shape; nothing if the run failed."""
+def let_go(cells, markers, numerics, exact, step, *options, periods=PERIODS, frames=FRAMES, parts=1):
+    """Times and displacements, frame by i by j by axis, of a plate that is let go in a shape, in steps that are divided into parts;
+    nothing if the run failed."""
     seconds = periods * 2 * math.pi / exact
     if numerics != THEIRS:
         step = 2 * math.pi / exact / STEPS_OF_A_PERIOD
     result = results.run(2, "-options_file", case_file(numerics, "plate"), "-grid_cells", ",".join([str(cells)] * 3), "-plate_markers",
-                         markers, "-plate_size", markers / (markers - 1), "-time_step", step, "-time_end", seconds,
+                         markers, "-plate_size", markers / (markers - 1), "-time_step", step / parts, "-time_end", seconds,
                          "-output_interval", seconds / frames, *options, may_fail=True)
     if result.failed:
         return None
@@ -82,9 +88,9 @@ def swing(time, motion):
     return np.pi / np.mean(np.diff(zeros))
 
 
-def vibrate(*arguments):
+def vibrate(*arguments, **others):
     """Frequency [rad/s] of a plate that is let go in a shape; NaN if the run failed, or the plate did not swing."""
-    found = let_go(*arguments)
+    found = let_go(*arguments, **others)
     return swing(*found) if found else math.nan
 
 
@@ -116,11 +122,22 @@ def energy_in_high_modes(numerics, cells=33, markers=15, mode=2, poisson=0.3):
     return 100 * energies[:, len(stiffness) // 2:].sum(axis=1).max() / energies.sum(axis=1).max()
 
 
-def bending_error(numerics, cells, markers, mode, options=(), poisson=POISSON):
+def bending_error(numerics, cells, markers, mode, options=(), poisson=POISSON, parts=1):
     """Relative error of a bending frequency [%]."""
     exact = exact_frequency(mode, poisson, markers)
     return 100 * (vibrate(cells, markers, numerics, exact, step_for(markers), "-plate_mode", mode, "-plate_poisson", poisson,
-                          "-fluid_density", THIN * MASS * 33 / 2, *options) / exact - 1)
+                          "-fluid_density", THIN * MASS * 33 / 2, *options, parts=parts) / exact - 1)
+
+
+def growth(numerics, cells, markers, mode, options):
+    """Largest displacement of a marker in the last of many periods over that at the start; NaN if the run failed."""
+    found = let_go(cells, markers, numerics, exact_frequency(mode, POISSON, markers), step_for(markers), "-plate_mode", mode,
+                   "-plate_poisson", POISSON, "-fluid_density", THIN * MASS * 33 / 2, *options, periods=MANY_PERIODS,
+                   frames=40 * MANY_PERIODS)
+    if not found:
+        return math.nan
+    size = np.abs(found[1]).max(axis=(1, 2, 3))
+    return size[-40:].max() / size[0] if np.isfinite(size).all() else math.nan
 
 
 def in_plane_error(numerics, cells, markers):
@@ -154,6 +171,27 @@ def lowest_rows():
               energy_in_high_modes, within=math.inf)
 
 
+def ratio_rows():
+    """What 3.5.1.2 changed, in vain, with markers half as far apart as cells are wide, where its plate flattened and then stopped."""
+    for name, options, parts in (("a quarter of the step", (), 4), ("4 times the amplitude", ("-plate_amplitude", 4 * AMPLITUDE), 1),
+                                 ("16 times the amplitude", ("-plate_amplitude", 16 * AMPLITUDE), 1),
+                                 ("4 times the fluid's density", ("-fluid_density", 4 * THIN * MASS * 33 / 2), 1),
+                                 ("8 times the fluid's density", ("-fluid_density", 8 * THIN * MASS * 33 / 2), 1)):
+        yield bending_row("3.5.1.2", f"case (b), ds/h = 0.57, {name}", "diverged", 8, markers=30, options=options, parts=parts)
+
+
+def width_rows():
+    """Tables 3.5-8 and 3.5-9: errors, and whether the motion is stable."""
+    for table, name, figures in (("3.5-8", " where forces are spread", ("-19.16", "-8.79", "-10.07, unstable", "unstable")),
+                                 ("3.5-9", "", ("-6.72, unstable", "-8.79", "-19.32", "-31.60"))):
+        for width, figure in zip(WIDTHS, figures):
+            options = ("-delta_spread_width", width, *(() if name else ("-delta_interpolate_width", width)))
+            what = f"case (b), half width {width} h{name}"
+            yield bending_row(table, what, figure, 8, options=options)
+            yield Row(f"{table}, stable", what, "largest displacement in the tenth period over the first", "no" if "un" in figure else "yes",
+                      functools.partial(growth, cells=33, markers=15, mode=8, options=options), within=math.inf)
+
+
 def rows():
     """Tables 3.5-1 to 3.5-9."""
     for table, (name, mode, thesis) in CASES.items():
@@ -161,32 +199,39 @@ def rows():
             miss = FAILS if (table, cells) == ("3.5-1", 129) else ""
             yield bending_row(table, on(name, cells, markers), figure, mode, cells, markers)._replace(miss=miss)
         if table == "3.5-1":
+            yield bending_row("3.5-1, step", f"{on(name, 33, 15)}, a quarter of the step", "", mode, parts=4)
             yield from lowest_rows()
     for (cells, markers), figure in zip(IN_PLANE, ("-7.59", "-2.37", "-0.92")):
         yield error_row("3.5-4", on("in plane", cells, markers), figure, in_plane_error, cells=cells, markers=markers)
     for markers, figure in ((15, "-8.79"), (30, "diverged"), (60, "diverged")):
         yield bending_row("3.5-5", f"case (b), ds/h = {16.5 / (markers - 1):.2f}", figure, 8, markers=markers)
+    yield from ratio_rows()
     for markers, figure in ((7, "-7.59"), (15, "-6.74"), (30, "-6.60")):
         yield error_row("3.5-6", f"in plane, ds/h = {8.5 / (markers - 1):.2f}", figure, in_plane_error, cells=17, markers=markers)
-    for factor, figure in ((4, "-12.26"), (2, "-10.03"), (1, "-8.69"), (0.5, "-7.94"), (0.25, "-7.50"), (0.125, "-7.35")):
+    for factor, figure in zip(DENSITIES, ("-12.26", "-10.03", "-8.69", "-7.94", "-7.50", "-7.35")):
         yield bending_row("3.5-7", f"case (a), {factor} rho_f", figure, 6,
                           options=("-fluid_density", factor * THIN * MASS * 33 / 2))
-    for width, figure in ((1.5, "-19.16"), (2, "-8.79"), (3, "-10.07, unstable"), (4, "unstable")):
-        yield bending_row("3.5-8", f"case (b), half width {width} h where forces are spread", figure, 8,
-                          options=("-delta_spread_width", width))
-    for width, figure in ((1.5, "-6.72, unstable"), (2, "-8.79"), (3, "-19.32"), (4, "-31.60")):
-        yield bending_row("3.5-9", f"case (b), half width {width} h", figure, 8,
-                          options=("-delta_spread_width", width, "-delta_interpolate_width", width))
+    yield from width_rows()
 
 
 def claims():
     """Orders between grids, and that high modes stay silent."""
-    coarse, fine = GRIDS[:2]
+    coarse, fine, finest = GRIDS
     for numerics, least in LEAST_ORDER.items():
         for table, name in [*((table, name) for table, (name, *_) in CASES.items()),
                             *(("3.5-1, lowest modes", f"{name}, nu = 0.3") for name in LOWEST.values())]:
-            yield checks.order(table, on(name, *coarse), on(name, *fine), fine[0] / coarse[0], least, numerics=(numerics,))
+            yield checks.order(table, on(name, *coarse), on(name, *fine), fine[0] / coarse[0], least, numerics=(numerics,),
+                               thesis=RATES.get(table, ("",))[0])
+    for table, (name, *_) in CASES.items():
+        yield checks.order(table, on(name, *fine), on(name, *finest), finest[0] / fine[0], thesis=RATES[table][1])
+    coarse, fine, finest = IN_PLANE
+    yield checks.order("3.5-4", on("in plane", *coarse), on("in plane", *fine), fine[0] / coarse[0], thesis=RATES["3.5-4"][0])
     for numerics, least in LEAST_ORDER_IN_PLANE.items():
-        yield checks.order("3.5-4", on("in plane", *coarse), on("in plane", *fine), fine[0] / coarse[0], least, numerics=(numerics,))
+        yield checks.order("3.5-4", on("in plane", *fine), on("in plane", *finest), finest[0] / fine[0], least, numerics=(numerics,),
+                           thesis=RATES["3.5-4"][1])
+    names = [f"case (a), {factor} rho_f" for factor in DENSITIES]
+    yield checks.falls("3.5-7", names)
+    for more, less, rate in zip(names, names[1:], DENSITY_RATES):
+        yield checks.order("3.5-7", more, less, 2, thesis=rate)
     yield checks.largest("3.5-1, high modes", "energy in the upper half of the modes after ten periods [%]",
                          [on("saddle, nu = 0.3", 33, 15)], MOST_IN_HIGH_MODES)

@@ -43,6 +43,11 @@ class Row(NamedTuple):
     slack: float = 0  # it may move by so much however small it is
     is_error: bool = False  # the thesis's figure is an error itself: smaller is better
     miss: str = ""  # why ours is worse, where it is
+    comparable: bool = True  # no ratio is told where the thesis's figure is of something else: a percentage, another grid, a misprint
+
+    def printed(self):
+        """The thesis's figure that ours compares with; none where there is no such figure."""
+        return first_number(self.thesis) if self.comparable else None
 
     def key(self, numerics):
         """By which its figures are kept."""
@@ -101,5 +106,5 @@ def moved(row, figures, kept):
 
 def is_missed(row, figures):
     """Whether ours is a larger error than the thesis's, or failed where the thesis's run did not; never of other figures."""
-    thesis = first_number(row.thesis)
+    thesis = row.printed()
     return row.is_error and thesis is not None and not abs(figures[0]) <= abs(thesis)

@@ -17,7 +17,9 @@ from thesis import checks
 from thesis.rows import THEIRS, TODAY, Row, case_file
 from wash_runs import CYCLE, STRESSES, read_centers
 
-RADIUS = 0.31  # of the drum [m]
+RADIUS, HEIGHT = 0.31, 0.2376  # of the drum and of the water [m]
+ORBIT = (0.25 * 0.7128 / RADIUS, 0.5 * HEIGHT / RADIUS)  # what cloths tumble round, radius and height over the drum's radius
+WATER, EXCESS_MASS, THICKNESS, SIDE = 1000, 0.093, 2.4e-4, 0.15  # densities [kg/m3, kg/m2] and sizes of a cloth [m]
 INNER, OUTER = 0.45, 0.65  # of the drum's radius: where cloths are to sink, and to rise
 LEAST_SPEED = 0.02  # [m/s] with which they do
 MOTION = 0.3  # cloths mix: figures move by so much between versions
@@ -30,11 +32,16 @@ TWO = {"re1.2e2": ("0.077 (0.028)", "0.062 (0.022)", "0.0270 (0.0093)"), "re1.2e
        "re1.2e6": ("1.308 (0.571)", "1.294 (0.532)", "0.0697 (0.0307)")}
 LOAD = {"re1.2e3": ("0.119 (0.069)", "0.127 (0.066)", "0.023 (0.007)"), "cloths32": ("0.143 (0.080)", "0.131 (0.077)", "0.027 (0.012)"),
         "cloths64": ("0.163 (0.119)", "0.170 (0.114)", "0.028 (0.014)")}
-LENGTHS = {**dict.fromkeys(EIGHT, (2, 5, 8)), "cloths32": (2, 5), "cloths64": (1, 2, 5)}  # cycles after which runs are looked at
+MASS = {"re1.2e3": (16, "1.7e-3"), "cloths32": (32, "3.3e-3"), "cloths64": (64, "6.6e-3")}  # cloths; their dry mass over the water's
+LENGTHS = {**dict.fromkeys(EIGHT, (2, 5, 8)), "cloths32": (2, 5), "cloths64": (1, 2, 5), "width1.5": (1,), "dt": (2, 2.9), "dt_half": (2,),
+           "dt_quarter": (2,), "ratio1to2": (2,), "smooth": (2,), "re1.2e6": (2,)}  # cycles from which longer runs go on
+VARIANTS = {"ratio1to1": ("ratio1to2", ("-towel_markers", 6)),  # of cases: their file and what is changed in it
+            "width1.5, 16 cloths": ("width1.5", ("-towel_count", 16))}
 LONG = {"re1.2e2": "1.6 h", "re1.2e3": "1.6 h", "re1.2e4": "3.2 h", "re1.2e5": "1.6 h"}  # with the thesis's steps
 LOADED = {"cloths64": "2 h"}
 CASE_NAMES = {"dt": "dt*", "dt_half": "dt*/2", "dt_quarter": "dt*/4", "cloths32": "32 cloths", "cloths64": "64 cloths",
-              "width1.5": "64 cloths, half width 1.5 h", "ratio1to2": "markers half as far apart", "smooth": "smooth mask",
+              "width1.5": "64 cloths, half width 1.5 h", "width1.5, 16 cloths": "16 cloths, half width 1.5 h",
+              "ratio1to1": "markers as far apart as cells are wide", "ratio1to2": "markers half as far apart", "smooth": "smooth mask",
               **{f"re{number}": f"Re = {number}" for number in ("1.2e2", "1.2e3", "1.2e4", "1.2e5", "1.2e6")}}
 AXIS, DRUM = "near the axis", "near the drum"
 IN_THICK_LIQUID = "in thick liquid the cloths are still round the post, where the agitator drags them, after two cycles"
@@ -49,8 +56,9 @@ def wash(numerics, name, cycles):
     earlier = wash(numerics, name, before[-1]) if before else None
     if earlier and earlier.failed:
         return earlier
-    return results.run(1, "-options_file", case_file(numerics, name), "-history_interval", 1e-3, "-output_interval", 0.1, "-checkpoint_interval", 0.1,
-                       "-time_end", cycles * CYCLE, may_fail=True, earlier=earlier)
+    file, changed = VARIANTS.get(name, (name, ()))
+    return results.run(1, "-options_file", case_file(numerics, file), "-history_interval", 1e-3, "-output_interval", 0.1, "-checkpoint_interval", 0.1,
+                       "-time_end", cycles * CYCLE, *changed, may_fail=True, earlier=earlier)
 
 
 def history(numerics, name, cycles):
@@ -114,6 +122,49 @@ def centre_moves(numerics, name, cycles):
     return np.sqrt(((centre - centre.mean(axis=1, keepdims=True)) ** 2).sum(axis=0).mean())
 
 
+def centre_turns(numerics, name, cycles):
+    """Turns of the common centre about what cloths tumble round, the middle of the radius and of the height."""
+    r, z = plane_tracks(numerics, name, cycles).mean(axis=0) - np.array(ORBIT)[:, None]
+    angle = np.unwrap(np.arctan2(z, r))
+    return (angle[-1] - angle[0]) / (2 * np.pi)
+
+
+def apart(numerics, name, cycles):
+    """How far the cloths' centres are from their common one in the plane of radius and height, rms over the drum's radius."""
+    tracks = plane_tracks(numerics, name, cycles)
+    return np.sqrt(((tracks - tracks.mean(axis=0)) ** 2).sum(axis=1).mean())
+
+
+def independence(numerics, name, cycles):
+    """Speed of the cloths' centres against their common one in the plane of radius and height over their speed, each an rms."""
+    steps = np.diff(plane_tracks(numerics, name, cycles), axis=2)
+    return np.sqrt(((steps - steps.mean(axis=0)) ** 2).sum() / (steps ** 2).sum())
+
+
+def low(numerics, name, cycles):
+    """The part of the time that the cloths' centres spend in the lowest quarter of the water [%]."""
+    return 100 * (plane_tracks(numerics, name, cycles)[:, 1] < 0.25 * HEIGHT / RADIUS).mean()
+
+
+def turning(numerics, name, cycles):
+    """Way of the cloths' centres about the axis, to and fro, in turns a cycle."""
+    time, centers = read_centers(wash(numerics, name, cycles).folder)
+    until = time <= cycles * CYCLE + 1e-3
+    angles = np.unwrap(np.arctan2(centers[:, 1, until], centers[:, 0, until]), axis=1)
+    return np.abs(np.diff(angles, axis=1)).sum(axis=1).mean() / (2 * np.pi * time[until][-1] / CYCLE)
+
+
+def time_ratio(numerics, name, other, cycles):
+    """The time that one run takes over that of another."""
+    return wash(numerics, name, cycles).seconds / wash(numerics, other, cycles).seconds
+
+
+def mass_ratio(_, count):
+    """Dry mass of so many cloths over that of the water in a drum without agitator."""
+    cloth = (EXCESS_MASS + WATER * THICKNESS) * SIDE ** 2
+    return count * cloth / (WATER * math.pi * RADIUS ** 2 * HEIGHT)
+
+
 def track_length(numerics, name, cycles):
     """Mean length of a cloth's track in the plane of radius and height, over the drum's radius."""
     return np.linalg.norm(np.diff(plane_tracks(numerics, name, cycles), axis=2), axis=1).sum(axis=1).mean()
@@ -128,40 +179,71 @@ def stress_rows(tables, figures, cycles, not_run=()):
                       of_thesis[place], functools.partial(stress, name=name, cycles=cycles, component=component), within=MOTION, **few)
 
 
-def motion_rows():
-    """What the text and the figures of 5.5.5 say of the cloths' motion."""
-    for name, figure in (("dt", "crashed after 2.9"), ("dt_half", "crashed after 5.3"), ("dt_quarter", "ran on after 7.4")):
-        yield Row("5.5.5.1", f"{CASE_NAMES[name]}", "cycles run, of two", figure,
-                  functools.partial(cycles_run, name=name, cycles=2), within=0.2)
-    for name in ("dt", "dt_half", "dt_quarter"):
-        yield Row("5.5.5.1, depth", f"{CASE_NAMES[name]}", "deepest face of a cloth in a body [mm]", "slight penetration",
-                  functools.partial(depth, name=name, cycles=2), within=MOTION)
-    for name, figure in (("re1.2e2", "very low"), ("re1.2e3", "tumbled"), ("re1.2e4", "slower"), ("re1.2e5", "slower"), ("re1.2e6", "slower")):
-        yield Row("5.5.5.2", f"{CASE_NAMES[name]}", "turns of a cloth in a cycle, of two", figure,
-                  functools.partial(tumbles, name=name, cycles=2), within=MOTION)
-    for name in TWO:
-        yield Row("5.5.5.2, drum", CASE_NAMES[name], "torque on the drum, rms of two cycles [N m]", "",
-                  functools.partial(drum_torque, name=name, cycles=2), within=MOTION)
+TURNS, TURNS_OF_3, TURNS_OF_29 = (f"turns of a cloth in a cycle, of {cycles}" for cycles in ("two", "three", "2.9"))
+CRASH, CENTRE, CENTRE_TURNS = "cycles run", "common centre's way from its mean, rms over r_o", "turns of the common centre"
+APART, INDEPENDENT = "centres' distance from the common one, rms over r_o", "speed of centres against the common one over their speed"
+LOW, TURNING = "time of centres in the lowest quarter of the water [%]", "way of centres about the axis, turns a cycle, of two"
+
+
+def wash_rows(table, quantity, measure, said, cycles, suffix="", within=MOTION, **others):
+    """Rows of a table, a case each, with what the thesis says of it."""
+    for name, words in said.items():
+        yield Row(table, CASE_NAMES[name] + suffix, quantity, words, functools.partial(measure, name=name, cycles=cycles), within=within, **others)
+
+
+def step_rows():
+    """5.5.5.1: crashes and how deep cloths come, over the step."""
+    yield from wash_rows("5.5.5.1", "cycles run, of two", cycles_run, dict.fromkeys(STEPS, "2"), 2, within=0.2)
+    for name, cycles, crash, hours in (("dt", 4, "2.9", ""), ("dt_half", 6, "5.3", "2 h"), ("dt_quarter", 8, "7.4 and on", "4 h")):
+        few = {"numerics": (TODAY,), "not_run": f"not run: {hours} on one core, for a crash alone"} if hours else {}
+        yield from wash_rows("5.5.5.1, crash", CRASH, cycles_run, {name: crash}, cycles, f", of {cycles} cycles", 0.2, comparable=False, **few)
+    yield from wash_rows("5.5.5.1, depth", "deepest face of a cloth in a body [mm]", depth,
+                         {"dt": "slight penetration", "dt_half": "slight penetration", "dt_quarter": ""}, 2)
+
+
+def reynolds_rows():
+    """5.5.5.2: tumbling, rings and the common centre over the Reynolds number."""
+    yield from wash_rows("5.5.5.2", TURNS, tumbles, {"re1.2e2": "very low", "re1.2e3": "tumbled", **dict.fromkeys(list(TWO)[2:], "slower")}, 2)
+    yield from wash_rows("5.5.5.2, rings", APART, apart, {**dict.fromkeys(TWO, ""), "re1.2e2": "aligned, to 11 cycles", "re1.2e3": "rings, different phases",
+                                                          "re1.2e4": "rings not as dominant"}, 2, ", 2 cycles")
+    yield from wash_rows("5.5.5.2, with the agitator", TURNING, turning, dict.fromkeys(TWO, "") | {"re1.2e6": "more pronounced with Re"}, 2)
+    yield from wash_rows("5.5.5.2, bottom", LOW, low, dict.fromkeys(TWO, "") | {"re1.2e6": "some stayed there"}, 2, ", 2 cycles")
+    yield from wash_rows("5.5.5.2, bottom", CRASH, cycles_run, {"re1.2e6": "stress discontinuous after 2"}, 5.5, ", of 5.5 cycles", 0.2,
+                         numerics=(TODAY,), not_run="not run: 0.9 h on one core")
+    yield from wash_rows("5.5.5.2, drum", "torque on the drum, rms of two cycles [N m]", drum_torque, dict.fromkeys(TWO, ""), 2)
     for place in (AXIS, DRUM):
-        for name in ("re1.2e3", "re1.2e4"):
-            yield Row("5.5.5.2, orbits", f"{CASE_NAMES[name]}, {place}", "vertical speed of cloths, mean of two cycles [m/s]", "",
-                      functools.partial(rising, name=name, cycles=2, near_drum=place == DRUM), within=MOTION)
-    for name, figure in (("re1.2e2", ""), ("re1.2e3", "stagnant"), ("re1.2e4", "wider"), ("re1.2e5", "wider"), ("re1.2e6", "wider")):
-        yield Row("Figs. 5.5-8 to 12", f"{CASE_NAMES[name]}", "common centre's way from its mean, rms over r_o", figure,
-                  functools.partial(centre_moves, name=name, cycles=2), within=MOTION)
-    for name in ("re1.2e3", "cloths32", "cloths64"):
-        yield Row("5.5.5.3", f"{CASE_NAMES[name]}", "turns of a cloth in a cycle, of two", "slower with the load",
-                  functools.partial(tumbles, name=name, cycles=2), within=MOTION)
-    for name, figure in (("cloths64", "0.5 of that below"), ("width1.5", "more mobile, then a crash")):
-        yield Row("Figs. 5.5-18, 19", f"{CASE_NAMES[name]}", "length of a cloth's track over r_o, first cycle", figure,
-                  functools.partial(track_length, name=name, cycles=1), within=MOTION)
-    for name, figure in (("re1.2e4", "circular orbits"), ("ratio1to2", "cusps, less tumbling")):
-        yield Row("Figs. 5.5-20, 21", f"{CASE_NAMES[name]}", "turns of a cloth in a cycle, of two", figure,
-                  functools.partial(tumbles, name=name, cycles=2), within=MOTION)
-    for name, figure in (("dt", "circular orbits"), ("smooth", "ambiguous")):
-        few = {"numerics": (THEIRS,), "not_run": "no mask"} if name == "smooth" else {}
-        yield Row("Figs. 5.5-22, 23", f"{CASE_NAMES[name]}", "turns of a cloth in a cycle, of two", figure,
-                  functools.partial(tumbles, name=name, cycles=2), within=MOTION, **few)
+        yield from wash_rows("5.5.5.2, orbits", "vertical speed of cloths, mean of two cycles [m/s]",
+                             functools.partial(rising, near_drum=place == DRUM), dict.fromkeys(("re1.2e3", "re1.2e4"), ""), 2, f", {place}")
+    yield from wash_rows("Figs. 5.5-8 to 12", CENTRE, centre_moves, dict.fromkeys(TWO, ""), 2, ", 2 cycles")
+    for name, words in {"re1.2e2": "", "re1.2e3": "stagnant", **dict.fromkeys(list(TWO)[2:], "wider")}.items():
+        hours = {"re1.2e3": "", "re1.2e4": "1.8 h"}.get(name, "0.9 h")
+        few = {"numerics": (TODAY,), "not_run": f"not run: {hours} on one core"} if hours else {}
+        yield from wash_rows("Figs. 5.5-8 to 12", CENTRE, centre_moves, {name: words}, 5.5, ", 5.5 cycles", **few)
+
+
+def load_rows():
+    """5.5.5.3: masses, tumbling and how much cloths move on their own, over the load."""
+    for name, (count, figure) in MASS.items():
+        yield Row("5.5-12, mass", f"{count} cloths", "dry mass of the cloths over that of the water", figure,
+                  functools.partial(mass_ratio, count=count))
+    yield from wash_rows("5.5.5.3", TURNS, tumbles, dict.fromkeys(LOAD, "slower with the load"), 2)
+    yield from wash_rows("5.5.5.3, alone", INDEPENDENT, independence, dict.fromkeys(LOAD, "less with the load"), 2, ", 2 cycles")
+    for name, words in (("re1.2e3", "more than 1"), ("cloths32", ""), ("cloths64", "0.25")):
+        few = {"numerics": (TODAY,), "not_run": "not run: 2.4 h on one core"} if name in LOADED else {}
+        yield from wash_rows("Figs. 5.5-15 to 17", CENTRE_TURNS, centre_turns, {name: words}, 6, ", 6 cycles", **few)
+
+
+def variant_rows():
+    """5.5.5.4 to 5.5.5.6: the width of the delta, markers nearer to each other, and the smooth mask."""
+    yield from wash_rows("Figs. 5.5-18, 19", "length of a cloth's track over r_o, first cycle", track_length,
+                         {"cloths64": "less mobile", "width1.5": "more mobile, then a crash"}, 1)
+    yield from wash_rows("5.5.5.4", "cycles run, of two", cycles_run, {"width1.5": "a crash", "width1.5, 16 cloths": "a crash after 1"}, 2, within=0.2)
+    yield Row("5.5.5.4", "half width 1 h", "cycles run, of two", "unstable", cycles_run, numerics=(), not_run="not run: no kernel so narrow")
+    yield from wash_rows("Figs. 5.5-20, 21", TURNS_OF_3, tumbles, {"ratio1to1": "circular orbits", "ratio1to2": "cusps, less tumbling"}, 3)
+    yield Row("5.5.5.5", "markers half as far apart over as far apart as cells are wide, three cycles", "time that a run takes, over the other's",
+              "more than 2", functools.partial(time_ratio, name="ratio1to2", other="ratio1to1", cycles=3), within=math.inf)
+    yield from wash_rows("Figs. 5.5-22, 23", TURNS_OF_29, tumbles, {"dt": "circular orbits"}, 2.9)
+    yield from wash_rows("Figs. 5.5-22, 23", TURNS_OF_29, tumbles, {"smooth": "ambiguous"}, 2.9, numerics=(THEIRS,), not_run="no mask")
 
 
 def rows():
@@ -170,14 +252,17 @@ def rows():
     yield from stress_rows(("5.5-6", "5.5-7", "5.5-8"), EIGHT, 8, LONG)
     yield from stress_rows(("5.5-9", "5.5-10", "5.5-11"), TWO, 2)
     yield from stress_rows(("5.5-12", "5.5-13", "5.5-14"), LOAD, 5, LOADED)
-    yield from motion_rows()
+    for part in (step_rows, reynolds_rows, load_rows, variant_rows):
+        yield from part()
 
 
 def claims():
     """The thesis's trends over the Reynolds number and the load, and that of the torque on the drum, which falls with the Reynolds
     number (Akcabay, Dowling and Schultz, Clothes washing simulations, Computers & Fluids, 2014)."""
     only = {"numerics": (TODAY,)}
+    yield checks.rises("5.5-3", [f"{CASE_NAMES[name]}, 2 cycles" for name in STEPS], numerics=(THEIRS,))
     names = [f"{CASE_NAMES[name]}, 2 cycles" for name in TWO]
+    yield checks.rises("5.5-9", names, numerics=(THEIRS,))
     yield checks.rises("5.5-9", names[:2], miss=IN_THICK_LIQUID, **only)
     yield checks.rises("5.5-9", names[1:], **only)
     yield checks.rises("5.5-12", [f"{CASE_NAMES[name]}, 5 cycles" for name in LOAD], **only)
