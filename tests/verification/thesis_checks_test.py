@@ -9,7 +9,8 @@ import unittest
 import unittest.mock
 
 import thesis_test
-from thesis import checks, rows
+from thesis import checks, conclusions, rows
+from thesis.checks import Smaller
 from thesis.rows import NUMERICS, THEIRS, TODAY, Kept, Row
 
 EVERYTHING = argparse.Namespace(numerics=NUMERICS)
@@ -44,6 +45,29 @@ class Checks(unittest.TestCase):
     def test_a_failed_run_does_not_hold(self):
         self.assertFalse(hold(checks.largest("t", "error", "a", 1), kept(math.nan)))
 
+    def test_a_failed_run_is_a_larger_error_than_any_but_no_larger_figure(self):
+        errors, figures = Smaller("t", "a", "b", of_errors=True), Smaller("t", "a", "b")
+        self.assertTrue(hold(errors, kept(-0.1, 0.2)))
+        self.assertFalse(hold(errors, kept(-0.3, 0.2)))
+        self.assertTrue(hold(errors, kept(0.1, math.nan)))
+        self.assertFalse(hold(errors, kept(math.nan, 0.1)))
+        self.assertFalse(hold(errors, kept(math.nan, math.nan)))
+        self.assertFalse(hold(figures, kept(0.1, math.nan)))
+        self.assertEqual(errors.words(kept(0.1, math.nan), TODAY), "0.1 < failed")
+
+    def test_distances_from_a_reference_compare(self):
+        self.assertTrue(hold(Smaller("t", "a", "b", reference=0.35), kept(0.3, 0.2)))
+        self.assertFalse(hold(Smaller("t", "a", "b", reference=0.35), kept(0.1, 0.3)))
+
+    def test_a_number_without_limits_is_only_told(self):
+        self.assertTrue(hold(checks.order("t", "a", "b", 2), kept(math.nan, 1)))
+
+    def test_what_is_not_comparable_has_no_ratio_and_is_no_miss(self):
+        row = Row("t", "a", "error", "56 % below", float, is_error=True)
+        self.assertTrue(rows.is_missed(row, (60,)))
+        self.assertFalse(rows.is_missed(row._replace(comparable=False), (60,)))
+        self.assertEqual(thesis_test.ratio(row._replace(comparable=False), {row.key(TODAY): Kept((28,), 1, "")}), "")
+
     def test_a_miss_fails_when_it_is_none_any_more(self):
         check = checks.falls("t", "ab", miss="why")
         self.assertTrue(hold(check, kept(1, 2)))
@@ -69,11 +93,11 @@ class Checks(unittest.TestCase):
         self.assertEqual(len(names), len(set(names)))
         self.assertGreater(len(names), 300)
         with contextlib.redirect_stdout(io.StringIO()) as printed:
-            self.assertTrue(thesis_test.are_of_rows(thesis_test.selected_checks(())), printed.getvalue())
+            self.assertTrue(thesis_test.are_of_rows(thesis_test.selected_checks(()) + conclusions.claims()), printed.getvalue())
 
     def test_prefixes_select_tables_and_figures(self):
         tables = {row.table for row in thesis_test.selected(["3.5-1", "5.4"])}
-        self.assertEqual(tables, {"3.5-1", "3.5-1, lowest modes", "3.5-1, high modes", "5.4-3", "5.4-4", "Fig. 5.4-3", "Fig. 5.4-4"})
+        self.assertEqual(tables, {"3.5-1", "3.5-1, step", "3.5-1, lowest modes", "3.5-1, high modes", "5.4-3", "5.4-4", "Fig. 5.4-3", "Fig. 5.4-4"})
 
 
 if __name__ == "__main__":

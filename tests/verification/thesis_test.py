@@ -2,6 +2,7 @@
 """The thesis's tables beside ours: with its own numerics, and with today's.
 
     thesis_test.py 3.5                    measures the rows of all tables whose numbers begin so, those that are kept
+    thesis_test.py conclusions            runs nothing: asserts the thesis's conclusions (thesis/conclusions.py) on the kept figures
     thesis_test.py 3.5-1 --all            those too for which no figure is kept yet
     thesis_test.py 3.5-1 --new            only those for which none is kept yet
     thesis_test.py 3.5-1 --longest 20     stops runs that take more minutes than that: they go on the next time
@@ -26,6 +27,7 @@ from thesis import beam, cavity, conclusions, couette, cylinder, drape, falling_
 from thesis.rows import NUMERICS, THEIRS, TODAY, as_figures, as_text
 
 SAID = {THEIRS: "with its numerics", TODAY: "today"}
+CONCLUSIONS = "conclusions"
 CHAPTERS = (cavity, plate, beam, falling_plate, couette, cylinder, drape, wash2d, wash)
 
 
@@ -35,8 +37,9 @@ def selected(prefixes):
 
 
 def selected_checks(prefixes):
-    """Their checks."""
-    return [check for chapter in CHAPTERS if hasattr(chapter, "claims") for check in chapter.claims() if is_of(check, prefixes)]
+    """Their checks; the conclusions where they are named."""
+    of_chapters = [check for chapter in CHAPTERS if hasattr(chapter, "claims") for check in chapter.claims() if is_of(check, prefixes)]
+    return of_chapters + (conclusions.claims() if CONCLUSIONS in prefixes else [])
 
 
 def is_of(row, prefixes):
@@ -46,7 +49,7 @@ def is_of(row, prefixes):
 
 def ratio(row, kept):
     """Today's figure over the thesis's, in words."""
-    ours, thesis = kept.get(row.key(TODAY)), rows.first_number(row.thesis)
+    ours, thesis = kept.get(row.key(TODAY)), row.printed()
     return f"{ours.figures[0] / thesis:.2f}" if ours and thesis and not math.isnan(ours.figures[0]) else ""
 
 
@@ -64,11 +67,12 @@ def minutes(row, kept):
 
 
 def print_checks(of_table, kept):
-    """Prints the checks of a table: what they found with both numerics, and their limits."""
+    """Prints the checks of a table: what they found with both numerics, what the thesis has, and their limits."""
     for number, check in enumerate(of_table):
         found = {numerics: check.found(kept, numerics) for numerics in check.numerics}
-        words = ", ".join(f"{'not yet' if value is None else f'{value:.3g}'} {SAID[numerics]}" for numerics, value in found.items())
-        print("\n" * (not number) + f"- Checked: {check.claim}: {words} ({check.limits()}"
+        words = [f"{'not yet' if value is None else as_text((value,))} {SAID[numerics]}" for numerics, value in found.items()]
+        words += [f"{check.thesis} in the thesis"] * bool(check.thesis)
+        print("\n" * (not number) + f"- {'Told' if check.is_told() else 'Checked'}: {check.claim}: {', '.join(words)} ({check.limits()}"
               f"{', an expected miss: ' * bool(check.miss)}{check.miss}).")
 
 
@@ -134,8 +138,7 @@ def measure(chosen, kept, options):
 def are_of_rows(checks_of):
     """Whether all rows that checks name are there, with their numerics; prints those that are not."""
     known = {(row.table, row.what, numerics) for row in selected(()) for numerics in row.numerics}
-    lost = [name for check in checks_of for what in check.rows for numerics in check.numerics
-            if (name := (check.table, what, numerics)) not in known]
+    lost = [name for check in checks_of for row in check.named_rows() for numerics in check.numerics if (name := (*row, numerics)) not in known]
     for name in lost:
         print("\nA check names a row that there is not:", *name)
     return not lost
@@ -178,7 +181,7 @@ def main():
     results.LONGEST["run"] = options.longest and 60 * options.longest
     chosen, checks_of, kept = selected(options.tables), selected_checks(options.tables), rows.read_figures()
     if options.page:
-        if options.tables == ["conclusions"]:
+        if options.tables == [CONCLUSIONS]:
             return conclusions.print_page(kept, print_head, print_row)
         return print_page(chosen, checks_of, kept)
     as_kept, figures = measure(chosen, kept, options)
