@@ -67,6 +67,8 @@ def load_row(table, mask, what, thesis, **arguments):
     smooth = mask == "smooth"
     only = {"numerics": (THEIRS,), "not_run": NO_MASK} if smooth else {}
     options = {key: arguments.pop(key) for key in ("numerics", "not_run", "comparable") if key in arguments}
+    if smooth and "not_run" in options:
+        options["not_run"] += f", {NO_MASK} today"
     return Row(table, f"{mask} mask, {what}", LOADS, thesis, functools.partial(loads, options=of_mask(smooth), **arguments), **{**only, **options})
 
 
