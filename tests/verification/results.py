@@ -11,13 +11,17 @@ import atexit
 import functools
 import hashlib
 import json
+import math
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import tempfile
 import time
 from typing import NamedTuple
+
+import numpy as np
 
 from tables import command, git, read_columns, support
 
@@ -26,7 +30,11 @@ FIELDS = ("flow", "slices", "surfaces")  # large, and no table reads them
 
 
 class Unfinished(Exception):
-    """A run that was stopped since it took too long. It can go on from its checkpoint."""
+    """A run that was stopped since it would take too long. It can go on from its checkpoint."""
+
+    def __init__(self, seconds):
+        super().__init__(f"would take some {seconds / 60:.3g} minutes")
+        self.seconds = seconds
 
 
 class Result(NamedTuple):
@@ -81,23 +89,29 @@ def spent(folder):
 
 
 def wait_for(process, folder):
-    """The status of a run; asks for a checkpoint and raises Unfinished where it takes longer than an attempt may."""
-    try:
-        return process.wait(LONGEST["run"])
-    except subprocess.TimeoutExpired as late:
-        process.terminate()
-        process.wait()
-        LATE[folder] = Unfinished(f"stopped at {reached(folder)} s after {spent(folder) / 60:.0f} minutes")
-        raise LATE[folder] from late
+    """The status of a run; asks for a checkpoint and raises Unfinished where it would take longer than it may."""
+    while True:
+        try:
+            return process.wait(PROBE)
+        except subprocess.TimeoutExpired as late:
+            if (seconds := expected_seconds(folder)) <= LONGEST["run"]:
+                continue
+            process.terminate()
+            process.wait()
+            LATE[folder] = Unfinished(seconds)
+            raise LATE[folder] from late
 
 
-def reached(folder):
-    """The time in a run that it came to."""
-    history = folder / "history.csv"
-    return f"{read_columns(history)['time'][-1]:.4g}" if history.is_file() else "0"
+def expected_seconds(folder):
+    """How long a run takes as a whole, by how far it has come; as long as it has taken if that is not known."""
+    history, options = folder / "history.csv", folder / "resolved.opts"
+    ends = re.findall(r"^-time_end (\S+)", options.read_text(encoding="utf-8"), re.M) if options.is_file() else []
+    times = read_columns(history)["time"] if history.is_file() else np.empty(0)
+    return spent(folder) * max(1, float(ends[-1]) / times[-1]) if ends and times.size and times[-1] > 0 else spent(folder)
 
 
-LONGEST = {"run": None}  # seconds that an attempt at a run may take
+PROBE = 60  # seconds between looks at a run
+LONGEST = {"run": math.inf}  # seconds that a run may take as a whole
 LATE = {}  # what was raised of runs that took longer, by folder: they do not go on before the next time
 USED = {}  # seconds of the runs that have been asked for since `timed` began, by folder
 

@@ -5,7 +5,7 @@
     thesis_test.py conclusions            runs nothing: asserts the thesis's conclusions (thesis/conclusions.py) on the kept figures
     thesis_test.py 3.5-1 --all            those too for which no figure is kept yet
     thesis_test.py 3.5-1 --new            only those for which none is kept yet
-    thesis_test.py 3.5-1 --longest 20     stops runs that take more minutes than that: they go on the next time
+    thesis_test.py 3.5-1 --longest 20     stops runs that would take more minutes than that: they go on the next time
     thesis_test.py 3.5-1 --with theirs    with one of the numerics alone
     thesis_test.py 3.5 --minutes 20       those alone whose runs took no longer
     thesis_test.py 3.5-1 --keep           keeps what is found, in thesis/figures.csv, in the place of what was
@@ -58,6 +58,9 @@ def cell(row, numerics, kept):
     found = kept.get(row.key(numerics))
     if found:
         return as_text(found.figures)
+    cost = rows.read_costs().get(row.key(numerics))
+    if cost and numerics in row.numerics:
+        return f"not run: {cost / 60:.1f} h" if cost >= 60 else f"not run: {cost:.0f} min"
     return "" if numerics in row.numerics else row.not_run
 
 
@@ -123,6 +126,8 @@ def measure(chosen, kept, options):
                 found, spent = results.timed(lambda row=row, numerics=numerics: as_figures(row.measure(numerics)))
             except results.Unfinished as late:
                 print_row(row.table, row.what, numerics, row.thesis, "", "", "", late)
+                if options.keep:
+                    keep_cost(row.key(numerics), late.seconds / 60)
                 passed = False
                 continue
             wrong = judged(row, numerics, found, known)
@@ -165,6 +170,12 @@ def keep(key, found):
     kept = {**rows.read_figures(), key: found}
     keys = [row.key(numerics) for row in selected(()) for numerics in row.numerics]
     rows.write_figures({key: kept[key] for key in keys if key in kept})
+    rows.write_costs({key: minutes for key, minutes in rows.read_costs().items() if key in keys and key not in kept})
+
+
+def keep_cost(key, minutes):
+    """Keeps how long a row without figures would take."""
+    rows.write_costs({**rows.read_costs(), key: minutes})
 
 
 def main():
@@ -172,13 +183,13 @@ def main():
     parser.add_argument("tables", nargs="*")
     parser.add_argument("--all", action="store_true")
     parser.add_argument("--new", action="store_true")
-    parser.add_argument("--longest", type=float)
+    parser.add_argument("--longest", type=float, default=math.inf)
     parser.add_argument("--with", dest="numerics", nargs="+", choices=NUMERICS, default=NUMERICS)
     parser.add_argument("--minutes", type=float, default=math.inf)
     parser.add_argument("--keep", action="store_true")
     parser.add_argument("--page", action="store_true")
     options = parser.parse_args(ARGUMENTS)
-    results.LONGEST["run"] = options.longest and 60 * options.longest
+    results.LONGEST["run"] = 60 * options.longest
     chosen, checks_of, kept = selected(options.tables), selected_checks(options.tables), rows.read_figures()
     if options.page:
         if options.tables == [CONCLUSIONS]:

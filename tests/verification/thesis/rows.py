@@ -14,6 +14,7 @@ from typing import Callable, NamedTuple
 from tables import SOURCE
 
 FIGURES = pathlib.Path(__file__).with_name("figures.csv")
+COSTS = FIGURES.with_name("costs.csv")
 THEIRS, TODAY = "theirs", "today"
 NUMERICS = (THEIRS, TODAY)
 WITHIN = 0.05  # of a kept figure, unless a row says otherwise
@@ -28,6 +29,22 @@ def first_number(text):
     """The first figure that the thesis prints; none where it says that the run diverged or was unstable."""
     found = re.match(r"-?\d[\d.]*(e-?\d+)?", text)
     return float(found[0]) if found and "stable" not in text else None
+
+
+def read_costs():
+    """The minutes that rows without figures would take, by row and numerics."""
+    if not COSTS.is_file():
+        return {}
+    with open(COSTS, encoding="utf-8", newline="") as file:
+        return {(row["table"], row["what"], row["quantity"], row["numerics"]): float(row["minutes"]) for row in csv.DictReader(file)}
+
+
+def write_costs(costs):
+    """Keeps them."""
+    with open(COSTS, "w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(["table", "what", "quantity", "numerics", "minutes"])
+        writer.writerows([*key, f"{minutes:.3g}"] for key, minutes in costs.items())
 
 
 class Row(NamedTuple):

@@ -53,7 +53,10 @@ MPA = 1e-6
 def wash(numerics, name, cycles):
     """A run of a case over so many cycles, going on from that of the fewer cycles before; it may fail."""
     before = [number for number in LENGTHS.get(name, ()) if number < cycles]
-    earlier = wash(numerics, name, before[-1]) if before else None
+    try:
+        earlier = wash(numerics, name, before[-1]) if before else None
+    except results.Unfinished as late:
+        raise results.Unfinished(late.seconds * cycles / before[-1]) from late
     if earlier and earlier.failed:
         return earlier
     file, changed = VARIANTS.get(name, (name, ()))
