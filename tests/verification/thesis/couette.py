@@ -22,10 +22,26 @@ GRIDS = {129: "Coarse", 257: "Fine", 513: "Finest"}
 LINE = re.compile(r"^ *(\d+)\^2 +(.*?) +rms (\S+) +max (\S+)", re.M)
 
 
+def output_of(name):
+    """Where what one of the long tests prints is kept."""
+    return results.root() / f"couette-{results.program_identity()[:12]}-{name.replace('/', '-')}.txt"
+
+
+def refuse_if_long(cells, treatment):
+    """Raises Unfinished where a grid would take longer than a run may: eight times what the grid of half its cells took."""
+    coarser = [other for other in GRIDS if other < cells]
+    if not coarser or output_of(f"{GRIDS[cells]}/{treatment}").is_file():
+        return
+    refuse_if_long(coarser[-1], treatment)
+    seconds = 8 * float(printed(f"{GRIDS[coarser[-1]]}/{treatment}").split()[-1])
+    if seconds > results.LONGEST["run"]:
+        raise results.Unfinished(seconds)
+
+
 @functools.cache
 def printed(name):
     """What one of the long tests prints; it is kept as runs are."""
-    output = results.root() / f"couette-{results.program_identity()[:12]}-{name.replace('/', '-')}.txt"
+    output = output_of(name)
     if not output.is_file():
         begun = time.time()
         text = subprocess.run([TEST, "--gtest_also_run_disabled_tests", f"--gtest_filter=*CouetteTable.{name}"], check=True,
@@ -39,6 +55,7 @@ def printed(name):
 def errors(numerics, cells, treatment="mapping"):
     """The largest and the rms error, with a treatment of the walls in the place of which today's has markers."""
     treatment = treatment if numerics == THEIRS else "direct_forcing"
+    refuse_if_long(cells, TREATMENTS[treatment])
     lines = [line for line in LINE.findall(printed(f"{GRIDS[cells]}/{TREATMENTS[treatment]}"))
              if int(line[0]) == cells and "one place" not in line[1]]
     return float(lines[-1][3]), float(lines[-1][2])
