@@ -13,18 +13,22 @@ ARROWS = {
     "geometry": {"support"},
     "grid": {"support"},
     "fluid": {"grid"},
-    "body": {"grid", "geometry"},
+    "shapes": {"grid", "geometry"},
+    "motion": {"shapes"},
+    "mask": {"motion"},
     "cloth": {"geometry"},
-    "contact": {"body", "cloth"},
-    "coupling": {"grid", "geometry", "cloth"},
-    "machine": {"body", "cloth"},
-    "output": {"grid", "cloth", "body"},
-    "forcing": {"fluid", "body", "coupling"},
-    "scheme": {"forcing", "contact"},
+    "contact": {"motion", "cloth"},
+    "immersed_boundary": {"grid", "geometry", "cloth"},
+    "placement": {"motion", "cloth"},
+    "output": {"grid", "cloth", "motion"},
+    "marker_layout": {"mask", "immersed_boundary"},
+    "wall_law": {"fluid", "marker_layout"},
+    "wall_forces": {"wall_law"},
+    "coupling": {"wall_forces", "contact"},
     "statistics": {"output"},
-    "measure": {"scheme", "machine", "statistics"},
+    "measure": {"coupling", "statistics"},
     "trust": {"measure"},
-    "simulation": {"trust"},
+    "simulation": {"trust", "placement"},
 }
 
 
@@ -40,7 +44,7 @@ def declared_uses():
     """The USES of each washfsi_library in CMake."""
     text = (LIBRARY / "CMakeLists.txt").read_text()
     calls = re.findall(r"^washfsi_library\((\w+)(.*?)\)", text, re.S | re.M)
-    return {name: set(re.search(r"USES ([a-z ]+)", body).group(1).split()) if "USES" in body else set()
+    return {name: set(re.search(r"USES ([a-z_ ]+)", body).group(1).split()) if "USES" in body else set()
             for name, body in calls}
 
 

@@ -95,9 +95,9 @@ struct Stack {
     Points<Dim> velocities(start.size(), Point<Dim>::Zero());
     for (std::size_t m = 0; m < velocities.size(); ++m)
       velocities[m][0] = 0.01 * static_cast<double>(cloths->piece_of_marker()[m]);
-    const ExplicitStep held{1e-4, std::vector<double>(start.size(), 1e3)};
+    const ExplicitStep lagged{1e-4, std::vector<double>(start.size(), 1e3)};
     start_apart(barrier);
-    barrier.begin_step({start, velocities, 0, 0, {}, held});
+    barrier.begin_step({start, velocities, 0, 0, {}, lagged});
     return forces(barrier, all);
   }
 
@@ -289,15 +289,15 @@ TYPED_TEST(BarrierTest, NoMotionGoesThroughACloth) {
   for (const double size : {1e-4, 1e-2, 1.0}) {
     const Points<Dim> motion = random_points<Dim>(stack.all.size(), 14, size);
     const auto barrier = stack.barrier(stack.all);
-    const double part = barrier->free_part(stack.own(stack.all), stack.own(motion));
+    const double part = barrier->step_limit(stack.own(stack.all), stack.own(motion));
     EXPECT_GT(part, 0);
     EXPECT_LT(part, size < 1 ? 1.1 : 1e-2);
     const double before = stack.energy(*barrier, stack.all), after = stack.energy(*barrier, stack.all + part * motion);
     EXPECT_TRUE(std::isfinite(after));
     EXPECT_GT(before, 0);
     Points<Dim> held = stack.own(motion);
-    barrier->hold_back(stack.own(stack.all), held);
-    EXPECT_EQ(barrier->free_part(stack.own(stack.all), held), 1);
+    barrier->shorten(stack.own(stack.all), held);
+    EXPECT_EQ(barrier->step_limit(stack.own(stack.all), held), 1);
   }
 }
 

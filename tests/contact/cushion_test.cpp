@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "support/random_points.hpp"
-#include "washfsi/body/primitives.hpp"
 #include "washfsi/contact/barrier_options.hpp"
+#include "washfsi/shapes/primitives.hpp"
 #include "washfsi/support/collective.hpp"
 
 namespace washfsi::test {

@@ -107,7 +107,7 @@ void never_passes() {
   for (std::size_t n = 0; n + 4 < points.size(); n += 4)
     for (const PairKind kind : kinds<Dim>()) {
       const PairPoints<Dim> places = pair_at(points, n), motion = pair_at(motions, n);
-      const double part = free_part<Dim>(kind, places, motion), start = gap_of<Dim>(kind, places).distance;
+      const double part = step_limit<Dim>(kind, places, motion), start = gap_of<Dim>(kind, places).distance;
       stopped += part < 1 ? 1 : 0;
       ASSERT_GE(part, 0);
       for (int k = 0; k <= 200; ++k) {
@@ -128,9 +128,9 @@ TEST(FreePart, LetsPassWhatIsFree) {
   const Point<3> o = Point<3>::Zero(), x = Point<3>::UnitX(), y = Point<3>::UnitY(), z = Point<3>::UnitZ();
   const PairPoints<3> places{Point<3>(0.2 * x + 0.2 * y + 0.1 * z), o, x, y};
   const Point<3> far = 100 * (x + z);
-  EXPECT_EQ(free_part<3>(PairKind::point_facet, places, {far, far, far, far}), 1);  // all alike
-  EXPECT_EQ(free_part<3>(PairKind::point_facet, places, {z, o, o, o}), 1);
-  EXPECT_NEAR(free_part<3>(PairKind::point_facet, places, {Point<3>(-z), o, o, o}), 0.09, 2e-3);
+  EXPECT_EQ(step_limit<3>(PairKind::point_facet, places, {far, far, far, far}), 1);  // all alike
+  EXPECT_EQ(step_limit<3>(PairKind::point_facet, places, {z, o, o, o}), 1);
+  EXPECT_NEAR(step_limit<3>(PairKind::point_facet, places, {Point<3>(-z), o, o, o}), 0.09, 2e-3);
 }
 
 TEST(BarrierFunction, HasTheDerivativesThatItGives) {

@@ -37,11 +37,13 @@ struct Machine {
     for (long n = 0; time < end - 1e-9; ++n) step(std::min(n % 3 == 0 ? 0.013 : 0.017, end - time));
   }
   // As a restart does.
-  void go_on_from(const Machine& other) {
+  void go_on_from(Machine& other) {
     time = other.time;
     power = other.power, loss = other.loss, energy = other.energy;
-    for (std::size_t n = 0; n < list.kept().size(); ++n)
-      std::ranges::copy(other.list.kept()[n].numbers, list.kept()[n].numbers.begin());
+    StateList from, into;
+    other.list.register_state(from);
+    list.register_state(into);
+    for (std::size_t n = 0; n < into.entries().size(); ++n) into.entries()[n].set(from.entries()[n].get());
     cycles->begin(time);
   }
 

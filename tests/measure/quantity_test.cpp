@@ -51,12 +51,13 @@ TEST(QuantityList, GoesOnFromWhatACheckpointKeeps) {
   Listed first, second;
   first.measure(5);
   first.kept[1] = 7;
-  ASSERT_EQ(first.list.kept().size(), 3U);
-  for (std::size_t n = 0; n < 3; ++n) {
-    const auto &from = first.list.kept()[n], &into = second.list.kept()[n];
-    EXPECT_EQ(from.name, into.name);
-    EXPECT_EQ(from.name.find('/'), std::string::npos);
-    std::copy(from.numbers.begin(), from.numbers.end(), into.numbers.begin());
+  StateList from, into;
+  first.list.register_state(from);
+  second.list.register_state(into);
+  ASSERT_EQ(from.entries().size(), 4U);
+  for (std::size_t n = 0; n < 4; ++n) {
+    EXPECT_EQ(from.entries()[n].name, into.entries()[n].name);
+    into.entries()[n].set(from.entries()[n].get());
   }
   first.measure(2);
   second.measure(2);

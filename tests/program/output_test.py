@@ -34,7 +34,7 @@ SOLVER_OPTION = re.compile(r"-(momentum|pressure|cloth)_(ksp|pc|snes)_")  # PETS
 
 
 class Agitator:
-    """The vaned agitator of resolved.opts, as in lib/washfsi/body/vaned.cpp."""
+    """The vaned agitator of resolved.opts, as in lib/washfsi/shapes/vaned.cpp."""
 
     def __init__(self, options):
         self.hub, self.tip, self.thickness, self.vanes, self.speed, self.frequency = (

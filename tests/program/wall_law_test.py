@@ -156,7 +156,7 @@ class WallLaw(ProgramTest):
         def results_of(folder, *options, ranks):
             self.run_well(ranks, *options, "-output_dir", folder)
             with h5py.File(self.folder / folder / "checkpoint.h5") as file:
-                return {name: file[name][()] for name in ("fluid/velocity", "walls/means")}
+                return {name: file[name][()] for name in ("fluid/velocity", "walls/filtered")}
 
         for case in (plug(118, 43)[0], plate(0.25)):
             self.assert_restart_goes_on(results_of, [*case, "-checkpoint_interval", 0.05], 0.05, 0.1)

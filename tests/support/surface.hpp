@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "support/random_points.hpp"
-#include "washfsi/body/shape.hpp"
+#include "washfsi/shapes/shape.hpp"
 
 namespace washfsi::test {
 

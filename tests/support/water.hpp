@@ -16,9 +16,9 @@ struct Water {
         fluid(grid, boundary, options),
         force(grid.face_vector()) {}
 
-  void advance(double dt, const Constraint<Dim>& constraint = {}, WallForces* walls = nullptr) {
+  void advance(double dt, const Constraint<Dim>& constraint = {}) {
     liquid.update_viscosity({fluid.velocity(), clock.time, nullptr, fluid.last_step()});
-    fluid.advance(clock.next(dt), {liquid.fields(), force, constraint, walls});
+    fluid.advance(clock.next(dt), {liquid.fields(), force, constraint});
     clock.advance(dt);
   }
   /// The velocity now, its ghosts filled.

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "support/unit_grid.hpp"
-#include "washfsi/body/combinations.hpp"
-#include "washfsi/body/primitives.hpp"
+#include "washfsi/shapes/combinations.hpp"
+#include "washfsi/shapes/primitives.hpp"
 #include "washfsi/support/collective.hpp"
 #include "washfsi/trust/body_survey.hpp"
 #include "washfsi/trust/finding.hpp"

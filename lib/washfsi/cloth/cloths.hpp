@@ -4,6 +4,7 @@
 #include "washfsi/cloth/options.hpp"
 #include "washfsi/support/contiguous_type.hpp"
 #include "washfsi/support/petsc.hpp"
+#include "washfsi/support/slab.hpp"
 
 namespace washfsi {
 
@@ -42,6 +43,11 @@ class Cloths {
   PetscInt begin() const { return begin_; }  ///< first marker of this rank
   PetscInt end() const { return end_; }
   std::size_t owned() const { return static_cast<std::size_t>(end_ - begin_); }
+  /// This rank's part of an array over all markers with so many components each.
+  Slab slab(int components) const {
+    return row_slab(static_cast<std::size_t>(total_), static_cast<std::size_t>(begin_), static_cast<std::size_t>(end_),
+                    components);
+  }
 
   /// The name of a piece: its group's, and its number in that, from 1.
   std::string name_of(std::size_t piece) const;

@@ -9,8 +9,8 @@
 namespace washfsi {
 
 template <int Dim>
-bool Forces<Dim>::rub() const {
-  return std::any_of(forces_.begin(), forces_.end(), [](const auto& force) { return force->rubs(); });
+bool Forces<Dim>::have_friction() const {
+  return std::any_of(forces_.begin(), forces_.end(), [](const auto& force) { return force->has_friction(); });
 }
 
 template <int Dim>
@@ -153,22 +153,22 @@ std::vector<StiffnessBound> Forces<Dim>::bounds() const {
 }
 
 template <int Dim>
-bool Forces<Dim>::limit_motion() const {
-  return std::any_of(forces_.begin(), forces_.end(), [](const auto& force) { return force->limits_motion(); });
+bool Forces<Dim>::have_step_limit() const {
+  return std::any_of(forces_.begin(), forces_.end(), [](const auto& force) { return force->has_step_limit(); });
 }
 
 template <int Dim>
-double Forces<Dim>::free_part(const Points<Dim>& from, const Points<Dim>& motion) {
+double Forces<Dim>::step_limit(const Points<Dim>& from, const Points<Dim>& motion) {
   double part = 1;
   for (const auto& force : forces_)
-    if (force->limits_motion()) part = std::min(part, force->free_part(from, motion));
+    if (force->has_step_limit()) part = std::min(part, force->step_limit(from, motion));
   return part;
 }
 
 template <int Dim>
-Points<Dim> Forces<Dim>::held_back(const Points<Dim>& from, Points<Dim> motion) {
+Points<Dim> Forces<Dim>::shortened(const Points<Dim>& from, Points<Dim> motion) {
   for (const auto& force : forces_)
-    if (force->limits_motion()) force->hold_back(from, motion);
+    if (force->has_step_limit()) force->shorten(from, motion);
   return motion;
 }
 

@@ -54,13 +54,13 @@ class Forces {
   void set_stiffness(const Points<Dim>& positions, GeometricStiffness geometric, double factor, Mat matrix) const;
 
   /// Whether any force is of friction.
-  bool rub() const;
+  bool have_friction() const;
 
   /// Whether markers must not go anywhere; the part of a motion from 0 to 1 that all can make at once; and that motion,
   /// shortened for those markers alone that cannot make it.
-  bool limit_motion() const;
-  double free_part(const Points<Dim>& from, const Points<Dim>& motion);
-  Points<Dim> held_back(const Points<Dim>& from, Points<Dim> motion);
+  bool have_step_limit() const;
+  double step_limit(const Points<Dim>& from, const Points<Dim>& motion);
+  Points<Dim> shortened(const Points<Dim>& from, Points<Dim> motion);
 
   /// What bounds the explicit step, for each marker.
   std::vector<StiffnessBound> bounds() const;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "washfsi/cloth/sheet.hpp"
+#include "washfsi/support/state_list.hpp"
 
 namespace washfsi {
 
@@ -38,7 +39,7 @@ struct StepStart {
   double time;                               ///< at which the forces act [s]
   double dt;                                 ///< for which the markers move until then [s]; 0: not at all
   Acceleration<Dim> acceleration = {};       ///< from the motion to the end; none where they do not move
-  ExplicitStep held = {};                    ///< the step for which the forces at these places are held, if they are
+  ExplicitStep lagged = {};                  ///< the step for which the forces at these places are held, if they are
   double share = 1;                          ///< of the step's mean force that those at its end make up
 };
 
@@ -69,7 +70,7 @@ class MarkerForce {
   virtual bool is_elastic() const { return false; }
 
   /// Whether it has friction, and so needs to know an explicit step.
-  virtual bool rubs() const { return false; }
+  virtual bool has_friction() const { return false; }
 
   /// Called before a step, by some schemes twice: looks at what is near, and keeps it until the next call. With dt = 0
   /// at the step's start, for the forces as they are there; with dt > 0 for those at the end, which may be solved for.
@@ -99,12 +100,15 @@ class MarkerForce {
   virtual void add_bound(std::span<StiffnessBound>) const {}
 
   /// Whether there are places that it does not let markers come to, so that a scheme has to ask before it moves them.
-  virtual bool limits_motion() const { return false; }
+  virtual bool has_step_limit() const { return false; }
   /// The part of a straight motion, from 0 to 1, that all markers can make without coming to such places. What it looks
   /// at after that is right for all places on this way.
-  virtual double free_part(const Points<Dim>&, const Points<Dim>&) { return 1; }
+  virtual double step_limit(const Points<Dim>&, const Points<Dim>&) { return 1; }
+  /// Registers what goes on from step to step.
+  virtual void register_state(StateList&) {}
+
   /// Shortens the motion of those markers that would come to such places.
-  virtual void hold_back(const Points<Dim>&, Points<Dim>&) {}
+  virtual void shorten(const Points<Dim>&, Points<Dim>&) {}
 };
 
 }  // namespace washfsi

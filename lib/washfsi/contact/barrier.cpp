@@ -49,7 +49,7 @@ void Barrier<Dim>::begin_step(const StepStart<Dim>& start) {
       look_round(start.positions);
     }
     const Points<Dim> all = known(start.positions);
-    if (!distances().has_started() || start.held.dt > 0) near_.follow_distances(all);
+    if (!distances().has_started() || start.lagged.dt > 0) near_.follow_distances(all);
     return begin_explicit_friction(all, start);
   }
   constexpr double to_spare = 1.3;
@@ -92,9 +92,9 @@ double Barrier<Dim>::mass_of(const Touch<Dim>& touch) const {
 template <int Dim>
 void Barrier<Dim>::begin_explicit_friction(const Points<Dim>& all, const StepStart<Dim>& start) {
   seen_.clear();
-  if (start.held.dt == 0 || options_.friction == 0) return friction_.begin({}, all, 0);
+  if (start.lagged.dt == 0 || options_.friction == 0) return friction_.begin({}, all, 0);
   friction_.begin_explicit(rubbing_pairs(all, 0), near_.search().known(), all, known(start.velocities),
-                           near_.search().known().values(start.held.mobilities), start.held.dt);
+                           near_.search().known().values(start.lagged.mobilities), start.lagged.dt);
 }
 
 template <int Dim>
@@ -168,8 +168,8 @@ template <int Dim>
 void Barrier<Dim>::add_force(const Points<Dim>& positions, const Points<Dim>&, Points<Dim>& forces) const {
   for (const Touch<Dim>& touch : touches(positions))
     visit_own(touch.facing, [&](std::size_t i, std::size_t m) { forces[m] += touch.forces[i]; });
-  friction_.visit([&](const auto& facing, const auto& rub) {
-    visit_own(facing, [&](std::size_t i, std::size_t m) { forces[m] -= facing.shares[i] * rub.pull; });
+  friction_.visit([&](const auto& facing, const auto& friction) {
+    visit_own(facing, [&](std::size_t i, std::size_t m) { forces[m] -= facing.shares[i] * friction.pull; });
   });
 }
 
@@ -181,7 +181,7 @@ void Barrier<Dim>::add_energy(const Points<Dim>& positions, std::span<double> of
     if (known.owns(first)) of_groups[around_.cloths.group_number(first - known.begin())] += energy;
   };
   for (const Touch<Dim>& touch : touches(positions)) add(touch.facing.markers[0], touch.energy);
-  friction_.visit([&](const auto& facing, const auto& rub) { add(facing.markers[0], rub.energy); });
+  friction_.visit([&](const auto& facing, const auto& friction) { add(facing.markers[0], friction.energy); });
 }
 
 template <int Dim>
@@ -195,7 +195,7 @@ void Barrier<Dim>::add_force_rates(const Points<Dim>& positions, const Points<Di
     visit_own(facing, [&](std::size_t i, std::size_t m) { rates[m] -= facing.shares[i] * rate; });
   };
   for (const Touch<Dim>& touch : touches(positions)) add(touch.facing, touch.block());
-  friction_.visit([&](const auto& facing, const auto& rub) { add(facing, rub.stiffness); });
+  friction_.visit([&](const auto& facing, const auto& friction) { add(facing, friction.stiffness); });
 }
 
 template <int Dim>
@@ -216,7 +216,7 @@ void Barrier<Dim>::visit_stiffness(const Points<Dim>& positions, GeometricStiffn
     places_of_blocks_.add(facing, near_.search().known(), of_two, blocks);
   };
   for (const Touch<Dim>& touch : touches(positions)) add_along(touch.facing, touch.block());
-  friction_.visit([&](const auto& facing, const auto& rub) { add_along(facing, rub.stiffness); });
+  friction_.visit([&](const auto& facing, const auto& friction) { add_along(facing, friction.stiffness); });
   if (geometric == GeometricStiffness::all) add_curvatures(known(positions), blocks);
   places_of_blocks_.visit(blocks, add);
 }
@@ -259,7 +259,7 @@ void Barrier<Dim>::add_bound(std::span<StiffnessBound> bounds) const {
 
 // No marker goes farther than some spacings at a time, so that what comes near remains little.
 template <int Dim>
-double Barrier<Dim>::free_part(const Points<Dim>& from, const Points<Dim>& motion) {
+double Barrier<Dim>::step_limit(const Points<Dim>& from, const Points<Dim>& motion) {
   double farthest = 0;
   for (const auto& way : motion) farthest = std::max(farthest, way.norm());
   farthest = largest(around_.cloths.comm(), farthest);
@@ -270,7 +270,7 @@ double Barrier<Dim>::free_part(const Points<Dim>& from, const Points<Dim>& motio
   const Points<Dim> starts = known(from), motions = known(scaled);
   double free = 1;
   for (const auto& pair : near_.pairs())
-    free = std::min(free, washfsi::free_part<Dim>(pair.kind, pair.at(starts), pair.motions(motions)));
+    free = std::min(free, washfsi::step_limit<Dim>(pair.kind, pair.at(starts), pair.motions(motions)));
   part *= free;
   return -largest(around_.cloths.comm(), -part);
 }
@@ -278,7 +278,7 @@ double Barrier<Dim>::free_part(const Points<Dim>& from, const Points<Dim>& motio
 // Shortens round by round the motions of pairs that would come too near. That ends, at the latest with no motion at
 // all.
 template <int Dim>
-void Barrier<Dim>::hold_back(const Points<Dim>& from, Points<Dim>& motion) {
+void Barrier<Dim>::shorten(const Points<Dim>& from, Points<Dim>& motion) {
   constexpr int most_rounds = 100;
   constexpr double shorter = 0.9;
   for (auto& way : motion) way *= std::min(1.0, most_ways * spacing_ / std::max(way.norm(), 1e-300));
@@ -288,7 +288,7 @@ void Barrier<Dim>::hold_back(const Points<Dim>& from, Points<Dim>& motion) {
     const Points<Dim> motions = known(motion);
     std::vector<double> parts(motions.size(), 1.0);
     for (const auto& pair : near_.pairs()) {
-      const double free = washfsi::free_part<Dim>(pair.kind, pair.at(starts), pair.motions(motions));
+      const double free = washfsi::step_limit<Dim>(pair.kind, pair.at(starts), pair.motions(motions));
       if (free == 1) continue;
       for (const std::size_t m : pair.markers) parts[m] = std::min(parts[m], n < most_rounds ? shorter * free : 0);
     }
@@ -306,9 +306,9 @@ void Barrier<Dim>::add_marker_contact(const Points<Dim>& positions, MarkerContac
       contact.normal_force[m] += touch.pressing * std::abs(touch.facing.shares[i]);
       contact.area[m] += touch.area * std::abs(touch.facing.shares[i]);
     });
-  friction_.visit([&](const auto& facing, const auto& rub) {
+  friction_.visit([&](const auto& facing, const auto& friction) {
     visit_own(facing, [&](std::size_t i, std::size_t m) {
-      contact.friction_power[m] += 0.5 * std::abs(facing.shares[i]) * rub.work / friction_.dt();
+      contact.friction_power[m] += 0.5 * std::abs(facing.shares[i]) * friction.work / friction_.dt();
     });
   });
 }

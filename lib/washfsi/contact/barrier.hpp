@@ -19,7 +19,7 @@ namespace washfsi {
 ///   edges
 /// The stiffness is the part  (share n)(share n)^T b''  of the Jacobian, which is never negative; near the solution of
 /// a step, where all of the elastic one is taken too, that of the bending distance is added
-/// (contact/distance_curvature.hpp). No accepted motion lets facets touch, whatever the step: `free_part`. What starts
+/// (contact/distance_curvature.hpp). No accepted motion lets facets touch, whatever the step: `step_limit`. What starts
 /// nearer than d^ has its own (contact/pair_distances.hpp). Each rank has the samples and pairs with a marker of its
 /// own, and knows the markers that are near to these.
 template <int Dim>
@@ -32,7 +32,7 @@ class Barrier : public ContactForce<Dim> {
 
   Dependence dependence() const override { return Dependence::potential; }
   std::string origin() const override { return "-contact barrier"; }
-  bool rubs() const override { return options_.friction > 0; }
+  bool has_friction() const override { return options_.friction > 0; }
   void begin_step(const StepStart<Dim>& start) override;
   void add_force(const Points<Dim>& positions, const Points<Dim>& velocities, Points<Dim>& forces) const override;
   void add_energy(const Points<Dim>& positions, std::span<double> of_groups) const override;
@@ -45,9 +45,9 @@ class Barrier : public ContactForce<Dim> {
   void renew_pattern() override;
   void add_cancelling_size(const Points<Dim>& positions, std::span<double> sizes) const override;
   void add_bound(std::span<StiffnessBound> bounds) const override;
-  bool limits_motion() const override { return true; }
-  double free_part(const Points<Dim>& from, const Points<Dim>& motion) override;
-  void hold_back(const Points<Dim>& from, Points<Dim>& motion) override;
+  bool has_step_limit() const override { return true; }
+  double step_limit(const Points<Dim>& from, const Points<Dim>& motion) override;
+  void shorten(const Points<Dim>& from, Points<Dim>& motion) override;
 
   void add_marker_contact(const Points<Dim>& positions, MarkerContact& contact) const override;
 

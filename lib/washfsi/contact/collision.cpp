@@ -24,7 +24,7 @@ double approach(PairKind kind, PairPoints<Dim>& motions) {
 }  // namespace
 
 template <int Dim>
-double free_part(PairKind kind, PairPoints<Dim> places, PairPoints<Dim> motions) {
+double step_limit(PairKind kind, PairPoints<Dim> places, PairPoints<Dim> motions) {
   constexpr double kept = 0.1;
   constexpr int most_advances = 10000;  // each is safe: to stop early is too
   const double fastest = approach<Dim>(kind, motions);
@@ -43,7 +43,7 @@ double free_part(PairKind kind, PairPoints<Dim> places, PairPoints<Dim> motions)
   return part;
 }
 
-template double free_part<2>(PairKind, PairPoints<2>, PairPoints<2>);
-template double free_part<3>(PairKind, PairPoints<3>, PairPoints<3>);
+template double step_limit<2>(PairKind, PairPoints<2>, PairPoints<2>);
+template double step_limit<3>(PairKind, PairPoints<3>, PairPoints<3>);
 
 }  // namespace washfsi

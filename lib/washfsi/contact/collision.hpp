@@ -9,9 +9,9 @@ namespace washfsi {
 /// their distance is left at its end, and a hundredth on the way: additive continuous collision detection (Li, Kaufman
 /// and Jiang, ACM Trans. Graph. 40 (2021) 170). Never too large, and 0 for facets that touch.
 template <int Dim>
-double free_part(PairKind kind, PairPoints<Dim> places, PairPoints<Dim> motions);
+double step_limit(PairKind kind, PairPoints<Dim> places, PairPoints<Dim> motions);
 
-extern template double free_part<2>(PairKind, PairPoints<2>, PairPoints<2>);
-extern template double free_part<3>(PairKind, PairPoints<3>, PairPoints<3>);
+extern template double step_limit<2>(PairKind, PairPoints<2>, PairPoints<2>);
+extern template double step_limit<3>(PairKind, PairPoints<3>, PairPoints<3>);
 
 }  // namespace washfsi

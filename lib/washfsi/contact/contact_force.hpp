@@ -6,11 +6,11 @@
 #include <functional>
 #include <memory>
 
-#include "washfsi/body/body.hpp"
-#include "washfsi/body/load.hpp"
 #include "washfsi/cloth/forces.hpp"
 #include "washfsi/contact/pair_distances.hpp"
 #include "washfsi/grid/boundary.hpp"
+#include "washfsi/motion/body.hpp"
+#include "washfsi/motion/load.hpp"
 #include "washfsi/support/collective.hpp"
 #include "washfsi/support/of_all_ranks.hpp"
 
@@ -77,6 +77,16 @@ class ContactForce : public MarkerForce<Dim> {
   virtual void add_marker_contact(const Points<Dim>& positions, MarkerContact& contact) const = 0;
   /// Adds what this rank's markers do to the bodies and walls where they are. Collective.
   virtual void add_reactions(const Points<Dim>&, ContactLoads<Dim>&) const {}
+  /// The distances at which the contact begins of what started in contact; after a run without them they begin anew.
+  void register_state(StateList& state) override {
+    state.add({.name = is_with_bodies() ? "/body_contact_distances" : "/contact_distances",
+               .slab = {},
+               .get = [this] { return distances().stored(); },
+               .set = [this](const StateEntry::Values& stored) { distances().restore(stored); },
+               .spread = StateEntry::Spread::shared,
+               .if_other = StateEntry::IfOther::begin_anew,
+               .use = StateEntry::Use::restart});
+  }
 };
 
 /// The reactions of all contact forces of this rank's markers at these places, as the last step saw the surroundings.

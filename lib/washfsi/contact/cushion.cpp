@@ -97,9 +97,9 @@ void Cushion<Dim>::follow_distances() {
 template <int Dim>
 void Cushion<Dim>::begin_friction(const StepStart<Dim>& start, const Points<Dim>& velocities) {
   rubbing_.clear();
-  const bool held = start.held.dt > 0;
-  const double dt = held ? start.held.dt : start.dt, damping = held ? 0 : options_.damping;
-  std::vector<Rub<Dim>> rubs;
+  const bool held = start.lagged.dt > 0;
+  const double dt = held ? start.lagged.dt : start.dt, damping = held ? 0 : options_.damping;
+  std::vector<FrictionPair<Dim>> pairs;
   if (dt > 0 && (options_.friction > 0 || damping > 0))
     for (const Plane& plane : planes_) {
       const CushionPush before = push(plane, plane.before);
@@ -109,12 +109,13 @@ void Cushion<Dim>::begin_friction(const StepStart<Dim>& start, const Points<Dim>
       rubbing_.push_back({plane, held ? Point<Dim>(way - dt * plane.place(velocities)) : way});
       double mobility = 0;
       if (held)
-        visit_own(plane, [&](std::size_t, std::size_t m) { mobility = std::max(mobility, start.held.mobilities[m]); });
+        visit_own(plane,
+                  [&](std::size_t, std::size_t m) { mobility = std::max(mobility, start.lagged.mobilities[m]); });
       const double mass = plane.area * around_.cloths.group_of_piece(plane.piece).excess_mass;
-      rubs.push_back(
+      pairs.push_back(
           {plane.normal, limit, 2 * dt * dt * limit * mobility, contact_damping(damping, before.stiffness, mass)});
     }
-  friction_.begin(std::move(rubs), dt, start.share);
+  friction_.begin(std::move(pairs), dt, start.share);
 }
 
 template <int Dim>
@@ -127,8 +128,8 @@ Points<Dim> Cushion<Dim>::ways(const Points<Dim>& all) const {
 // visit(plane, what friction does there)
 template <int Dim>
 template <class Visit>
-void Cushion<Dim>::visit_rubs(const Points<Dim>& all, const Visit& visit) const {
-  const std::vector<RubForce<Dim>> forces = friction_.forces(ways(all));
+void Cushion<Dim>::visit_friction(const Points<Dim>& all, const Visit& visit) const {
+  const std::vector<FrictionForce<Dim>> forces = friction_.forces(ways(all));
   for (std::size_t r = 0; r < forces.size(); ++r) visit(rubbing_[r].plane, forces[r]);
 }
 
@@ -159,8 +160,8 @@ void Cushion<Dim>::add_force(const Points<Dim>& positions, const Points<Dim>&, P
     const Point<Dim> force = push(plane, all).pressure * plane.normal;
     visit_own(plane, [&](std::size_t i, std::size_t m) { forces[m] += plane.shares[i] * force; });
   }
-  visit_rubs(all, [&](const Plane& plane, const RubForce<Dim>& rub) {
-    visit_own(plane, [&](std::size_t i, std::size_t m) { forces[m] -= plane.shares[i] * rub.pull; });
+  visit_friction(all, [&](const Plane& plane, const FrictionForce<Dim>& friction) {
+    visit_own(plane, [&](std::size_t i, std::size_t m) { forces[m] -= plane.shares[i] * friction.pull; });
   });
 }
 
@@ -171,7 +172,7 @@ void Cushion<Dim>::add_energy(const Points<Dim>& positions, std::span<double> of
     if (plane.counts()) of_groups[around_.cloths.pieces()[plane.piece].group] += energy;
   };
   for (const Plane& plane : planes_) add(plane, push(plane, all).energy);
-  visit_rubs(all, [&](const Plane& plane, const RubForce<Dim>& rub) { add(plane, rub.energy); });
+  visit_friction(all, [&](const Plane& plane, const FrictionForce<Dim>& friction) { add(plane, friction.energy); });
 }
 
 template <int Dim>
@@ -183,7 +184,9 @@ void Cushion<Dim>::add_force_rates(const Points<Dim>& positions, const Points<Di
   };
   for (const Plane& plane : planes_)
     add(plane, push(plane, all).stiffness * plane.normal.dot(plane.place(ways)) * plane.normal);
-  visit_rubs(all, [&](const Plane& plane, const RubForce<Dim>& rub) { add(plane, rub.stiffness * plane.place(ways)); });
+  visit_friction(all, [&](const Plane& plane, const FrictionForce<Dim>& friction) {
+    add(plane, friction.stiffness * plane.place(ways));
+  });
 }
 
 // One block for each marker, and for each two of a face, whether they touch anything or not: so the pattern never
@@ -208,7 +211,8 @@ void Cushion<Dim>::visit_stiffness(const Points<Dim>& positions, GeometricStiffn
   };
   for (const Plane& plane : planes_)
     add_block(plane, push(plane, all).stiffness * plane.normal * plane.normal.transpose());
-  visit_rubs(all, [&](const Plane& plane, const RubForce<Dim>& rub) { add_block(plane, rub.stiffness); });
+  visit_friction(all,
+                 [&](const Plane& plane, const FrictionForce<Dim>& friction) { add_block(plane, friction.stiffness); });
   for (std::size_t m = 0; m < of_markers.size(); ++m)
     add(around_.cloths.number_of(m), around_.cloths.number_of(m), of_markers[m]);
   for (std::size_t f = 0; f < of_faces.size(); ++f)
@@ -231,7 +235,7 @@ void Cushion<Dim>::add_bound(std::span<StiffnessBound> bounds) const {
 
 // A tenth of each distance is kept. A soft barrier does not stop what goes through it.
 template <int Dim>
-double Cushion<Dim>::free_part(const Points<Dim>& from, const Points<Dim>& motion) {
+double Cushion<Dim>::step_limit(const Points<Dim>& from, const Points<Dim>& motion) {
   constexpr double kept = 0.1;
   const Points<Dim> starts = with_halo(from), ways = with_halo(motion);
   double part = 1;
@@ -253,9 +257,9 @@ void Cushion<Dim>::add_marker_contact(const Points<Dim>& positions, MarkerContac
       if (pressed > 0 && !plane.is_of_face()) contact.area[m] += plane.area;
     });
   }
-  visit_rubs(all, [&](const Plane& plane, const RubForce<Dim>& rub) {
+  visit_friction(all, [&](const Plane& plane, const FrictionForce<Dim>& friction) {
     visit_own(plane, [&](std::size_t i, std::size_t m) {
-      contact.friction_power[m] += plane.shares[i] * rub.work / friction_.dt();
+      contact.friction_power[m] += plane.shares[i] * friction.work / friction_.dt();
     });
   });
 }
@@ -264,7 +268,9 @@ template <int Dim>
 void Cushion<Dim>::add_reactions(const Points<Dim>& positions, ContactLoads<Dim>& loads) const {
   const Points<Dim> all = with_halo(positions);
   for (const Plane& plane : planes_) add_reaction(plane, all, -push(plane, all).pressure * plane.normal, loads);
-  visit_rubs(all, [&](const Plane& plane, const RubForce<Dim>& rub) { add_reaction(plane, all, rub.pull, loads); });
+  visit_friction(all, [&](const Plane& plane, const FrictionForce<Dim>& friction) {
+    add_reaction(plane, all, friction.pull, loads);
+  });
 }
 
 template <int Dim>

@@ -31,7 +31,7 @@ CushionPush cushion_push(const CushionOptions& options, double distance, double 
 /// or, with the law of the barrier between cloths (contact/barrier_function.hpp),
 ///   -P0 b'(Phi/d0),                      energy P0 d0 b,          stiffness P0/d0 b'' n n^T
 /// In a step Phi is that from a plane that moves with the body (contact/tangent_planes.hpp): so the energy is convex,
-/// and its stiffness exact and never negative. With the barrier no motion goes through the plane (`free_part`); only a
+/// and its stiffness exact and never negative. With the barrier no motion goes through the plane (`step_limit`); only a
 /// marker that a moving body has at the step's end, before the step is solved for, below d0/10 has a barrier that goes
 /// on with the same stiffness from there. What a body may come nearest to is not a marker but a place in a face, as a
 /// post or an edge does: this place is pushed likewise from d0/2 on, with the area of the face. What starts nearer than
@@ -46,7 +46,7 @@ class Cushion : public ContactForce<Dim> {
 
   Dependence dependence() const override { return Dependence::potential; }
   std::string origin() const override { return "-contact_pressure"; }
-  bool rubs() const override { return options_.friction > 0; }
+  bool has_friction() const override { return options_.friction > 0; }
   void begin_step(const StepStart<Dim>& start) override;
   void add_force(const Points<Dim>& positions, const Points<Dim>& velocities, Points<Dim>& forces) const override;
   void add_energy(const Points<Dim>& positions, std::span<double> of_groups) const override;
@@ -55,8 +55,8 @@ class Cushion : public ContactForce<Dim> {
                        const AddMarkerBlock<Dim>& add) const override;
   void add_bound(std::span<StiffnessBound> bounds) const override;
   void linearise(const Points<Dim>& positions) override { friction_.linearise(ways(with_halo(positions))); }
-  bool limits_motion() const override { return options_.law == CushionLaw::barrier; }
-  double free_part(const Points<Dim>& from, const Points<Dim>& motion) override;
+  bool has_step_limit() const override { return options_.law == CushionLaw::barrier; }
+  double step_limit(const Points<Dim>& from, const Points<Dim>& motion) override;
   PairDistances& distances() override { return distances_; }
   const PairDistances& distances() const override { return distances_; }
   TightestContact tightest() const override;
@@ -66,7 +66,7 @@ class Cushion : public ContactForce<Dim> {
 
  private:
   using Plane = TangentPlane<Dim>;
-  /// A point of a cloth that rubs on a plane in this step.
+  /// A point of a cloth that slides on a plane in this step.
   struct Rubbing {
     Plane plane;
     Point<Dim> way;  ///< of the surface in the step, of an explicit one over its point [m]
@@ -77,7 +77,7 @@ class Cushion : public ContactForce<Dim> {
   void begin_friction(const StepStart<Dim>& start, const Points<Dim>& velocities);
   Points<Dim> ways(const Points<Dim>& all) const;
   template <class Visit>
-  void visit_rubs(const Points<Dim>& all, const Visit& visit) const;
+  void visit_friction(const Points<Dim>& all, const Visit& visit) const;
   template <class Visit>
   void visit_own(const Plane& plane, const Visit& visit) const;
   Point<Dim> middle() const { return 0.5 * (around_.grid.lower() + around_.grid.upper()); }

@@ -14,15 +14,15 @@ struct Creep {
 };
 
 template <int Dim>
-Creep creep(double y, const Rub<Dim>& rub, double dt) {
-  const double e = std::max(Friction<Dim>::creep_speed * dt, rub.stops), part = y / e;
+Creep creep(double y, const FrictionPair<Dim>& pair, double dt) {
+  const double e = std::max(Friction<Dim>::creep_speed * dt, pair.stops), part = y / e;
   if (part >= 1) return {y, 1, y - e / 3};
   return {e / (2 - part), 1 / ((2 - part) * (2 - part)), y * part * (1 - part / 3)};
 }
 
 template <int Dim>
-Point<Dim> slide(const Rub<Dim>& rub, const Point<Dim>& way) {
-  return way - rub.normal.dot(way) * rub.normal;
+Point<Dim> slide(const FrictionPair<Dim>& pair, const Point<Dim>& way) {
+  return way - pair.normal.dot(way) * pair.normal;
 }
 
 }  // namespace
@@ -32,22 +32,22 @@ double contact_damping(double share, double stiffness, double mass) {
 }
 
 template <int Dim>
-void Friction<Dim>::begin(std::vector<Rub<Dim>> rubs, double dt, double share) {
+void Friction<Dim>::begin(std::vector<FrictionPair<Dim>> pairs, double dt, double share) {
   dt_ = dt;
   share_ = share;
-  rubs_ = dt > 0 ? std::move(rubs) : std::vector<Rub<Dim>>{};
-  directions_.assign(rubs_.size(), Point<Dim>::Zero());
+  pairs_ = dt > 0 ? std::move(pairs) : std::vector<FrictionPair<Dim>>{};
+  directions_.assign(pairs_.size(), Point<Dim>::Zero());
   slides_ = directions_;
 }
 
 // A step of Newton's for  g q = u  in both of its unknowns, in which the slides have already been found.
 template <int Dim>
 void Friction<Dim>::linearise(const Points<Dim>& ways) {
-  for (std::size_t r = 0; r < rubs_.size(); ++r) {
-    const Point<Dim> now = slide(rubs_[r], ways[r]), &before = slides_[r];
+  for (std::size_t r = 0; r < pairs_.size(); ++r) {
+    const Point<Dim> now = slide(pairs_[r], ways[r]), &before = slides_[r];
     if (now == before) continue;
     const double y = before.norm();
-    const Creep law = creep(y, rubs_[r], dt_);
+    const Creep law = creep(y, pairs_[r], dt_);
     Point<Dim> direction = now / law.g;
     if (y > 0) direction -= law.rate / (law.g * y) * before.dot(now - before) * directions_[r];
     directions_[r] = direction / std::max(1.0, direction.norm());
@@ -56,34 +56,35 @@ void Friction<Dim>::linearise(const Points<Dim>& ways) {
 }
 
 template <int Dim>
-std::vector<RubForce<Dim>> Friction<Dim>::forces(const Points<Dim>& ways) const {
-  std::vector<RubForce<Dim>> forces;
-  forces.reserve(rubs_.size());
-  for (std::size_t r = 0; r < rubs_.size(); ++r) forces.push_back(force(rubs_[r], directions_[r], ways[r]));
+std::vector<FrictionForce<Dim>> Friction<Dim>::forces(const Points<Dim>& ways) const {
+  std::vector<FrictionForce<Dim>> forces;
+  forces.reserve(pairs_.size());
+  for (std::size_t r = 0; r < pairs_.size(); ++r) forces.push_back(force(pairs_[r], directions_[r], ways[r]));
   return forces;
 }
 
 template <int Dim>
-RubForce<Dim> Friction<Dim>::force(const Rub<Dim>& rub, const Point<Dim>& direction, const Point<Dim>& way) const {
-  const Point<Dim> slid = slide(rub, way);
+FrictionForce<Dim> Friction<Dim>::force(const FrictionPair<Dim>& pair, const Point<Dim>& direction,
+                                        const Point<Dim>& way) const {
+  const Point<Dim> slid = slide(pair, way);
   const double y = slid.norm();
-  const Creep law = creep(y, rub, dt_);
-  StiffnessBlock<Dim> stiffness = StiffnessBlock<Dim>::Identity() - rub.normal * rub.normal.transpose();
+  const Creep law = creep(y, pair, dt_);
+  StiffnessBlock<Dim> stiffness = StiffnessBlock<Dim>::Identity() - pair.normal * pair.normal.transpose();
   if (y > 0) stiffness -= 0.5 * law.rate / y * (direction * slid.transpose() + slid * direction.transpose());
-  const double limit = rub.limit / share_, strength = limit / law.g;
-  RubForce<Dim> force{limit * law.energy, share_ * strength * y * y, strength * slid, strength * stiffness};
-  add_damping(rub, way, force);
+  const double limit = pair.limit / share_, strength = limit / law.g;
+  FrictionForce<Dim> force{limit * law.energy, share_ * strength * y * y, strength * slid, strength * stiffness};
+  add_damping(pair, way, force);
   return force;
 }
 
 template <int Dim>
-void Friction<Dim>::add_damping(const Rub<Dim>& rub, const Point<Dim>& way, RubForce<Dim>& force) const {
-  const double apart = rub.normal.dot(way), strength = rub.damping / (share_ * dt_);
+void Friction<Dim>::add_damping(const FrictionPair<Dim>& pair, const Point<Dim>& way, FrictionForce<Dim>& force) const {
+  const double apart = pair.normal.dot(way), strength = pair.damping / (share_ * dt_);
   if (strength == 0) return;
   force.energy += 0.5 * strength * apart * apart;
   force.work += share_ * strength * apart * apart;
-  force.pull += strength * apart * rub.normal;
-  force.stiffness += strength * rub.normal * rub.normal.transpose();
+  force.pull += strength * apart * pair.normal;
+  force.stiffness += strength * pair.normal * pair.normal.transpose();
 }
 
 template class Friction<2>;

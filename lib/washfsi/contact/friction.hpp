@@ -7,9 +7,9 @@
 
 namespace washfsi {
 
-/// Two surfaces that rub in a step: where they touch, and how hard they are pressed, is taken at its start.
+/// Two surfaces that pair in a step: where they touch, and how hard they are pressed, is taken at its start.
 template <int Dim>
-struct Rub {
+struct FrictionPair {
   Point<Dim> normal;   ///< from the second to the first
   double limit;        ///< friction coefficient times normal force [N; per unit depth in the plane]
   double stops = 0;    ///< slide below which the whole of it, in an explicit step, would more than stop them [m]
@@ -20,9 +20,9 @@ struct Rub {
 /// contact at the step's start [N/m]  [N s/m].
 double contact_damping(double share, double stiffness, double mass);
 
-/// What a rub does when the first surface has gone some way over the second.
+/// What a pair does when the first surface has gone some way over the second.
 template <int Dim>
-struct RubForce {
+struct FrictionForce {
   double energy = 0;              ///< of the potential [J]
   double work = 0;                ///< that it takes out in the step, pull by its share times way [J]
   Point<Dim> pull;                ///< on the second surface, and minus this on the first [N]
@@ -31,7 +31,7 @@ struct RubForce {
 
 /// Coulomb friction in a step, lagged (Li et al., ACM Trans. Graph. 39 (2020) 49): with the normal n and the normal
 /// force of the step's start, and the slide u = (1 - n n^T) way, the way being that of the first surface over the
-/// second, a rub pulls with
+/// second, a pair pulls with
 ///   limit f(|u|) u/|u|,      f(y) = 2 y/e - y^2/e^2 for y < e, else 1,      e = dt times `creep_speed`
 /// the gradient of a convex energy. Below that speed it sticks but for a creep.
 /// Newton's method with its Hessian jumps to and fro across the kink at rest, and with the pull over the slide in place
@@ -51,18 +51,18 @@ class Friction {
   static constexpr double creep_speed = 1e-3;
 
   /// A step of length dt begins; dt = 0: nothing slides. Pulls make up this share of the step's mean force.
-  void begin(std::vector<Rub<Dim>> rubs, double dt, double share = 1);
-  /// Newton's method goes on from these ways of all rubs [m].
+  void begin(std::vector<FrictionPair<Dim>> pairs, double dt, double share = 1);
+  /// Newton's method goes on from these ways of all pairs [m].
   void linearise(const Points<Dim>& ways);
-  /// What each rub does after these ways of all.
-  std::vector<RubForce<Dim>> forces(const Points<Dim>& ways) const;
+  /// What each pair does after these ways of all.
+  std::vector<FrictionForce<Dim>> forces(const Points<Dim>& ways) const;
   double dt() const { return dt_; }
 
  private:
-  RubForce<Dim> force(const Rub<Dim>& rub, const Point<Dim>& direction, const Point<Dim>& way) const;
-  void add_damping(const Rub<Dim>& rub, const Point<Dim>& way, RubForce<Dim>& force) const;
+  FrictionForce<Dim> force(const FrictionPair<Dim>& pair, const Point<Dim>& direction, const Point<Dim>& way) const;
+  void add_damping(const FrictionPair<Dim>& pair, const Point<Dim>& way, FrictionForce<Dim>& force) const;
 
-  std::vector<Rub<Dim>> rubs_;
+  std::vector<FrictionPair<Dim>> pairs_;
   Points<Dim> directions_, slides_;  ///< q and u of each, where it was linearised last
   double dt_ = 0, share_ = 1;
 };

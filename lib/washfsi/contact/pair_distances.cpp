@@ -42,18 +42,20 @@ void PairDistances::follow(MPI_Comm comm, const Nearest& nearest, double beyond)
   std::erase_if(less_, [this](const auto& item) { return item.second >= usual_; });
 }
 
-std::vector<double> PairDistances::kept() const {
+std::vector<double> PairDistances::stored() const {
   std::vector<double> numbers;
+  if (!has_started_) return numbers;
   for (const auto& [pair, distance] : less_)
     numbers.insert(numbers.end(), {static_cast<double>(pair.first), static_cast<double>(pair.second), distance});
+  numbers.push_back(usual_);
   return numbers;
 }
 
-void PairDistances::take(const std::vector<double>& kept) {
+void PairDistances::restore(const std::vector<double>& stored) {
   has_started_ = true;
   less_.clear();
-  for (std::size_t n = 0; n + 2 < kept.size(); n += 3)
-    less_[{static_cast<std::size_t>(kept[n]), static_cast<std::size_t>(kept[n + 1])}] = kept[n + 2];
+  for (std::size_t n = 0; n + 2 < stored.size(); n += 3)
+    less_[{static_cast<std::size_t>(stored[n]), static_cast<std::size_t>(stored[n + 1])}] = stored[n + 2];
 }
 
 }  // namespace washfsi

@@ -37,9 +37,10 @@ class PairDistances {
   /// They are like this now. Pairs that no rank sees are farther apart than their distance by `beyond` [m]. Collective.
   void follow(MPI_Comm comm, const Nearest& nearest, double beyond);
 
-  /// What is kept for a run that goes on: three numbers for each pair with a smaller distance.
-  std::vector<double> kept() const;
-  void take(const std::vector<double>& kept);
+  /// What a run that goes on needs: three numbers for each pair with a smaller distance, and a further one; none before
+  /// the start.
+  std::vector<double> stored() const;
+  void restore(const std::vector<double>& stored);
 
  private:
   double usual_;

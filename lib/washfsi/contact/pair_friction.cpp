@@ -8,12 +8,12 @@ namespace washfsi {
 template <int Dim>
 void PairFriction<Dim>::begin(std::vector<Pair> pairs, const Points<Dim>& starts, double dt, double share) {
   pairs_ = std::move(pairs);
-  std::vector<Rub<Dim>> rubs;
+  std::vector<FrictionPair<Dim>> of_friction;
   for (Pair& pair : pairs_) {
-    rubs.push_back({pair.facing.normal, pair.limit, pair.stops, pair.damping});
+    of_friction.push_back({pair.facing.normal, pair.limit, pair.stops, pair.damping});
     for (std::size_t i = 0; i < pair.facing.count; ++i) pair.starts[i] = starts[pair.facing.markers[i]];
   }
-  friction_.begin(std::move(rubs), dt, share);
+  friction_.begin(std::move(of_friction), dt, share);
   forces_.clear();
 }
 
@@ -25,7 +25,7 @@ void PairFriction<Dim>::begin_explicit(std::vector<Pair> pairs, const NearMarker
   begin(std::move(pairs), all + -dt * velocities, dt);
 }
 
-// By all that rubs on each marker of a pair, in the direction that all of it may have: its owner has all of these
+// By all that slides on each marker of a pair, in the direction that all of it may have: its owner has all of these
 // pairs.
 template <int Dim>
 void PairFriction<Dim>::set_stops(std::vector<Pair>& pairs, const NearMarkers<Dim>& known,

@@ -14,8 +14,8 @@ class PairFriction {
   struct Pair {
     Facing<Dim> facing;  ///< at the step's start
     double limit;        ///< friction coefficient times normal force there [N; per unit depth in the plane]
-    double damping = 0;  ///< as of a `Rub`
-    double stops = 0;    ///< as of a `Rub`
+    double damping = 0;  ///< as of a `FrictionPair`
+    double stops = 0;    ///< as of a `FrictionPair`
     /// Where its markers start; in an explicit step where they would have come from [m].
     std::array<Point<Dim>, 2 * Dim> starts{};
   };
@@ -51,7 +51,7 @@ class PairFriction {
 
   std::vector<Pair> pairs_;
   Friction<Dim> friction_;
-  std::vector<RubForce<Dim>> forces_;
+  std::vector<FrictionForce<Dim>> forces_;
 };
 
 extern template class PairFriction<2>;

@@ -47,7 +47,7 @@ const Point<Dim>& Driving<Dim>::begin() {
 }
 
 template <int Dim>
-void Driving<Dim>::hold_back(Vec driven_share, Vec force) const {
+void Driving<Dim>::add_reaction_of_undriven(Vec driven_share, Vec force) const {
   if (!is_there()) return;
   const ConstFaceView<Dim> share(grid_.face_dm(), driven_share);
   const FaceView<Dim> f(grid_.face_dm(), force);
@@ -81,6 +81,17 @@ template <int Dim>
 void Driving<Dim>::accept(bool is_first) {
   for (int c = 0; c < Dim; ++c)
     if (keeps_bulk(c) && !is_first) guess_[c] = gradient_[c];
+}
+
+template <int Dim>
+void Driving<Dim>::register_state(StateList& state) {
+  if (!is_there()) return;
+  StateEntry& entry = state.add(numbers_entry("/driving", {guess_.data(), Dim}));
+  entry.if_other = StateEntry::IfOther::begin_anew;
+  entry.set = [this](const StateEntry::Values& values) {
+    for (int d = 0; d < Dim; ++d)
+      if (keeps_bulk(d)) guess_[d] = values[static_cast<std::size_t>(d)];
+  };
 }
 
 template <int Dim>

@@ -11,10 +11,9 @@
 // it the bodies hold.
 #pragma once
 
-#include <span>
-
 #include "washfsi/grid/grid.hpp"
 #include "washfsi/support/options.hpp"
+#include "washfsi/support/state_list.hpp"
 
 namespace washfsi {
 
@@ -40,7 +39,7 @@ class Driving {
   /// G that the momentum solve takes; begins the trial of a step [Pa/m].
   const Point<Dim>& begin();
   /// Adds to a force density on faces [N/m3] that by which bodies hold what is not driven: G (1 - share).
-  void hold_back(Vec driven_share, Vec force) const;
+  void add_reaction_of_undriven(Vec driven_share, Vec force) const;
   /// Gives u* its bulk velocity. `driven_share`, on faces: H; null for 1 everywhere. Collective.
   void keep_bulk(double dt, Vec density, Vec driven_share, Vec velocity);
   /// Takes the trial. The first step's G is no guess of the next one's.
@@ -48,9 +47,8 @@ class Driving {
 
   /// G of the step that was tried last [Pa/m].
   const Point<Dim>& gradient() const { return gradient_; }
-  /// What a restart needs: the guess of the next G.
-  std::span<double> kept() { return {guess_.data(), Dim}; }
-  std::span<const double> kept() const { return {guess_.data(), Dim}; }
+  /// Registers the guess of the next G. What is driven otherwise than before finds it by itself.
+  void register_state(StateList& state);
 
  private:
   const Grid<Dim>& grid_;

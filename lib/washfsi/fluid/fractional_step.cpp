@@ -2,12 +2,12 @@
 #include "washfsi/fluid/fractional_step.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "washfsi/fluid/adams_bashforth.hpp"
 #include "washfsi/fluid/advection.hpp"
 #include "washfsi/grid/beside_positive.hpp"
+#include "washfsi/grid/field_slab.hpp"
 #include "washfsi/support/collective.hpp"
 
 namespace washfsi {
@@ -15,14 +15,6 @@ namespace washfsi {
 namespace {
 
 constexpr double parabolas_part = 2.0 / 3;  // of advection from three steps
-
-// Of pushes, in turn: over the roots of Chebyshev's polynomial of second degree for walls that answer with 0.2 to 1 of
-// what a push wants, the least for smooth loads along them. The harder first: what answers well has been pushed
-// already.
-constexpr std::array<double, 2> relaxations{3.153, 1.133};
-
-// Of the push before them where the water had been freed of divergence already: over the middle of these answers.
-constexpr double first_relaxation = 1 / 0.6;
 
 }  // namespace
 
@@ -68,9 +60,7 @@ void FractionalStep<Dim>::start(const VelocityAt<Dim>& velocity) {
 template <int Dim>
 void FractionalStep<Dim>::advance(const TimeStep& step, const StepFields<Dim>& fields) {
   predict(step, fields);
-  push_walls();
   project();
-  hold_walls();
   finish();
 }
 
@@ -79,13 +69,13 @@ void FractionalStep<Dim>::predict(const TimeStep& step, const StepFields<Dim>& f
   const petsc::LogPart part("momentum");
   step_ = step;
   fields_ = fields;
-  add_held_forces();
+  add_further_forces();
   explicit_terms();
   // the guesses: linear extrapolation of the two last velocities, and a pressure that changes at the same rate as
   // before
-  const double ratio = has_history_ ? step.dt / dt_before_ : 0;
+  const double ratio = dt_before_ > 0 ? step.dt / dt_before_ : 0;
   WASH_PETSC(VecAXPBYPCZ(intermediate_, 1 + ratio, -ratio, 0.0, velocity_, velocity_before_));
-  if (has_history_ && ratio != 1) WASH_PETSC(VecScale(phi_, ratio * ratio));
+  if (ratio > 0 && ratio != 1) WASH_PETSC(VecScale(phi_, ratio * ratio));
   momentum_.set_step(step.dt, fields.liquid, fields.constraint);
   counts_.momentum += static_cast<double>(momentum_.solve(rhs_, step.end(), intermediate_));
   find_constraint_force();
@@ -95,17 +85,14 @@ void FractionalStep<Dim>::predict(const TimeStep& step, const StepFields<Dim>& f
                      fields.driven_share ? fields.driven_share : fields.constraint.fluid_fraction, intermediate_);
 }
 
-// What bodies give the water from the start of the step.
 template <int Dim>
-void FractionalStep<Dim>::add_held_forces() {
-  if (!fields_.walls && !fields_.driven_share) return;
+void FractionalStep<Dim>::add_further_forces() {
+  if (!fields_.further_force && !fields_.driven_share) return;
   if (!force_) force_ = grid_.face_vector();
   WASH_PETSC(VecCopy(fields_.force, force_));
   fields_.force = force_;
-  if (fields_.driven_share) driving_.hold_back(fields_.driven_share, force_);
-  if (!fields_.walls) return;
-  fields_.walls->begin_trial(step_, fields_.liquid.density);
-  fields_.walls->add_held(force_);
+  if (fields_.driven_share) driving_.add_reaction_of_undriven(fields_.driven_share, force_);
+  if (fields_.further_force) fields_.further_force->add_to(force_);
 }
 
 template <int Dim>
@@ -113,7 +100,7 @@ void FractionalStep<Dim>::find_constraint_force() {
   if (!fields_.constraint.fluid_fraction) return;
   if (!constraint_force_) constraint_force_ = grid_.face_vector();
   momentum_.constraint_force(rhs_, step_.end(), intermediate_, constraint_force_);
-  if (fields_.driven_share) driving_.hold_back(fields_.driven_share, constraint_force_);
+  if (fields_.driven_share) driving_.add_reaction_of_undriven(fields_.driven_share, constraint_force_);
 }
 
 template <int Dim>
@@ -198,24 +185,6 @@ void FractionalStep<Dim>::project() {
   add_viscous_pressure();
 }
 
-template <int Dim>
-void FractionalStep<Dim>::push_walls(double relaxation) {
-  if (fields_.walls) fields_.walls->push(intermediate_, relaxation);
-}
-
-template <int Dim>
-void FractionalStep<Dim>::hold_walls() {
-  if (!fields_.walls || !projects_) return;
-  const petsc::LogPart part("pressure");
-  constexpr int most_rounds = 3;  // mostly none or one; the solver makes loads jump
-  for (int round = 0; round < most_rounds; ++round)
-    for (const double relaxation : relaxations) {
-      if (!fields_.walls->push_unheld(intermediate_, relaxation)) return;
-      project_again();
-    }
-  if (fields_.walls->hold([this](Vec increment) { free_of_divergence(increment); }, intermediate_)) project_again();
-}
-
 // After a further force. Its guess is not the last one: a restart does not know it.
 template <int Dim>
 void FractionalStep<Dim>::project_again() {
@@ -225,8 +194,8 @@ void FractionalStep<Dim>::project_again() {
 }
 
 template <int Dim>
-void FractionalStep<Dim>::free_of_divergence(Vec increment) {
-  constexpr double looser = 200;  // than the step's projection, which mends what the walls' solver leaves
+void FractionalStep<Dim>::project_increment(Vec increment) {
+  constexpr double looser = 200;  // than the projection of the step, which follows
   double speed = 0;
   WASH_PETSC(VecNorm(increment, NORM_INFINITY, &speed));
   {
@@ -286,21 +255,16 @@ double FractionalStep<Dim>::largest_speed() const {
 
 template <int Dim>
 void FractionalStep<Dim>::add_force(Vec force) {
-  const petsc::LogPart part("pressure");
-  {
-    const Vec fluid_fraction = fields_.constraint.fluid_fraction;
-    const FaceView<Dim> u(grid_.face_dm(), intermediate_),
-        held(grid_.face_dm(), fluid_fraction ? constraint_force_ : intermediate_);
-    const ConstFaceView<Dim> f(grid_.face_dm(), force), rho(grid_.face_dm(), fields_.liquid.density),
-        fraction(grid_.face_dm(), fluid_fraction ? fluid_fraction : force);
-    grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
-      const double H = fluid_fraction ? fraction(face, c) : 1;
-      u(face, c) += step_.dt * H * f(face, c) / rho(face, c);
-      if (fluid_fraction) held(face, c) -= (1 - H) * f(face, c);
-    });
-  }
-  push_walls(first_relaxation);
-  if (projects_) project_again();
+  const Vec fluid_fraction = fields_.constraint.fluid_fraction;
+  const FaceView<Dim> u(grid_.face_dm(), intermediate_),
+      solid(grid_.face_dm(), fluid_fraction ? constraint_force_ : intermediate_);
+  const ConstFaceView<Dim> f(grid_.face_dm(), force), rho(grid_.face_dm(), fields_.liquid.density),
+      fraction(grid_.face_dm(), fluid_fraction ? fluid_fraction : force);
+  grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
+    const double H = fluid_fraction ? fraction(face, c) : 1;
+    u(face, c) += step_.dt * H * f(face, c) / rho(face, c);
+    if (fluid_fraction) solid(face, c) -= (1 - H) * f(face, c);
+  });
 }
 
 template <int Dim>
@@ -318,25 +282,28 @@ template <int Dim>
 void FractionalStep<Dim>::finish() {
   velocity_before_ = std::exchange(velocity_, std::exchange(intermediate_, std::move(velocity_before_)));
   advection_before_ = std::exchange(advection_, std::exchange(advection_earlier_, std::move(advection_before_)));
-  if (fields_.walls) fields_.walls->accept();
-  driving_.accept(!has_history_);
-  dt_earlier_ = last_step();
-  has_history_ = true;
+  driving_.accept(dt_before_ == 0);
+  dt_earlier_ = dt_before_;
   dt_before_ = step_.dt;
   boundary_.accept_outflow();
 }
 
 template <int Dim>
-std::vector<std::pair<std::string, Vec>> FractionalStep<Dim>::face_state() const {
-  return {{"velocity", velocity_},
-          {"velocity_before", velocity_before_},
-          {"advection_before", advection_before_},
-          {"advection_earlier", advection_earlier_}};
-}
-
-template <int Dim>
-std::vector<std::pair<std::string, Vec>> FractionalStep<Dim>::cell_state() const {
-  return {{"pressure", pressure_}, {"phi", phi_}};
+void FractionalStep<Dim>::register_state(StateList& state) {
+  const auto field = [&](const std::string& name, int components, const petsc::Vector& vector) {
+    state.add(vector_entry("/fluid/" + name, field_slab(grid_, components), vector));
+  };
+  field("velocity", Dim, velocity_);
+  field("velocity_before", Dim, velocity_before_);
+  field("advection_before", Dim, advection_before_);
+  field("advection_earlier", Dim, advection_earlier_);
+  field("pressure", 1, pressure_);
+  field("phi", 1, phi_);
+  state.add_number("/fluid/last_step", dt_before_);
+  state.add_number("/fluid/step_before_last", dt_earlier_);
+  state.add_number("/fluid/momentum_iterations", counts_.momentum);
+  state.add_number("/fluid/pressure_iterations", counts_.pressure);
+  driving_.register_state(state);
 }
 
 template class FractionalStep<2>;

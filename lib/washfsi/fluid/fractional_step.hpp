@@ -7,9 +7,7 @@
 //      a bulk velocity that is kept corrects G and u* (`driving.hpp`)
 //   3. project         div( (1/rho) grad q ) = div u* / dt,    u^(n+1) = u* - (dt/rho) grad q
 //                      p^(n+1/2) = p^(n-1/2) + q - (mu/2) div u*
-//   3b. add_force      (couplings only) u += (dt/rho) H f, projected again: p += q without the viscous term
-//      walls that hold the water by forces add those of the step before in 1, mend them once before the last
-//      projection, of 3 or 3b, and again after it if the water slips
+//   3b. add_force      (couplings and walls) u += (dt/rho) H f, then `project_again`: p += q without the viscous term
 //   4. finish          n becomes n + 1
 // The first step takes (u.grad u)^0 alone (forward Euler), the second two of them. Where the viscosity varies, div tau
 // (`viscous_stress.hpp`) takes the place of mu lap u, and mu div u* that of (mu/2) div u*.
@@ -18,11 +16,13 @@
 #include <functional>
 #include <string>
 
+#include "washfsi/fluid/force_field.hpp"
 #include "washfsi/fluid/momentum.hpp"
 #include "washfsi/fluid/options.hpp"
 #include "washfsi/fluid/pressure.hpp"
-#include "washfsi/fluid/wall_forces.hpp"
+#include "washfsi/fluid/projection.hpp"
 #include "washfsi/support/clock.hpp"
+#include "washfsi/support/state_list.hpp"
 
 namespace washfsi {
 
@@ -37,7 +37,7 @@ struct StepFields {
   LiquidFields liquid;
   Vec force = nullptr;
   Constraint<Dim> constraint;
-  WallForces* walls = nullptr;  ///< what holds the water by forces, if anything does
+  const ForceField* further_force = nullptr;  ///< acts beside `force` from the start of the step, if there is one
   /// On faces, with `limits_at_edges`: how near they are to edges and thin parts, from 1 to 0 beyond the reach of their
   /// forces.
   Vec nearness = nullptr;
@@ -51,27 +51,25 @@ template <int Dim>
 using VelocityAt = std::function<double(const Point<Dim>& place, int c)>;
 
 template <int Dim>
-class FractionalStep {
+class FractionalStep : public Projection {
  public:
   /// The water rests. Collective.
   FractionalStep(const Grid<Dim>& grid, Boundary<Dim>& boundary, const FluidOptions<Dim>& options);
   /// Sets the velocity at the start. Collective.
   void start(const VelocityAt<Dim>& velocity);
 
-  /// One whole step: predict, push walls, project, hold walls, finish. Collective. Errors: DivergedError.
+  /// One whole step without walls that act by forces: predict, project, finish. Collective. Errors: DivergedError.
   void advance(const TimeStep& step, const StepFields<Dim>& fields);
 
   /// Phases 1 and 2: u* from u^n. Collective.
   void predict(const TimeStep& step, const StepFields<Dim>& fields);
   /// Phase 3: makes the intermediate velocity divergence free and updates the pressure. Collective.
   void project();
-  /// Phase 3b: adds a further force density (faces) to the projected velocity, pushes walls, and projects it again.
-  /// What falls on solids is kept by them. Collective.
+  /// Phase 3b: adds a further force density (faces) to the projected velocity, which `project_again` follows. What
+  /// falls on solids is taken by them. Collective.
   void add_force(Vec force);
-  /// Before a last projection: takes most of the slip away from walls that hold the water by forces. Collective.
-  void push_walls(double relaxation = 1);
-  /// After it: takes away what slip is left beyond the tolerance, with further projections. Collective.
-  void hold_walls();
+  void project_again() override;
+  void project_increment(Vec increment) override;
   /// For schemes that try a step several times: keeps the pressure, and takes the kept one back after a trial.
   void keep_pressure();
   void restore_pressure();
@@ -83,14 +81,7 @@ class FractionalStep {
   Vec next_velocity() const { return intermediate_; }       ///< u* or u^(n+1) before `finish` [m/s]
   Vec pressure() const { return pressure_; }                ///< p^(n-1/2) [Pa]
   /// Length of the last step [s]; 0 before the first, which advects by forward Euler: u^(n-1) is not known then.
-  double last_step() const { return has_history_ ? dt_before_ : 0; }
-  /// Length of the step before it [s]; 0 if there was none.
-  double step_before_last() const { return dt_earlier_; }
-  void set_last_steps(double last, double before) {
-    dt_before_ = last;
-    has_history_ = last > 0;
-    dt_earlier_ = before;
-  }
+  double last_step() const { return dt_before_; }
   /// Whether the velocity is made free of divergence.
   bool projects() const { return projects_; }
   Advection scheme_of_advection() const { return advection_scheme_; }
@@ -102,19 +93,16 @@ class FractionalStep {
   /// Force density [N/m3] by which solids held the water in the last `predict`; zero in fluid.
   Vec constraint_force() const { return constraint_force_; }
 
-  /// All vectors that a restart needs, with their names: the face fields, then the cell fields.
-  std::vector<std::pair<std::string, Vec>> face_state() const;
-  std::vector<std::pair<std::string, Vec>> cell_state() const;
+  /// Registers what goes on from step to step.
+  void register_state(StateList& state);
 
   /// What drives the water along periodic axes.
   const Driving<Dim>& driving() const { return driving_; }
-  Driving<Dim>& driving() { return driving_; }
 
   const SolverCounts& counts() const { return counts_; }
-  void set_counts(const SolverCounts& counts) { counts_ = counts; }
 
  private:
-  void add_held_forces();
+  void add_further_forces();
   void find_constraint_force();
   void explicit_terms();
   template <class Form>
@@ -125,10 +113,8 @@ class FractionalStep {
                          const Flux& flux);
   double largest_speed() const;
   void solve_pressure(Vec phi);
-  void project_again();
   void find_divergence(Vec local_velocity);
   void add_viscous_pressure();
-  void free_of_divergence(Vec increment);
 
   const Grid<Dim>& grid_;
   Boundary<Dim>& boundary_;  ///< its open sides take part in the step
@@ -146,7 +132,7 @@ class FractionalStep {
   petsc::Vector advection_, advection_before_;  ///< (u.grad u)^n, (u.grad u)^(n-1)
   petsc::Vector advection_earlier_;             ///< (u.grad u)^(n-2)
   petsc::Vector rhs_;                           ///< b of the last `predict`
-  petsc::Vector force_;                         ///< all of the step under way, with that of walls
+  petsc::Vector force_;                         ///< all of the step under way, with the further one
   petsc::Vector constraint_force_;              ///< null before bodies have held anything
   petsc::Vector pressure_;                      ///< p^(n-1/2)
   petsc::Vector phi_;                           ///< dt q / rho_f of the last projection: the next one's guess
@@ -154,9 +140,8 @@ class FractionalStep {
   petsc::Vector phi_of_force_, kept_pressure_;  ///< for forces on top and `keep_pressure`; made when first used
   TimeStep step_;                               ///< under way
   StepFields<Dim> fields_;                      ///< of it
-  double dt_before_ = 0, dt_earlier_ = 0;
+  double dt_before_ = 0, dt_earlier_ = 0;       ///< of the last step and the one before it [s]; 0 if there was none
   double numerical_dissipation_ = 0;
-  bool has_history_ = false;
   SolverCounts counts_;
 };
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "washfsi/fluid/krylov.hpp"
+#include "washfsi/support/krylov.hpp"
 
 namespace washfsi {
 

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <string>
 
-#include "washfsi/fluid/krylov.hpp"
 #include "washfsi/fluid/pressure_multigrid.hpp"
 #include "washfsi/fluid/transform_preconditioner.hpp"
 #include "washfsi/grid/stencils.hpp"
 #include "washfsi/support/collective.hpp"
 #include "washfsi/support/errors.hpp"
+#include "washfsi/support/krylov.hpp"
 
 namespace washfsi {
 

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "washfsi/fluid/cell_levels.hpp"
-#include "washfsi/fluid/krylov.hpp"
 #include "washfsi/support/collective.hpp"
 #include "washfsi/support/errors.hpp"
+#include "washfsi/support/krylov.hpp"
 
 namespace washfsi {
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "washfsi/fluid/wall_law.hpp"
+#include "washfsi/grid/field_slab.hpp"
 #include "washfsi/grid/velocity_gradient.hpp"
 #include "washfsi/support/collective.hpp"
 
@@ -123,11 +124,17 @@ void WallModel<Dim>::set_ghosts(Vec local_viscosity) const {
 }
 
 template <int Dim>
-std::vector<std::pair<std::string, Vec>> WallModel<Dim>::face_state() const {
-  std::vector<std::pair<std::string, Vec>> state;
-  for (std::size_t k = 0; k < filtered_.size(); ++k)
-    state.emplace_back("wall_velocity_" + std::to_string(k + 1), filtered_[k]);
-  return state;
+void WallModel<Dim>::register_state(StateList& state) {
+  for (std::size_t k = 0; k < filtered_.size(); ++k) {
+    StateEntry& entry =
+        state.add(vector_entry("/fluid/wall_velocity_" + std::to_string(k + 1), field_slab(grid_, Dim), filtered_[k]));
+    entry.if_other = StateEntry::IfOther::begin_anew;
+    entry.use = StateEntry::Use::restart;
+    entry.set = [this, copy = entry.set](const StateEntry::Values& values) {
+      copy(values);
+      begun_ = true;
+    };
+  }
 }
 
 // y+ grows with the speed, so the fastest cell of each spacing has the largest.

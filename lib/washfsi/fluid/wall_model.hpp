@@ -3,12 +3,12 @@
 
 #include <array>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "washfsi/grid/boundary.hpp"
 #include "washfsi/grid/cell_share.hpp"
 #include "washfsi/support/options.hpp"
+#include "washfsi/support/state_list.hpp"
 
 namespace washfsi {
 
@@ -47,11 +47,9 @@ class WallModel {
   /// Step 4, of the viscosity in cells, local, its ghosts filled. Collective.
   void set_ghosts(Vec local_viscosity) const;
 
-  /// u1 and u2, which go on from step to step: in the first and the second cell from each side; in component `axis` of
-  /// vector k the tangential velocity along axis + 1 + k.
-  std::vector<std::pair<std::string, Vec>> face_state() const;
-  /// They hold a run's earlier flow; else the next flow is taken as it is.
-  void go_on() { begun_ = true; }
+  /// Registers u1 and u2: in the first and the second cell from each side; in component `axis` of vector k the
+  /// tangential velocity along axis + 1 + k. After a run without them the next flow is taken as it is.
+  void register_state(StateList& state);
 
  private:
   using Tangential = Eigen::Matrix<double, Dim - 1, 1>;
@@ -63,7 +61,7 @@ class WallModel {
   const Boundary<Dim>& boundary_;
   std::array<petsc::Vector, Dim - 1> filtered_;
   petsc::Vector wall_viscosity_;  ///< in the first cell from a side across component's axis; 0 where nothing is changed
-  bool begun_ = false;
+  bool begun_ = false;            ///< what is filtered is an earlier flow
 };
 
 /// The largest y+ of the middles of the cells beside the box's no-slip walls, by the law at the second cells; the

@@ -48,10 +48,11 @@ class Boundary {
   /// The advanced values become the present ones.
   void accept_outflow();
   bool has_outflow() const { return !outflows_.empty(); }
-  std::vector<OutflowLayer<Dim>>& outflows() { return outflows_; }
-  const std::vector<OutflowLayer<Dim>>& outflows() const { return outflows_; }
-  /// The time of the present values, as a restart sets it.
-  void set_outflow_time(double time) { outflow_time_ = time; }
+  /// Registers what the open sides hold.
+  void register_state(StateList& state) {
+    for (auto& layer : outflows_) layer.register_state(state);
+    if (has_outflow()) state.add_number("/outflow/time", outflow_time_);
+  }
 
   /// Lets no-slip sides move along themselves from `time` on where bodies stand on them.
   void cover_sides(double time, const typename SideCover<Dim>::Cover& cover);

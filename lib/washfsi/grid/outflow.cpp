@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "washfsi/grid/field_slab.hpp"
+
 namespace washfsi {
 
 namespace {
@@ -119,6 +121,18 @@ void OutflowLayer<Dim>::set_values(const std::vector<double>& whole) {
     const Index<Dim> image = grid_.inside(cell);
     for (int c = 0; c < Dim; ++c) now_[offset(kept_, cell, c)] = whole[offset(all_cells(), image, c)];
   });
+}
+
+template <int Dim>
+void OutflowLayer<Dim>::register_state(StateList& state) {
+  const std::string name = std::string("/outflow/") + "xyz"[axis_] + (end_ == End::lower ? "_lower" : "_upper");
+  state.add({.name = name,
+             .slab = box_slab<Dim>(all_cells(), owned_, Dim),
+             .get = [this] { return values(); },
+             .set = [this](const StateEntry::Values& whole) { set_values(whole); },
+             .spread = StateEntry::Spread::parts_of_whole,
+             .get_local = [this] { return now_; },
+             .set_local = [this](StateEntry::Values local) { now_ = std::move(local); }});
 }
 
 template class OutflowLayer<2>;

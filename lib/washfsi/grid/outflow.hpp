@@ -5,6 +5,7 @@
 
 #include "washfsi/grid/grid.hpp"
 #include "washfsi/grid/side.hpp"
+#include "washfsi/support/state_list.hpp"
 
 namespace washfsi {
 
@@ -39,17 +40,13 @@ class OutflowLayer {
   /// The value that holds at the layer's place nearest to a face.
   double operator()(const Index<Dim>& face, int component, bool advanced) const;
 
-  /// The cells beside the layer that this rank owns, none if it does not touch the side; the whole side's.
-  Box<Dim> owned_cells() const { return owned_; }
-  Box<Dim> all_cells() const;
-  /// The present values beside owned cells, x first, components together; and the inverse, from the whole side's.
-  std::vector<double> values() const;
-  void set_values(const std::vector<double>& whole);
-  /// All that this rank keeps of them; and back.
-  const std::vector<double>& kept() const { return now_; }
-  void keep(std::vector<double> values) { now_ = std::move(values); }
+  /// Registers the present values: in a file those beside owned cells, x first, components together.
+  void register_state(StateList& state);
 
  private:
+  Box<Dim> all_cells() const;
+  std::vector<double> values() const;
+  void set_values(const std::vector<double>& whole);
   std::size_t offset(const Box<Dim>& box, Index<Dim> cell, int component) const;
   Index<Dim> nearest_inside(const Index<Dim>& cell, int component) const;
 

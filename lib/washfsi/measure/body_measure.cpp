@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "washfsi/wall_forces/marker_loads.hpp"
+
 namespace washfsi {
 
 namespace {
@@ -82,13 +84,14 @@ Loads<Dim> BodyMeasure<Dim>::inner_inertia(double dt) {
 }
 
 template <int Dim>
-void BodyMeasure<Dim>::observe_markers(const SurfaceForcing<Dim>& walls, double dt) {
+void BodyMeasure<Dim>::observe_markers(const WallForces<Dim>& walls, double dt) {
   const FractionalStep<Dim>& fluid = system_.model.fluid;
   const double time = system_.state.clock.time;
-  const Points<Dim> after = walls.water_at_markers(fluid.velocity(), time);  // as the walls were held: they know it
-  const Points<Dim> before = walls.water_at_markers(fluid.velocity_before(), time - dt);
-  mask_dissipation_ = walls.lost_power(before, after, dt);
-  slips_ = walls.slip_of_bodies(after);
+  const Points<Dim> after =
+      walls.markers().water_velocities(fluid.velocity(), time);  // as no slip was enforced: it is known
+  const Points<Dim> before = walls.markers().water_velocities(fluid.velocity_before(), time - dt);
+  mask_dissipation_ = lost_power(walls, before, after, dt);
+  slips_ = slip_of_bodies(walls.markers(), after);
 }
 
 template <int Dim>
@@ -101,7 +104,7 @@ void BodyMeasure<Dim>::observe(const Observation<Dim>& seen) {
   loads_ = model.mask.loads(fluid.constraint_force(), density, fluid.pressure(), middle);
   const Loads<Dim> beneath =
       model.mask.hidden_wall_shear(model.boundary, seen.velocity, model.liquid.viscosity(), time);
-  const Loads<Dim> of_markers = model.walls ? model.walls->loads() : Loads<Dim>(loads_.size());
+  const Loads<Dim> of_markers = model.walls ? marker_loads(*model.walls) : Loads<Dim>(loads_.size());
   const Loads<Dim> of_inner = inner_inertia(seen.dt);
   for (std::size_t b = 0; b < loads_.size(); ++b)
     for (const Loads<Dim>* part : {&beneath, &of_markers}) loads_[b] += (*part)[b];

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "washfsi/body/control_volume.hpp"
+#include "washfsi/mask/control_volume.hpp"
 #include "washfsi/measure/measure.hpp"
 
 namespace washfsi {
@@ -30,7 +30,7 @@ class BodyMeasure : public Measure<Dim> {
  private:
   Loads<Dim> inner_momenta() const;
   Loads<Dim> inner_inertia(double dt);
-  void observe_markers(const SurfaceForcing<Dim>& walls, double dt);
+  void observe_markers(const WallForces<Dim>& walls, double dt);
 
   const System<Dim>& system_;
   std::optional<ControlVolumes<Dim>> control_volumes_;

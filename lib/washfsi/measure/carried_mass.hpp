@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "washfsi/scheme/system.hpp"
+#include "washfsi/coupling/system.hpp"
 
 namespace washfsi {
 

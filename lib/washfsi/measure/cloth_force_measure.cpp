@@ -46,7 +46,7 @@ template <int Dim>
 void ClothForceMeasure<Dim>::observe(const Observation<Dim>&) {
   by_water_ = sums_of_groups(-1.0 * system_.step.given);
   Points<Dim> forces(system_.model.cloths.owned(), Point<Dim>::Zero());
-  springs_->add_force(system_.step.pushed_at, {}, forces);
+  springs_->add_force(system_.step.evaluated_at, {}, forces);
   by_springs_ = sums_of_groups(forces);
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "washfsi/scheme/step_error.hpp"
+#include "washfsi/coupling/step_error.hpp"
 #include "washfsi/support/collective.hpp"
 
 namespace washfsi {
@@ -284,6 +284,14 @@ std::vector<double> ClothMeasure<Dim>::track_row() const {
   std::vector<double> row{system_.state.clock.time};
   for (const auto& center : centers_) row.insert(row.end(), center.data(), center.data() + Dim);
   return row;
+}
+
+template <int Dim>
+void ClothMeasure<Dim>::register_state(StateList& state) {
+  state.add({.name = "/cloth/time_integrals",
+             .slab = system_.model.cloths.slab(static_cast<int>(marker_quantities<Dim>().size())),
+             .get = [this] { return time_integrals_; },
+             .set = [this](StateEntry::Values values) { time_integrals_ = std::move(values); }});
 }
 
 template class ClothMeasure<2>;

@@ -3,13 +3,13 @@
 
 #include <optional>
 
-#include "washfsi/machine/body_depths.hpp"
-#include "washfsi/machine/crossings.hpp"
-#include "washfsi/machine/machine_axis.hpp"
-#include "washfsi/machine/paths.hpp"
-#include "washfsi/machine/tumbling.hpp"
+#include "washfsi/measure/body_depths.hpp"
+#include "washfsi/measure/crossings.hpp"
+#include "washfsi/measure/machine_axis.hpp"
 #include "washfsi/measure/marker_quantities.hpp"
 #include "washfsi/measure/measure.hpp"
+#include "washfsi/measure/paths.hpp"
+#include "washfsi/measure/tumbling.hpp"
 #include "washfsi/output/series.hpp"
 
 namespace washfsi {
@@ -47,8 +47,8 @@ class ClothMeasure : public Measure<Dim> {
 
   std::vector<MarkerField> marker_fields() const override;
 
-  /// Integrals over time of each quantity of each of this rank's markers: a restart needs them.
-  std::vector<double>& time_integrals() { return time_integrals_; }
+  /// Registers the integrals over time of each quantity of each marker.
+  void register_state(StateList& state);
 
  private:
   void declare_all(QuantityList& quantities);

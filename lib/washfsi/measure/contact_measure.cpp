@@ -51,7 +51,7 @@ void ContactMeasure<Dim>::declare_group(QuantityList& quantities, std::size_t g)
 template <int Dim>
 MarkerContact ContactMeasure<Dim>::contact(bool with_bodies) const {
   MarkerContact contact(system_.model.cloths.owned());
-  for (const auto* force : forces_[with_bodies]) force->add_marker_contact(system_.step.pushed_at, contact);
+  for (const auto* force : forces_[with_bodies]) force->add_marker_contact(system_.step.evaluated_at, contact);
   return contact;
 }
 

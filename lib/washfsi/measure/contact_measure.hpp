@@ -4,8 +4,8 @@
 #include <array>
 
 #include "washfsi/contact/contact_force.hpp"
+#include "washfsi/coupling/system.hpp"
 #include "washfsi/measure/measure.hpp"
-#include "washfsi/scheme/system.hpp"
 
 namespace washfsi {
 

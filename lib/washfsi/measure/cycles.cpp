@@ -37,7 +37,7 @@ Cycles::Cycles(QuantityList& quantities, double period, const std::string& name)
       {{"_sums", &sums_}, {"_before", &before_}, {"_last", &last_}, {"_means", &means_}, {"_squares", &squares_}}};
   for (const auto& [part, values] : of_figures) {
     values->assign(figures_.size(), 0.0);
-    quantities.keep(name + part, *values, QuantityList::IfOthers::begin_anew);
+    quantities.keep(name + part, *values, QuantityList::IfOther::begin_anew);
   }
 }
 

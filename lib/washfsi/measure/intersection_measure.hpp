@@ -3,10 +3,10 @@
 
 #include <string>
 
-#include "washfsi/machine/body_depths.hpp"
-#include "washfsi/machine/intersections.hpp"
+#include "washfsi/coupling/system.hpp"
+#include "washfsi/measure/body_depths.hpp"
+#include "washfsi/measure/intersections.hpp"
 #include "washfsi/measure/measure.hpp"
-#include "washfsi/scheme/system.hpp"
 
 namespace washfsi {
 
@@ -26,7 +26,7 @@ class IntersectionMeasure {
   void verify(double dt);
 
  private:
-  bool is_forbidden() const { return system_.model.forces.limit_motion(); }
+  bool is_forbidden() const { return system_.model.forces.have_step_limit(); }
   bool counts() const;
   void count();
   /// The first that must not be, in words; empty if there is none.

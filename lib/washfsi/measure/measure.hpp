@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "washfsi/coupling/system.hpp"
 #include "washfsi/measure/quantity.hpp"
 #include "washfsi/output/series.hpp"
-#include "washfsi/scheme/system.hpp"
 
 namespace washfsi {
 

@@ -87,7 +87,7 @@ Measures<Dim>::Measures(const System<Dim>& system, const MeasureOptions& options
   quantities_.keep("unmeasured_time", {&unmeasured_time_, 1});
   if (options.statistics.take) {
     statistics_ = std::make_unique<FlowStatistics<Dim>>(system.model.grid, options.statistics);
-    quantities_.keep("statistics", statistics_->kept(), QuantityList::IfOthers::begin_anew);
+    quantities_.keep("statistics", statistics_->kept(), QuantityList::IfOther::begin_anew);
   }
   const double cycle_time = options.cycle_time > 0 ? options.cycle_time : first_period(system.model.bodies);
   take_phases(options, cycle_time);
@@ -101,14 +101,14 @@ void Measures<Dim>::take_phases(const MeasureOptions& options, double cycle_time
     if (options.phases.count == 0) return;
     const PhaseOptions phases = completed(options.phases, cycle_time, system_.model, options.machine);
     phases_ = std::make_unique<PhaseStatistics>(system_.model.grid, phases);
-    quantities_.keep("phases", phases_->kept(), QuantityList::IfOthers::begin_anew);
+    quantities_.keep("phases", phases_->kept(), QuantityList::IfOther::begin_anew);
   }
 }
 
 template <int Dim>
 ContactLoads<Dim> Measures<Dim>::contact() const {
   const Model<Dim>& model = system_.model;
-  ContactLoads<Dim> loads = contact_loads<Dim>(model.forces, system_.step.pushed_at, model.bodies.size());
+  ContactLoads<Dim> loads = contact_loads<Dim>(model.forces, system_.step.evaluated_at, model.bodies.size());
   if (system_.step.end_share < 1) loads = weighed(system_.step.end_share, loads, system_.step.contact_at_start);
   loads.bodies = ordered_sum<Dim>(model.grid.comm(), loads.bodies);
   Loads<Dim> sides;
@@ -180,6 +180,12 @@ void Measures<Dim>::observe(double dt, bool all) {
 
 template MeasureOptions MeasureOptions::from_options<2>(Options&, const Point<2>&, const Point<2>&);
 template MeasureOptions MeasureOptions::from_options<3>(Options&, const Point<3>&, const Point<3>&);
+template <int Dim>
+void Measures<Dim>::register_state(StateList& state) {
+  cloth_.register_state(state);
+  quantities_.register_state(state);
+}
+
 template class Measures<2>;
 template class Measures<3>;
 

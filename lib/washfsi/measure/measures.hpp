@@ -50,6 +50,9 @@ class Measures {
   /// Takes the state without adding it to the averages. Collective.
   void observe_start(double dt);
 
+  /// Registers what goes on from step to step: averages and the like.
+  void register_state(StateList& state);
+
   QuantityList& quantities() { return quantities_; }
   const QuantityList& quantities() const { return quantities_; }
   /// The figures of a cycle, over the whole run.

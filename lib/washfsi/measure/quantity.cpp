@@ -9,15 +9,16 @@ void QuantityList::add(Quantity quantity, std::vector<CycleFigure> of_cycle) {
   taken_.push_back(0.0);
   double& largest = largest_.emplace_back(0.0);
   if (quantity.accumulation != Accumulation::none)
-    keep("largest_" + (quantity.name.empty() ? quantity.summary : quantity.name), {&largest, 1}, IfOthers::begin_anew);
+    keep("largest_" + (quantity.name.empty() ? quantity.summary : quantity.name), {&largest, 1}, IfOther::begin_anew);
   quantities_.push_back(std::move(quantity));
   of_cycle_.push_back(std::move(of_cycle));
 }
 
-void QuantityList::keep(const std::string& name, std::span<double> numbers, IfOthers others) {
+void QuantityList::keep(const std::string& name, std::span<double> numbers, IfOther if_other) {
   std::string path = name;
   std::replace(path.begin(), path.end(), '/', '_');
-  kept_.push_back({path, numbers, others});
+  kept_.push_back(numbers_entry("/totals/" + path, numbers));
+  kept_.back().if_other = if_other;
 }
 
 void QuantityList::accumulate() {
@@ -29,6 +30,11 @@ void QuantityList::accumulate() {
 
 double QuantityList::shown(std::size_t n) const {
   return quantities_[n].accumulation == Accumulation::largest_so_far ? largest_[n] : taken_[n];
+}
+
+void QuantityList::register_state(StateList& state) {
+  for (const StateEntry& entry : kept_) state.add(entry);
+  state.add(numbers_entry("/measured", taken_)).if_other = IfOther::begin_anew;
 }
 
 std::vector<CycleFigure> QuantityList::cycle_figures() const {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "washfsi/output/history.hpp"
+#include "washfsi/support/state_list.hpp"
 
 namespace washfsi {
 
@@ -53,16 +54,14 @@ class QuantityList {
  public:
   /// Adds a quantity, and what it gives for a cycle.
   void add(Quantity quantity, std::vector<CycleFigure> of_cycle = {});
-  /// What becomes of numbers of which a checkpoint has more or fewer, since the case was changed.
-  enum class IfOthers { refuse, begin_anew };
+  using IfOther = StateEntry::IfOther;
   /// Numbers that go on from step to step and that a checkpoint must keep. They must outlive the list.
-  void keep(const std::string& name, std::span<double> numbers, IfOthers others = IfOthers::refuse);
+  void keep(const std::string& name, std::span<double> numbers, IfOther if_other = IfOther::refuse);
 
   /// Takes the present values, and them into the largest ones.
   void accumulate();
-  /// The values taken last, which a checkpoint keeps for a run that has no step left to take.
-  const std::vector<double>& taken() const { return taken_; }
-  void set_taken(const std::vector<double>& values) { taken_ = values; }
+  /// Registers what is kept, and the values taken last, for a run that has no step left to take.
+  void register_state(StateList& state);
 
   /// All figures of a cycle, each with the present value of its quantity.
   std::vector<CycleFigure> cycle_figures() const;
@@ -82,14 +81,6 @@ class QuantityList {
   /// What the summary has at a pointer; 0 if it has nothing there.
   double summary_value(const std::string& pointer) const;
 
-  /// What a checkpoint keeps: names and places of numbers.
-  struct Kept {
-    std::string name;
-    std::span<double> numbers;
-    IfOthers others;
-  };
-  const std::vector<Kept>& kept() const { return kept_; }
-
   /// A table of the history's columns in Markdown.
   std::string document() const;
 
@@ -100,7 +91,7 @@ class QuantityList {
   std::vector<std::vector<CycleFigure>> of_cycle_;  ///< of each quantity
   std::vector<double> taken_;
   std::deque<double> largest_;  ///< of each quantity; does not move as it grows
-  std::vector<Kept> kept_;
+  std::vector<StateEntry> kept_;
 };
 
 }  // namespace washfsi

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "washfsi/coupling/system.hpp"
 #include "washfsi/measure/measure.hpp"
-#include "washfsi/scheme/system.hpp"
 
 namespace washfsi {
 

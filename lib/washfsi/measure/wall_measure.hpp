@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "washfsi/body/wall_loads.hpp"
+#include "washfsi/mask/wall_loads.hpp"
 #include "washfsi/measure/measure.hpp"
 
 namespace washfsi {

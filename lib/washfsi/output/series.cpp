@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/output/series.hpp"
 
-#include "washfsi/output/field_slab.hpp"
+#include "washfsi/grid/field_slab.hpp"
 #include "washfsi/support/collective.hpp"
 #include "washfsi/support/options.hpp"
 
@@ -226,7 +226,7 @@ void ClothSeries<Dim>::write_constants(Hdf5File& file) const {
     group.push_back(static_cast<double>(cloths_.pieces()[piece].group));
     cloth.push_back(static_cast<double>(piece));
   }
-  const Slab markers = marker_slab(cloths_.marker_count(), cloths_.begin(), cloths_.end(), 1);
+  const Slab markers = cloths_.slab(1);
   file.write("/group", markers, group);
   std::vector<std::string> names;
   for (const auto& of_group : cloths_.groups()) names.push_back(of_group.name);
@@ -238,8 +238,8 @@ template <int Dim>
 void ClothSeries<Dim>::write(double time, long step, const Points<Dim>& positions, const Points<Dim>& velocities,
                              const std::vector<MarkerField>& fields) {
   const petsc::LogPart part("output");
-  const Slab vector = marker_slab(cloths_.marker_count(), cloths_.begin(), cloths_.end(), 3);
-  const Slab scalar = marker_slab(cloths_.marker_count(), cloths_.begin(), cloths_.end(), 1);
+  const Slab vector = cloths_.slab(3);
+  const Slab scalar = cloths_.slab(1);
   frames_.add(
       time, step,
       [&](Hdf5File& file) {

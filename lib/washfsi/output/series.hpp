@@ -3,9 +3,9 @@
 
 #include <optional>
 
-#include "washfsi/body/body.hpp"
 #include "washfsi/cloth/cloths.hpp"
 #include "washfsi/grid/boundary.hpp"
+#include "washfsi/motion/body.hpp"
 #include "washfsi/output/frame_folder.hpp"
 #include "washfsi/output/slice_series.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "washfsi/output/field_slab.hpp"
+#include "washfsi/grid/field_slab.hpp"
 #include "washfsi/support/collective.hpp"
 
 namespace washfsi {

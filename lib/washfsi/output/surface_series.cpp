@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "washfsi/body/zero_surface.hpp"
-#include "washfsi/output/field_slab.hpp"
+#include "washfsi/grid/field_slab.hpp"
+#include "washfsi/shapes/zero_surface.hpp"
 #include "washfsi/support/collective.hpp"
 #include "washfsi/support/errors.hpp"
 #include "washfsi/support/options.hpp"

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "washfsi/body/body.hpp"
 #include "washfsi/grid/grid.hpp"
+#include "washfsi/motion/body.hpp"
 #include "washfsi/output/frame_folder.hpp"
 
 namespace washfsi {

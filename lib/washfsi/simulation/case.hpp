@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "washfsi/machine/placement.hpp"
+#include "washfsi/coupling/coupling_scheme.hpp"
 #include "washfsi/measure/measures.hpp"
-#include "washfsi/scheme/coupling_scheme.hpp"
+#include "washfsi/placement/placement.hpp"
 #include "washfsi/simulation/initial_flow.hpp"
 
 namespace washfsi {

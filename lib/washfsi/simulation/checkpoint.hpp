@@ -19,8 +19,7 @@ struct RunState {
 /// Writes the complete state to FOLDER/checkpoint.h5, under another name first, so that the last good one is never
 /// lost. Collective. Errors: FileError.
 template <int Dim>
-void write_checkpoint(const std::string& folder, const System<Dim>& system, Measures<Dim>& measures,
-                      const RunState& state);
+void write_checkpoint(const std::string& folder, System<Dim>& system, Measures<Dim>& measures, RunState& run);
 
 /// Takes the state from a checkpoint, written on any number of ranks. Collective.
 /// Errors: InputError naming -restart if the file is unreadable or of another grid or cloth.

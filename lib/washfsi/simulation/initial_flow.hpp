@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "washfsi/scheme/model.hpp"
+#include "washfsi/coupling/model.hpp"
 #include "washfsi/simulation/channel_start.hpp"
 
 namespace washfsi {

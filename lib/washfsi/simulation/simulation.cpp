@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "washfsi/scheme/coupling_operations.hpp"
+#include "washfsi/coupling/coupling_operations.hpp"
 #include "washfsi/simulation/changed_options.hpp"
 #include "washfsi/simulation/doubtful_options.hpp"
 #include "washfsi/simulation/idle_options.hpp"

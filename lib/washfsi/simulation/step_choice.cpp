@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "washfsi/coupling/step_error.hpp"
+#include "washfsi/coupling/system_state.hpp"
 #include "washfsi/fluid/diagnostics.hpp"
-#include "washfsi/scheme/kept_start.hpp"
-#include "washfsi/scheme/step_error.hpp"
 #include "washfsi/support/collective.hpp"
 #include "washfsi/support/errors.hpp"
 
@@ -67,11 +67,11 @@ template <int Dim>
 double StepChoice<Dim>::tried(double dt) const {
   if (!system_.model.has_fluid) return dt;
   const double courant = run_.time_cfl > 0 ? run_.time_cfl : 0.6 * std::min(1.0, run_.max_courant);
-  const KeptStart<Dim> start(system_);
+  const SavedStart<Dim> start(system_);
   double trial = dt;
   for (int n = 0; n < most_trials; ++n) {
     const double found = courant_after(trial).value_or(std::numeric_limits<double>::infinity());
-    start.restore(system_);
+    start.restore();
     if (found <= courant * (1 + 1e-6)) return trial;
     trial = shortened(trial, courant, found);
   }
@@ -90,11 +90,11 @@ void StepChoice<Dim>::advance(RunState& state) const {
   constexpr double more = 1.25, below_most = 0.95;
   if (may_shorten()) {
     const double most = std::min(more * run_.time_cfl, below_most * run_.max_courant);
-    const KeptStart<Dim> start(system_);
+    const SavedStart<Dim> start(system_);
     for (int n = 1; n < most_trials; ++n) {
       const std::optional<double> found = courant_after(state.dt);
       if (found && *found <= most) return;
-      start.restore(system_);
+      start.restore();
       state.dt = shortened(state.dt, run_.time_cfl, found.value_or(2 * run_.time_cfl));
     }
   }

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "washfsi/scheme/coupling_scheme.hpp"
+#include "washfsi/coupling/coupling_scheme.hpp"
 #include "washfsi/simulation/checkpoint.hpp"
 #include "washfsi/simulation/options.hpp"
 

@@ -111,7 +111,11 @@ void Hdf5File::write(const std::string& dataset, const Slab& slab, const std::ve
 }
 
 bool Hdf5File::has(const std::string& dataset) {
-  const htri_t found = H5Lexists(file_, dataset.c_str(), H5P_DEFAULT);
+  htri_t found = 1;
+  for (std::size_t end = dataset.find('/', 1); found > 0; end = dataset.find('/', end + 1)) {
+    found = H5Lexists(file_, dataset.substr(0, end).c_str(), H5P_DEFAULT);
+    if (end == std::string::npos) break;
+  }
   agree(found >= 0, "cannot be searched for " + dataset);
   return found > 0;
 }

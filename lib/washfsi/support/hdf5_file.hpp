@@ -4,17 +4,11 @@
 #include <string>
 #include <vector>
 
-#include <hdf5.h>
 #include <mpi.h>
 
-namespace washfsi {
+#include "washfsi/support/slab.hpp"
 
-/// The part of a dataset that this rank holds: slowest index first.
-struct Slab {
-  std::vector<hsize_t> shape;   ///< of the whole dataset
-  std::vector<hsize_t> offset;  ///< of this rank's part
-  std::vector<hsize_t> count;   ///< of this rank's part; a zero means none
-};
+namespace washfsi {
 
 /// An HDF5 file that all ranks share. All members are collective. Errors, on all ranks: FileError when writing,
 /// InputError when reading.
@@ -35,7 +29,7 @@ class Hdf5File {
   void write_sealed(const std::string& dataset, const Slab& slab, const std::vector<double>& values);
   enum class Readers { parts, whole };  ///< whether each rank reads its part, or all of them the same
   std::vector<double> read_sealed(const std::string& dataset, const Slab& slab, Readers readers = Readers::parts);
-  /// Whether there is a dataset, in a group that there is.
+  /// Whether there is a dataset.
   bool has(const std::string& dataset);
   /// Whole shape of a dataset.
   std::vector<hsize_t> shape(const std::string& dataset);

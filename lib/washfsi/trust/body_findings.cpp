@@ -129,7 +129,7 @@ void add_body(const Model<Dim>& model, std::size_t b, const std::vector<BodySurv
     findings.push_back(presence_for_cloths<Dim>(model.bodies[b], survey, model.grid.spacing().norm()));
     return;
   }
-  const std::size_t markers = model.walls ? model.walls->markers_of(b) : 0;
+  const std::size_t markers = model.walls ? model.walls->markers().layout().of_body(b).markers.size() : 0;
   findings.push_back(presence<Dim>(model.bodies[b], survey, model.grid.cell_count(), markers));
   if (findings.back().verdict != Verdict::ok) return;
   findings.push_back(thickness(name, survey, markers > 0));

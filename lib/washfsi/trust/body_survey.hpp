@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "washfsi/scheme/step_bound.hpp"
+#include "washfsi/coupling/step_bound.hpp"
 
 namespace washfsi {
 

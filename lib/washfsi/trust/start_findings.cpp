@@ -5,7 +5,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "washfsi/machine/crossings.hpp"
+#include "washfsi/measure/crossings.hpp"
 #include "washfsi/support/collective.hpp"
 #include "washfsi/support/format_text.hpp"
 #include "washfsi/trust/body_findings.hpp"

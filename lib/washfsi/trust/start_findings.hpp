@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "washfsi/coupling/system.hpp"
 #include "washfsi/measure/cycles.hpp"
-#include "washfsi/scheme/system.hpp"
 #include "washfsi/trust/body_survey.hpp"
 #include "washfsi/trust/finding.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "washfsi/body/body.hpp"
 #include "washfsi/grid/grid.hpp"
+#include "washfsi/motion/body.hpp"
 
 namespace washfsi {
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Thesis 4.3.1: circular Couette flow, 20 s from the exact field, by tests/body/couette_test.cpp.
+"""Thesis 4.3.1: circular Couette flow, 20 s from the exact field, by tests/mask/couette_test.cpp.
 
 Errors of the velocity at cell centres over its local exact value: the rms in the mean over four places of the centre within
 a cell, and the largest of all four. The thesis has one place, which is not known.

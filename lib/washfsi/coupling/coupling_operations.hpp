@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The operations that coupling schemes compose. All are collective.
+#pragma once
+
+#include "washfsi/coupling/system.hpp"
+
+namespace washfsi {
+
+/// Lets the forces on the cloths look at what is near to these places; they are to act at `time`, until which the
+/// markers move for dt, with such an acceleration, and then make up this share of the step's mean force.
+template <int Dim>
+void begin_step(System<Dim>& system, const Points<Dim>& positions, double time, double dt,
+                const Acceleration<Dim>& acceleration = {}, double share = 1);
+
+/// The same for forces at these places and this time, which are then held for dt. Locates the cloth.
+template <int Dim>
+void begin_explicit_step(System<Dim>& system, const Points<Dim>& positions, double time, double dt);
+
+/// All forces at these places; keeps the places.
+template <int Dim>
+Points<Dim> all_forces(System<Dim>& system, const Points<Dim>& positions);
+
+/// Spreads the forces from where the cloth was located last into the step's force density.
+template <int Dim>
+void spread_cloth(System<Dim>& system, const Points<Dim>& forces);
+
+/// Places the markers that hold the walls, if any do, as they are at `time`, and moves the sides beneath bodies.
+template <int Dim>
+void place_walls(Model<Dim>& model, double time);
+
+/// Places the bodies as they are at `time`.
+template <int Dim>
+void place_bodies(System<Dim>& system, double time);
+
+/// Phases 1 and 2 of the fluid's step with the liquid and the bodies as they are, and the step's force density.
+template <int Dim>
+void predict(System<Dim>& system, double dt);
+/// All phases but the last, for schemes without further forces.
+template <int Dim>
+void move_water(System<Dim>& system, double dt);
+
+/// U = J [H u + (1-H) u_solid] for a velocity at `time` and the bodies as they were placed last.
+template <int Dim>
+Points<Dim> marker_velocities(const Model<Dim>& model, Vec velocity, double time);
+
+/// X and a motion from there, as far as nothing limits it: markers that would go through a cloth stay behind. What
+/// forces look at is right for the new places too.
+template <int Dim>
+Points<Dim> moved(System<Dim>& system, const Points<Dim>& motion);
+
+/// Sum of products, and 2-norm, over all markers of all ranks.
+template <int Dim>
+double dot(MPI_Comm comm, const Points<Dim>& a, const Points<Dim>& b);
+template <int Dim>
+double norm(MPI_Comm comm, const Points<Dim>& values);
+
+}  // namespace washfsi

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/cloth/forces.hpp"
+#include "washfsi/coupling/cloth_solver.hpp"
+#include "washfsi/coupling/step_mobility.hpp"
+
+namespace washfsi {
+
+/// The cloths' equations where something limits their motion, in a step from X with the mobility M, symmetric and
+/// positive, and the water's velocity U before the forces change by y:
+///   V = U + N y,     y = F(X + dt V) - F,     N = dt M
+/// Newton's steps,  (1 + dt N K) dV = -(V - U - N y(V)),  by GMRES with the preconditioner 1 + dt^2 D K, D the row sums
+/// of M. They are shortened to what is free, and further until what is left of the equation, preconditioned, falls.
+/// Where that fails, the equations are solved for y, since for V they have no potential without M^-1:
+///   phi(y) = 1/2 y.N y + E(X + dt V)/dt + F.V     has the gradient  N (y - F(X + dt V) + F)
+/// and falls along Newton's steps,  (1 + dt K N) dy = -(y - ...).
+template <int Dim>
+class ForceEquation {
+ public:
+  /// The solver must outlive it.
+  explicit ForceEquation(ClothSolver<Dim>& solver) : solver_(solver) {}
+
+  struct Step {
+    Forces<Dim>& all;                     ///< on the cloths
+    double dt;                            ///< [s]
+    const Points<Dim>& start;             ///< X, from which the way must be free [m]
+    const Points<Dim>& water_velocities;  ///< U [m/s]
+    const Points<Dim>& forces;            ///< F, which the water has already [N]
+    const StepMobility<Dim>& mobility;    ///< M, D [1/kg]
+    double tolerance;                     ///< of the velocities' 2-norm [m/s]
+  };
+  /// V, from the best of the guesses. Adds the evaluations to `iterations`. Collective. Errors: DivergedError.
+  Points<Dim> solve(const Step& step, const std::vector<Points<Dim>>& guesses, double& iterations);
+
+  /// U + N y with a share of U. Collective.
+  Points<Dim> velocities(const Step& step, double share, const Points<Dim>& change) const;
+
+ private:
+  Points<Dim> residual(const Step& step, double share, const Points<Dim>& all) const;
+  bool is_free(const Step& step, const Points<Dim>& all) const;
+  void solve_at(const Step& step, double share, Points<Dim>& all, double& iterations);
+  Points<Dim> solved_for_forces(const Step& step, double share, const Points<Dim>& guess, double& iterations);
+  Points<Dim> solved_by_shares(const Step& step, double& iterations);
+  ClothEquation<Dim> of_velocities(const Step& step, double share);
+  ClothEquation<Dim> of_forces(const Step& step, double share);
+  double potential(const Step& step, double share, const Points<Dim>& change) const;
+  void set_stiffness(const Step& step, const Points<Dim>& places, GeometricStiffness geometric, Mat matrix);
+  std::vector<double> diagonal(const Step& step) const;
+
+  ClothSolver<Dim>& solver_;
+  petsc::Matrix stiffness_;  ///< K where it was assembled last
+  MatrixProduct<Dim> product_;
+  std::vector<long> pattern_;  ///< of it
+};
+
+/// Stops unless the mobility's matrix is symmetric, where it has to be. Errors: InputError.
+template <int Dim>
+void check_symmetry(const Model<Dim>& model);
+
+extern template class ForceEquation<2>;
+extern template class ForceEquation<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The implicit step, thesis 3.4 for two dimensions: the markers' velocities W = (X^(n+1) - X^n)/dt solve
+//   trapezoidal      W = 1/2 [ U^n + U^(n+1) ]        thesis (3.2-14)
+//   backward_euler   W = U^(n+1)                      damps more
+// where U^(n+1) = J(X) [H u + (1-H) u_solid] and u is the fluid's velocity after a whole step with rho, S and the
+// forces at X = X^n + dt W: one fluid solve for each evaluation of the residual. First order, since
+// the force of the end acts over the whole step: it takes energy out and never puts any in. Solved by Broyden's method
+// (SNES prefix cloth_), which starts from  I + c dt^2 D K  with the elastic stiffness K, c = 1/2 or 1, and the
+// mobility's row sums D. Where contact limits the motion, by sweeps instead, each of a fluid solve with the forces at
+// the last W and the solution of
+//   W' - c U^(n+1)(W) [- 1/2 U^n] = c dt M [F(X^n + dt W') - F(X^n + dt W)]      (coupling/force_equation.hpp)
+#pragma once
+
+#include "washfsi/coupling/cloth_solver.hpp"
+#include "washfsi/coupling/coupling_scheme.hpp"
+#include "washfsi/coupling/force_equation.hpp"
+#include "washfsi/coupling/seepage.hpp"
+#include "washfsi/coupling/step_mobility.hpp"
+
+namespace washfsi {
+
+template <int Dim>
+class ImplicitCoupling : public CouplingScheme<Dim> {
+ public:
+  static constexpr bool takes_inertia = true;
+  static constexpr bool takes_seepage = true;
+
+  ImplicitCoupling(System<Dim>& system, const CouplingOptions& options);
+  double step_bound(const System<Dim>& system) const override;
+
+ private:
+  void take(System<Dim>& system, double dt) override;
+  Points<Dim> fluid_step(System<Dim>& system, double dt, const Points<Dim>& velocities) const;
+  double tolerance(const System<Dim>& system) const;
+  Points<Dim> solve(System<Dim>& system, double dt, Points<Dim>& last);
+  Points<Dim> solve_by_sweeps(System<Dim>& system, double dt, Points<Dim>& last);
+  bool is_trapezoidal() const { return options_.time_scheme == TimeScheme::trapezoidal; }
+  double weight() const { return is_trapezoidal() ? 0.5 : 1; }
+
+  CouplingOptions options_;
+  ClothSolver<Dim> solver_;
+  ForceEquation<Dim> force_equation_;
+  Seepage<Dim> seepage_;
+  StepMobility<Dim> mobility_;
+};
+
+}  // namespace washfsi

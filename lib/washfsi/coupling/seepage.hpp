@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "washfsi/coupling/films.hpp"
+#include "washfsi/coupling/step_mobility.hpp"
+
+namespace washfsi {
+
+/// Water that goes through permeable cloth. A marker with the undeformed area A, which gives the water the force f,
+/// moves relative to it by
+///   V - J u = B f,     B = permeance/A
+/// Across the cloth that is Darcy's law with the jump of pressure  n.f/A. Along it the water that goes through is held
+/// no better: the markers hold the mean of both sides, so that water that comes obliquely would else leave with the
+/// opposite velocity along the cloth. The water is that of both sides: its volume is kept. The power f.B f goes into
+/// heat within the cloth, never the other way. Where asked for, B has the films between cloths too.
+template <int Dim>
+class Seepage {
+ public:
+  /// The model must outlive it.
+  explicit Seepage(const Model<Dim>& model);
+
+  /// Whether any cloth is permeable, or films drain.
+  bool present() const { return present_; }
+  /// Before each step, from these places of this rank's markers, which give these forces to the water as
+  /// it begins. Collective.
+  void begin_step(const Points<Dim>& positions, const Points<Dim>& forces);
+  /// B f of this rank's markers, which give these forces to the water [m/s]. Collective.
+  Points<Dim> velocities(const Points<Dim>& forces) const;
+  /// sum f.B f over all markers of all ranks [W; per unit depth in the plane]. Collective.
+  double power(const Points<Dim>& forces) const;
+  /// Adds factor times B to a mobility. Collective.
+  void add_to(StepMobility<Dim>& mobility, double factor) const;
+
+ private:
+  const Cloths<Dim>& cloths_;
+  std::optional<Films<Dim>> films_;
+  bool present_ = false;
+  std::vector<double> rates_;  ///< permeance over area of each of this rank's markers [m/(s N)]
+};
+
+extern template class Seepage<2>;
+extern template class Seepage<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The incremental semi-implicit step: one solve of the cloth's equations and two projections. H is the fluid fraction
+// of each face, W the markers' velocity, F the sum of all forces that depend on the markers' places alone, of
+// elasticity, holding springs, contact and inertia, with the bodies where they are at that time. The weights (a, b, c)
+// stand for the time scheme, of force and velocity alike:
+//   order 1      (1, 0, 0)                              backward Euler
+//   order 2      (9/16, 7/16 - r/16, r/16)              r: this step over the last; the first step is backward Euler
+//   1. spread      S, J, rho at X^n + dt/2 V^n;  f = S (a F + b F^n + c F^(n-1) + weight, loads);  F = F^n + I^n/a at
+//   first
+//   2. fluid       u, p by the fractional step with f
+//   3. markers     U = J [H (a u + b u^n + c u^(n-1)) + (1-H) u_solid];  permeable ones + B f (coupling/seepage.hpp),
+//   and
+//                  M + a B/dt below
+//   4. mobility    M = factor times a^2 J H S / rho, a sparse matrix or a product that bounds the true mobility of the
+//                  markers, that of cloths lying on each other included; or, D, its row sums, a diagonal. Stable for
+//                  any step if factor >= 3/4 and the density is nearly uniform; a heavy plate needs 1
+//   5. elasticity  W - U = dt M [F(X^n + dt W) - F], by Newton's method. With D the equations are the gradient of a
+//                  potential; with M they are solved by GMRES, preconditioned by those with D. Where contact limits
+//                  the motion, see coupling/force_equation.hpp
+//   6. correction  f' = a H S [F(X^n + dt W) - F]: u += dt f'/rho, projected;  F = F(X^n + dt W)
+//   7. slip        |W - U| / |W| with the new u; above a tolerance 5 and 6 again with that U, a few times at most; of
+//                  packed loads with 3/4 of M, since what is left is mostly what the pressure resists
+//   8. markers     X^(n+1) = X^n + dt W;  V^(n+1) = W, or, order 2, extrapolated to the end
+// Backward Euler damps as a Kelvin-Voigt time between dt and 2 dt does; -..._damping is not used. Order 2 leaves smooth
+// motions and damps stiff ones by three a step: the modified Crank-Nicolson/Adams-Bashforth weights of Ascher, Ruuth
+// and Wetton, SIAM J. Numer. Anal. 32 (1995) 797, on a constraint and on both sides of it.
+#pragma once
+
+#include "washfsi/coupling/cloth_solver.hpp"
+#include "washfsi/coupling/coupling_scheme.hpp"
+#include "washfsi/coupling/force_equation.hpp"
+#include "washfsi/coupling/seepage.hpp"
+#include "washfsi/coupling/step_mobility.hpp"
+
+namespace washfsi {
+
+/// What of the force and velocity at a step's end, at its start and one step before makes up their mean.
+struct StepWeights {
+  double end = 1, start = 0, before = 0;
+};
+
+template <int Dim>
+class SemiImplicitCoupling : public CouplingScheme<Dim> {
+ public:
+  static constexpr bool takes_inertia = true;
+  static constexpr bool takes_seepage = true;
+
+  SemiImplicitCoupling(System<Dim>& system, const CouplingOptions& options);
+  double step_bound(const System<Dim>& system) const override;
+
+ private:
+  void take(System<Dim>& system, double dt) override;
+  void weigh(const System<Dim>& system, double dt);
+  void find_known_water(const System<Dim>& system);
+  /// The water's mean velocity at the markers; with what seeps through them, theirs.
+  Points<Dim> water_velocities(const System<Dim>& system, double dt) const;
+  Points<Dim> reached_velocities(const System<Dim>& system, double dt) const;
+  void begin_motion(System<Dim>& system, double dt) const;
+  void sweep(System<Dim>& system, double dt, Points<Dim> forces, Points<Dim> interpolated);
+  /// V from U and F. Collective. Errors: DivergedError.
+  Points<Dim> move(System<Dim>& system, double dt, const Points<Dim>& free_velocities, const Points<Dim>& forces);
+  Points<Dim> move_by_matrix(System<Dim>& system, double dt, const Points<Dim>& free_velocities,
+                             const Points<Dim>& forces, double tolerance);
+  Points<Dim> move_by_forces(System<Dim>& system, double dt, const Points<Dim>& free_velocities,
+                             const Points<Dim>& forces, double tolerance);
+  Points<Dim> move_by_row_sums(System<Dim>& system, double dt, const Points<Dim>& free_velocities,
+                               const Points<Dim>& forces, double tolerance);
+  double slip(MPI_Comm comm, const Points<Dim>& interpolated) const;
+
+  CouplingOptions options_;
+  StepWeights weights_;
+  petsc::Vector known_water_;  ///< what is known of the mean velocity before the step; null in first order
+  ClothSolver<Dim> solver_;
+  ForceEquation<Dim> force_equation_;
+  StepMobility<Dim> mobility_;  ///< M, D of the step under way
+  Seepage<Dim> seepage_;
+  Points<Dim> velocities_;  ///< W
+  Points<Dim> change_;      ///< guess of how the forces change in the step under way, for its first sweep
+};
+
+}  // namespace washfsi

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/cloth/near_markers.hpp"
+#include "washfsi/coupling/model.hpp"
+#include "washfsi/immersed_boundary/face_mobility.hpp"
+#include "washfsi/immersed_boundary/mobility.hpp"
+#include "washfsi/support/point_vectors.hpp"
+
+namespace washfsi {
+
+/// What stands for the mobility of the markers in a step: M, symmetric, or the sums of its rows. M is a sparse matrix
+/// or, of packed loads, a product through the faces of the grid, to which parts may be added.
+template <int Dim>
+class StepMobility {
+ public:
+  /// Collective.
+  explicit StepMobility(const Model<Dim>& model)
+      : near_(model.cloths, periods_of<Dim>(model.grid)),
+        matrix_(model.grid, model.transfer.delta()),
+        faces_(model.grid, model.transfer.delta()) {}
+
+  /// At the places where the cloths were located last, times a factor. Where contact limits the markers' motion, those
+  /// that are in the same water get a little mobility of their own. Collective.
+  void find(const Model<Dim>& model, const Points<Dim>& places, double factor, bool with_matrix);
+  /// Adds a symmetric matrix to M. No communication.
+  void add(petsc::Matrix part) { parts_.push_back(std::move(part)); }
+  /// M, but for the matrices that were added, is this share of what was found; its row sums stay.
+  void set_share(double share) { share_ = share; }
+
+  const std::vector<double>& row_sums() const { return row_sums_; }
+  /// M f. Collective.
+  Points<Dim> times(const Points<Dim>& forces) const;
+
+ private:
+  NearMarkers<Dim> near_;  ///< so that each rank's are with all that their deltas and the next ones reach
+  MobilityMatrix<Dim> matrix_;
+  FaceMobility<Dim> faces_;
+  bool by_faces_ = false;
+  double share_ = 1;
+  std::vector<petsc::Matrix> parts_;
+  MatrixProduct<Dim> product_;
+  std::vector<double> row_sums_;  ///< of each of this rank's markers
+};
+
+extern template class StepMobility<2>;
+extern template class StepMobility<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/coupling/model.hpp"
+#include "washfsi/support/clock.hpp"
+
+namespace washfsi {
+
+/// Where the cloths are, and when. With the water's fields, which `Model::fluid` keeps, all that a step starts from.
+template <int Dim>
+struct State {
+  Clock clock;
+  Points<Dim> positions;          ///< X^n of this rank's markers [m]
+  Points<Dim> velocities;         ///< U^n [m/s]
+  Points<Dim> velocities_before;  ///< U^(n-1); U^n before the first step [m/s]
+  Points<Dim> mean_velocities;    ///< (X^n - X^(n-1))/dt; U^n before the first step [m/s]
+  Points<Dim> forces_before;      ///< F(X^(n-1)) of the forces of places without inertia, where a scheme keeps it [N]
+};
+
+/// What a step leaves to be measured, and what all of them have cost.
+template <int Dim>
+struct StepRecord {
+  petsc::Vector force;                            ///< of cloth on water, on faces [N/m3]
+  Points<Dim> evaluated_at;                       ///< places at which the forces on the cloths were evaluated last [m]
+  double end_share = 1;                           ///< of the step's mean force that the forces at those places make up
+  ContactLoads<Dim> contact_at_start;             ///< of this rank's markers, which make up the rest
+  Points<Dim> given;                              ///< force of each of this rank's markers on the water [N]
+  Point<Dim> wall_reaction = Point<Dim>::Zero();  ///< part of the cloth's force that walls took [N]
+  double seepage_power = 0;                       ///< lost to water that goes through cloth [W; W/m in the plane]
+  double cloth_slip = 0;                          ///< rms difference of cloth and water over the rms speed of cloth
+  double cloth_iterations = 0;                    ///< evaluations of the cloths' equations in all steps so far
+};
+
+/// Water, bodies and cloth in motion.
+template <int Dim>
+struct System {
+  /// With all at rest, and the cloths' markers where `place` puts them, all of them in marker order. Collective.
+  /// Errors: InputError.
+  System(MPI_Comm comm, const ModelOptions<Dim>& options, std::vector<Body<Dim>> bodies,
+         const std::function<Points<Dim>(const Model<Dim>&)>& place)
+      : model(comm, options, std::move(bodies)) {
+    const Points<Dim> all = place(model);
+    state.positions.assign(all.begin() + model.cloths.begin(), all.begin() + model.cloths.end());
+    for (std::size_t m = 0; m < state.positions.size(); ++m)
+      state.velocities.push_back(model.cloths.group_of(m).velocity);
+    state.velocities_before = state.mean_velocities = state.velocities;
+    state.forces_before.assign(state.positions.size(), Point<Dim>::Zero());
+    step.force = model.grid.face_vector();
+    step.evaluated_at = state.positions;
+    step.given.assign(state.positions.size(), Point<Dim>::Zero());
+    model.add_forces(options, state.positions);
+    model.locate_cloth(state.positions);
+  }
+
+  Model<Dim> model;
+  State<Dim> state;
+  StepRecord<Dim> step;
+};
+
+}  // namespace washfsi

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/grid/grid.hpp"
+#include "washfsi/marker_layout/surface_markers.hpp"
+#include "washfsi/motion/body.hpp"
+
+namespace washfsi {
+
+/// The markers on the surfaces of all bodies, body by body and patch by patch. Every rank knows where they lie on their
+/// bodies; it follows those of its own share of the patches.
+template <int Dim>
+class BodyMarkers {
+ public:
+  BodyMarkers(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies, MarkerLayout<Dim> layout);
+
+  /// The number of patches, the body and the first marker of one; of the one beyond the last, the end.
+  std::size_t patches() const { return body_of_.size(); }
+  /// This rank's share of the patches.
+  PatchRange own() const { return own_; }
+  std::size_t body_of(std::size_t patch) const { return body_of_[patch]; }
+  std::size_t start(std::size_t patch) const { return starts_[patch]; }
+  const Point<Dim>& arm(std::size_t marker) const { return arms_[marker]; }  ///< in its body's frame [m]
+  /// Of what a patch holds of its body's surface, in the body's frame.
+  Point<Dim> middle(std::size_t patch) const {
+    return by_body_[body_of(patch)].middle(patch - firsts_[body_of(patch)]);
+  }
+  /// Whether a marker of this rank lies at an edge or in a thin part, where layers part from the body; whether any of
+  /// any rank does.
+  bool is_sharp(std::size_t marker) const { return sharp_[marker - start(own_.begin)]; }
+  bool any_is_sharp() const { return any_is_sharp_; }
+  /// The markers of one body in its frame; of all.
+  const MarkerPatches<Dim>& of_body(std::size_t body) const { return by_body_[body]; }
+  const std::vector<MarkerPatches<Dim>>& by_body() const { return by_body_; }
+
+  /// What of a body's frame is ever in the box.
+  Bounds<Dim> region(const Body<Dim>& body) const;
+
+  /// One marker at one moment.
+  struct State {
+    Point<Dim> place, velocity;  ///< [m, m/s]
+    bool acts;                   ///< false beyond the box, behind another body's surface, and where it would rub a wall
+    bool is_covered = false;     ///< behind another body's surface
+  };
+  /// The marker and its patch are this rank's.
+  State at(const PosedBodies<Dim>& posed, std::size_t patch, std::size_t marker);
+
+ private:
+  Bounds<Dim> region_of_one(const Body<Dim>& body) const;
+  void follow_own(const MarkerLayout<Dim>& layout);
+  bool is_covered(const PosedBodies<Dim>& posed, std::size_t body, std::size_t marker, const Point<Dim>& place);
+  bool touches_a_side(const Body<Dim>& body, const Point<Dim>& place) const;
+
+  const Grid<Dim>& grid_;
+  const std::vector<Body<Dim>>& bodies_;
+  double depth_;  ///< of markers behind a flat surface [m]
+  std::vector<MarkerPatches<Dim>> by_body_;
+  Points<Dim> arms_;  ///< of all markers, in their bodies' frames
+  PatchRange own_;
+  std::vector<bool> sharp_;  ///< of this rank's markers
+  bool any_is_sharp_ = false;
+  std::vector<std::size_t> body_of_;  ///< of each patch
+  std::vector<std::size_t> firsts_;   ///< patch of each body
+  std::vector<std::size_t> starts_;   ///< of each patch among the markers, and the end
+
+  /// Where a marker was in another body's frame [m], and the distance of that body [m].
+  struct Seen {
+    Point<Dim> place;
+    double distance;
+  };
+  std::vector<Seen> seen_;  ///< of each marker of this rank, of each body
+};
+
+extern template class BodyMarkers<2>;
+extern template class BodyMarkers<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/marker_layout/marker_retraction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <Eigen/Eigenvalues>
+
+#include "washfsi/marker_layout/sheet_normal.hpp"
+
+namespace washfsi {
+
+namespace {
+
+constexpr double held_edges = 0.15;     // in cells, by which sheets act beyond the shares of their outermost markers
+constexpr double sliding_edges = 0.35;  // the same where water slides along them: by a turbine in water
+constexpr double held_from = 0.3;       // in cells, by which faces that are held lie deeper than they must, in the mean
+constexpr double smooth_bend = 0.25;    // in cells, above which a place belongs to an edge
+constexpr double eddies = 2.1;          // of a cylinder and of a sphere alike, by their drag in creeping flow
+constexpr double narrow = 1.5;          // radius in cells up to which eddies are left out
+constexpr double most_stress = 0.6;     // over that of the water before the markers
+constexpr double farthest = 2;          // cells: what is deeper does not matter
+
+template <int Dim>
+double largest_of(const Eigen::Matrix<double, Dim, Dim>& symmetric) {
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, Dim, Dim>>(symmetric, Eigen::EigenvaluesOnly)
+      .eigenvalues()[Dim - 1];
+}
+
+}  // namespace
+
+template <int Dim>
+std::optional<Candidate<Dim>> Sinker<Dim>::sink(const Point<Dim>& seed) const {
+  const auto found = behind(seed, farthest);
+  if (!found) return {};
+  return is_in_sheet(*found) ? in_sheet(found->inmost, found->normal) : on_face(*found);
+}
+
+template <int Dim>
+std::optional<Candidate<Dim>> Sinker<Dim>::sink_behind_no_face(const Point<Dim>& seed) const {
+  const auto found = behind(seed, layout_.moments.sheet_reach());
+  if (!found) return {};
+  if (is_in_sheet(*found)) return in_sheet(found->inmost, found->normal);
+  if (bending(curvatures(found->foot)) >= 0) return {};
+  const auto in_corner = sink(seed);
+  return in_corner && in_corner->place == in_corner->foot ? in_corner : std::nullopt;
+}
+
+// Down to a depth in cells.
+template <int Dim>
+std::optional<typename Sinker<Dim>::Behind> Sinker<Dim>::behind(const Point<Dim>& seed, double deepest) const {
+  const double from_surface = shape_.distance(seed);
+  if (from_surface < 0 || from_surface > reach * layout_.cell.maxCoeff()) return {};
+  const Point<Dim> out = distance_gradient<Dim>(shape_, seed, fine * cell_);
+  const std::optional<Point<Dim>> foot = foot_of(seed);
+  if (!foot || out.norm() < 0.5) return {};
+  const Point<Dim> normal = out.normalized();
+  const double along = normal.cwiseProduct(layout_.cell).norm();
+  const auto [inmost, depth] = inmost_behind(*foot, normal, along, deepest);
+  return Behind{*foot, normal, inmost, depth, along};
+}
+
+template <int Dim>
+Candidate<Dim> Sinker<Dim>::on_face(const Behind& behind) const {
+  const auto& [foot, normal, inmost, depth, along] = behind;
+  // at an edge the way is that between its faces
+  const Point<Dim> inwards = -distance_gradient<Dim>(shape_, foot, coarse * cell_).normalized();
+  const Curvatures bent = curvatures(foot);
+  const double bend = bending(bent);
+  double flat = along * layout_.moments.retraction(depth / along);
+  const double held = is_held_behind(foot, inwards) ? held_stress(flat, bend) : 0;
+  const double stirred = layout_.inside.turns ? 0 : stirred_stress(largest_of<Dim>(bent), along);
+  flat /= 1 - std::min(most_stress, flat * std::max(held, stirred));
+  return {foot + std::clamp(flat + bend, 0.0, depth) * inwards, foot,
+          static_cast<int>(std::clamp(bend / (smooth_bend * cell_), 0.0, 2.0))};
+}
+
+template <int Dim>
+bool Sinker<Dim>::is_held_behind(const Point<Dim>& foot, const Point<Dim>& inwards) const {
+  if (std::isinf(layout_.inside.constrained_depth)) return false;
+  return -shape_.distance(foot + (layout_.inside.constrained_depth + held_from * cell_) * inwards) >
+         layout_.inside.constrained_depth;
+}
+
+// Water behind markers slips at them as that before them does. The stress that this takes, mu times this much of the
+// slip, bends the velocity at the markers as the water before them does: they act from farther off by that part.
+// Behind it the water is sheared over the distance to what is held.
+template <int Dim>
+double Sinker<Dim>::held_stress(double flat, double bend) const {
+  const double curvature = 2 * bend / (layout_.moments.variance() * cell_ * cell_);
+  const double straight = layout_.inside.constrained_depth + held_from * cell_ - flat;
+  const double bent = std::min(straight * curvature / (1 - flat * curvature), 0.9);
+  return (1 - bent) * (1 - bent) / (straight * (1 - 0.5 * bent));  // that of a layer of a plane as stiff
+}
+
+// Or it is stirred within a bent surface by a slip that is not the same all round: mu 2/R times the slip if the water
+// goes round in a cylinder as two eddies, in creeping flow. Markers of narrow bodies act on each other's water.
+template <int Dim>
+double Sinker<Dim>::stirred_stress(double curvature, double along) const {
+  if (curvature <= 0) return 0;
+  return eddies * curvature * std::clamp(1 / (curvature * along) - narrow, 0.0, 1.0);
+}
+
+// By Newton's method; nothing where the distance is no distance.
+template <int Dim>
+std::optional<Point<Dim>> Sinker<Dim>::foot_of(const Point<Dim>& seed) const {
+  Point<Dim> place = seed;
+  for (int step = 0; step < 6; ++step) {
+    const double distance = shape_.distance(place);
+    if (std::abs(distance) < 1e-3 * cell_) return place;
+    const Point<Dim> slope = distance_gradient<Dim>(shape_, place, fine * cell_);
+    if (slope.norm() < 0.3) return {};
+    place -= distance / slope.squaredNorm() * slope;
+  }
+  if (std::abs(shape_.distance(place)) < 0.02 * cell_) return place;
+  return {};
+}
+
+// The place that is farthest from the surface on the way that leads from it fastest, and how far that is; or one at
+// least so many cells deep.
+template <int Dim>
+std::pair<Point<Dim>, double> Sinker<Dim>::inmost_behind(const Point<Dim>& foot, const Point<Dim>& normal, double along,
+                                                         double deepest) const {
+  constexpr double slowest = 0.3;  // growth of the depth on its way: slower it runs along the middle of a sheet
+  const double step = 0.1 * along;
+  Point<Dim> inmost = foot, way = -normal;
+  double depth = 0;
+  bool slow = false;
+  for (int n = 0; n * step < farthest * along && depth < deepest * along; ++n) {
+    const Point<Dim> next = inmost + step * way;
+    const double deeper = -shape_.distance(next);
+    const bool slower = deeper <= depth + slowest * step;
+    if (slow && slower) break;
+    slow = slower;
+    inmost = slow ? refined(inmost, way, step) : next;  // at a ridge, from which the way may go on along it
+    depth = std::max(depth, -shape_.distance(inmost));
+    const Point<Dim> slope = distance_gradient<Dim>(shape_, inmost, coarse * cell_);
+    if (slope.norm() > 0.1) way = -slope.normalized();
+  }
+  return {inmost, depth};
+}
+
+// Where between a place and the next step the depth is largest: the other side is as near there.
+template <int Dim>
+Point<Dim> Sinker<Dim>::refined(const Point<Dim>& place, const Point<Dim>& way, double step) const {
+  const double here = -shape_.distance(place), there = -shape_.distance(place + step * way);
+  return place + std::clamp(0.5 * (step + there - here), 0.0, step) * way;
+}
+
+// A sheet of markers acts beyond its edges as it acts before its faces: a place nearer to an edge than that, or found
+// from the edge's own face, is moved to the outline that the sheet may fill, or to the middle of a narrower sheet.
+template <int Dim>
+Candidate<Dim> Sinker<Dim>::in_sheet(Point<Dim> place, const Point<Dim>& out) const {
+  place = centred(place, sheet_normal<Dim>(shape_, place, layout_.cell));  // beside its middle it is not sure
+  const Point<Dim> normal = sheet_normal<Dim>(shape_, place, layout_.cell);
+  place = centred(place, normal);
+  const Point<Dim> along_sheet = out - out.dot(normal) * normal;
+  Points<Dim> edges;  // the ways to them
+  if (along_sheet.norm() > 0.7 && keep_within(place, along_sheet.normalized(), true))
+    edges.push_back(along_sheet.normalized());
+  for (int corner = 0; corner < 3; ++corner) {
+    const Point<Dim> way = to_nearest_edge(place, normal);
+    if (!keep_within(place, way, false)) break;
+    edges.push_back(way);
+  }
+  if (!edges.empty()) place = centred(place, normal);
+  return {place, place, sharpness(edges)};
+}
+
+// Of the ways along a sheet that in which it ends soonest.
+template <int Dim>
+Point<Dim> Sinker<Dim>::to_nearest_edge(const Point<Dim>& place, const Point<Dim>& normal) const {
+  Point<Dim> nearest = Point<Dim>::Zero();
+  double least = std::numeric_limits<double>::max();
+  const auto look = [&](const Point<Dim>& way) {
+    const double along = way.cwiseProduct(layout_.cell).norm();
+    const double ahead = extent(place, way, 2 * beyond_edges(along), along);
+    if (ahead >= least) return;
+    least = ahead;
+    nearest = way;
+  };
+  for (const Point<Dim>& tangent : tangents(normal)) {
+    look(tangent);
+    look(-tangent);
+  }
+  if constexpr (Dim == 3)
+    for (int halvings = 1; halvings <= 3; ++halvings) {  // to a fortieth of a turn
+      const Point<Dim> aside = std::tan(std::numbers::pi / directions / (1 << halvings)) * normal.cross(nearest);
+      const Point<Dim> left = (nearest + aside).normalized(), right = (nearest - aside).normalized();
+      look(left);
+      look(right);
+    }
+  return nearest;
+}
+
+// Two edges that meet are a corner.
+template <int Dim>
+int Sinker<Dim>::sharpness(const Points<Dim>& edges) {
+  for (const Point<Dim>& edge : edges)
+    if (std::abs(edge.dot(edges.front())) < 0.8) return 2;
+  return edges.empty() ? 0 : 1;
+}
+
+// How far the outermost markers of a sheet act beyond themselves: over the half of their spacing for which they stand,
+// and farther.
+template <int Dim>
+double Sinker<Dim>::beyond_edges(double along) const {
+  return (0.5 * sheet_mean_spacing<Dim> + (layout_.inner_water_slides ? sliding_edges : held_edges)) * along;
+}
+
+// Moves a place back from an edge ahead, or from anywhere to it; whether it did.
+template <int Dim>
+bool Sinker<Dim>::keep_within(Point<Dim>& place, const Point<Dim>& way, bool to_edge) const {
+  const double along = way.cwiseProduct(layout_.cell).norm();
+  const double sheet = beyond_edges(along), most = sheet + along * layout_.moments.sheet_reach();
+  const double ahead = extent(place, way, most, along);
+  if (to_edge ? ahead == most : ahead >= sheet) return false;
+  if (ahead >= sheet) {
+    place += (ahead - sheet) * way;
+    return true;
+  }
+  const double behind = extent(place, -way, most, along);
+  place -= std::min(sheet - ahead, std::max(0.0, behind - ahead) / 2) * way;
+  return true;
+}
+
+// Midway between the two faces of a sheet.
+template <int Dim>
+Point<Dim> Sinker<Dim>::centred(const Point<Dim>& place, const Point<Dim>& normal) const {
+  const double along = normal.cwiseProduct(layout_.cell).norm();
+  return place + 0.5 * (extent(place, normal, along, along) - extent(place, -normal, along, along)) * normal;
+}
+
+// How far a sheet goes on from a place in it.
+template <int Dim>
+double Sinker<Dim>::extent(const Point<Dim>& place, const Point<Dim>& tangent, double most, double along) const {
+  const double aside = 0.1 * along;  // by which a sheet may bend
+  double low = 0, high = most + aside;
+  const auto beyond = [&](double way) { return shape_.distance(place + way * tangent) > aside; };
+  for (int n = 1; n <= 8; ++n)
+    if (beyond(n * high / 8)) {
+      low = (n - 1) * high / 8;
+      high = n * high / 8;
+      for (int halving = 0; halving < 8; ++halving) {
+        const double middle = 0.5 * (low + high);
+        (beyond(middle) ? high : low) = middle;
+      }
+      return std::max(0.0, low - aside);
+    }
+  return most;
+}
+
+template <int Dim>
+Points<Dim> Sinker<Dim>::tangents(const Point<Dim>& normal) {
+  if constexpr (Dim == 2) return {turned_left<2>(normal)};
+  Points<Dim> result;
+  if constexpr (Dim == 3) {
+    const Point<3> first = normal.unitOrthogonal(), second = normal.cross(first);
+    for (int n = 0; n < directions; ++n) {
+      const double angle = std::numbers::pi * n / directions;
+      result.push_back(std::cos(angle) * first + std::sin(angle) * second);
+    }
+  }
+  return result;
+}
+
+// Second differences of the distance over a cell [1/m].
+template <int Dim>
+typename Sinker<Dim>::Curvatures Sinker<Dim>::curvatures(const Point<Dim>& foot) const {
+  const auto distance = [&](const Point<Dim>& aside) { return shape_.distance(foot + aside); };
+  Curvatures result;
+  for (int d = 0; d < Dim; ++d)
+    for (int e = 0; e <= d; ++e) {
+      const Point<Dim> a = layout_.cell[d] * Point<Dim>::Unit(d), b = layout_.cell[e] * Point<Dim>::Unit(e);
+      const double sum = d == e ? distance(a) + distance(-a) - 2 * distance(Point<Dim>::Zero())
+                                : (distance(a + b) + distance(-a - b) - distance(a - b) - distance(b - a)) / 4;
+      result(d, e) = result(e, d) = sum / (layout_.cell[d] * layout_.cell[e]);
+    }
+  return result;
+}
+
+// 1/2 sum_d sigma^2 h_d^2 d2Phi/dx_d2 [m]
+template <int Dim>
+double Sinker<Dim>::bending(const Curvatures& curvatures) const {
+  double sum = 0;
+  for (int d = 0; d < Dim; ++d) sum += layout_.cell[d] * layout_.cell[d] * curvatures(d, d);
+  return 0.5 * layout_.moments.variance() * sum;
+}
+
+template class Sinker<2>;
+template class Sinker<3>;
+
+}  // namespace washfsi

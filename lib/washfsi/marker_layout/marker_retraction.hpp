@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <utility>
+
+#include "washfsi/marker_layout/even_spread.hpp"
+#include "washfsi/marker_layout/marker_layout.hpp"
+#include "washfsi/shapes/shape.hpp"
+
+namespace washfsi {
+
+/// Finds where markers belong: behind the surface of a shape, or in the middle of a part that is thinner than its
+/// markers act (`surface_markers`).
+template <int Dim>
+class Sinker {
+ public:
+  Sinker(const Shape<Dim>& shape, const MarkerLayout<Dim>& layout)
+      : shape_(shape), layout_(layout), cell_(layout.cell.minCoeff()) {}
+  /// The place that belongs to a seed outside the shape; none of seeds beyond reach, and where the distance is none.
+  std::optional<Candidate<Dim>> sink(const Point<Dim>& seed) const;
+  /// The same where that is its own foot: in the middle of a thin part, or in a corner between parts; else none.
+  std::optional<Candidate<Dim>> sink_behind_no_face(const Point<Dim>& seed) const;
+
+  static constexpr double reach = 0.75;  ///< of seeds from the surface [cells]
+
+ private:
+  static constexpr int directions = 8;                // along a sheet, in half a turn
+  static constexpr double fine = 0.05, coarse = 0.4;  // differences, in cells: of a surface, across ridges of the depth
+  /// What lies behind the surface before a seed.
+  struct Behind {
+    Point<Dim> foot, normal, inmost;
+    double depth, along;  ///< of the inmost place; a cell's size in the normal's direction [m]
+  };
+  std::optional<Behind> behind(const Point<Dim>& seed, double deepest) const;
+  bool is_in_sheet(const Behind& behind) const { return behind.depth < behind.along * layout_.moments.sheet_reach(); }
+  Candidate<Dim> on_face(const Behind& behind) const;
+  bool is_held_behind(const Point<Dim>& foot, const Point<Dim>& inwards) const;
+  double held_stress(double flat, double bend) const;
+  double stirred_stress(double curvature, double along) const;
+  std::optional<Point<Dim>> foot_of(const Point<Dim>& seed) const;
+  std::pair<Point<Dim>, double> inmost_behind(const Point<Dim>& foot, const Point<Dim>& normal, double along,
+                                              double deepest) const;
+  Point<Dim> refined(const Point<Dim>& place, const Point<Dim>& way, double step) const;
+  Candidate<Dim> in_sheet(Point<Dim> place, const Point<Dim>& out) const;
+  Point<Dim> to_nearest_edge(const Point<Dim>& place, const Point<Dim>& normal) const;
+  static int sharpness(const Points<Dim>& edges);
+  double beyond_edges(double along) const;
+  bool keep_within(Point<Dim>& place, const Point<Dim>& way, bool to_edge) const;
+  Point<Dim> centred(const Point<Dim>& place, const Point<Dim>& normal) const;
+  double extent(const Point<Dim>& place, const Point<Dim>& tangent, double most, double along) const;
+  static Points<Dim> tangents(const Point<Dim>& normal);
+  using Curvatures = Eigen::Matrix<double, Dim, Dim>;
+  Curvatures curvatures(const Point<Dim>& foot) const;
+  double bending(const Curvatures& curvatures) const;
+
+  const Shape<Dim>& shape_;
+  const MarkerLayout<Dim>& layout_;
+  double cell_;
+};
+
+extern template class Sinker<2>;
+extern template class Sinker<3>;
+
+}  // namespace washfsi

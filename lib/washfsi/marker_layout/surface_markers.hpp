@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "washfsi/geometry/near_search.hpp"
+#include "washfsi/marker_layout/even_spread.hpp"
+#include "washfsi/marker_layout/marker_layout.hpp"
+#include "washfsi/shapes/shape.hpp"
+
+namespace washfsi {
+
+/// A shape, of which a region is asked for, in its frame.
+template <int Dim>
+struct Surface {
+  const Shape<Dim>* shape;
+  Bounds<Dim> region;
+  MarkerLayout<Dim> layout;
+};
+
+/// Markers on surfaces, each in its shape's frame and within its region: evenly spread, half a patch's spacing apart,
+/// and gathered in patches about evenly spread middles. Fewer forces than markers keep the forces well determined,
+/// while their markers leave no gaps. They lie behind the surface by as much as their delta acts before them: by
+/// `KernelMoments::retraction`, and by 1/2 sum_d sigma^2 h_d^2 d2Phi/dx_d2 more, since the delta of a marker on a
+/// convex surface lies outside for the most part. A part that is thinner than its markers act gets one sheet of them.
+/// The same on any number of ranks, of which all layouts name the same. Collective.
+template <int Dim>
+std::vector<MarkerPatches<Dim>> surface_markers(const std::vector<Surface<Dim>>& surfaces);
+
+/// Those of one shape.
+template <int Dim>
+MarkerPatches<Dim> surface_markers(const Shape<Dim>& shape, const Bounds<Dim>& region,
+                                   const MarkerLayout<Dim>& layout) {
+  return surface_markers<Dim>({Surface<Dim>{&shape, region, layout}}).front();
+}
+
+}  // namespace washfsi

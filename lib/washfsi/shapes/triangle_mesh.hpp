@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "washfsi/shapes/stl_file.hpp"
+
+namespace washfsi {
+
+/// A surface of triangles that share their vertices; counter-clockwise seen from outside.
+struct TriangleMesh {
+  using Facet = std::array<std::uint32_t, 3>;
+  Points<3> vertices;
+  std::vector<Facet> facets;
+
+  /// Corners with equal coordinates become one vertex.
+  static TriangleMesh weld(const std::vector<Triangle>& triangles);
+
+  Triangle triangle(const Facet& facet) const { return {vertices[facet[0]], vertices[facet[1]], vertices[facet[2]]}; }
+
+  /// That it holds, if it is closed; negative if it faces inwards [m3].
+  double volume() const;
+
+  /// What makes this no closed surface that faces outwards everywhere, in words; empty if nothing does. Facets that
+  /// cross each other are not looked for.
+  std::string flaw() const;
+};
+
+}  // namespace washfsi

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include <hdf5.h>
+
+#include "washfsi/support/point.hpp"
+
+namespace washfsi {
+
+/// The part of a dataset that this rank holds: slowest index first.
+struct Slab {
+  std::vector<hsize_t> shape;   ///< of the whole dataset
+  std::vector<hsize_t> offset;  ///< of this rank's part
+  std::vector<hsize_t> count;   ///< of this rank's part; a zero means none
+};
+
+/// The rows from `begin` to `end` of `total`, with so many components each; no last dimension for a single one.
+inline Slab row_slab(std::size_t total, std::size_t begin, std::size_t end, int components) {
+  Slab slab{{total}, {begin}, {end - begin}};
+  if (components > 1) {
+    slab.shape.push_back(static_cast<hsize_t>(components));
+    slab.offset.push_back(0);
+    slab.count.push_back(static_cast<hsize_t>(components));
+  }
+  return slab;
+}
+
+/// Flat values of points, padded with zeros to `components` each.
+template <int Dim>
+std::vector<double> flattened(const Points<Dim>& points, int components = Dim) {
+  std::vector<double> values;
+  values.reserve(points.size() * static_cast<std::size_t>(components));
+  for (const auto& point : points)
+    for (int c = 0; c < components; ++c) values.push_back(c < Dim ? point[c] : 0.0);
+  return values;
+}
+
+/// The inverse, without padding.
+template <int Dim>
+Points<Dim> as_points(const std::vector<double>& values) {
+  Points<Dim> points(values.size() / Dim);
+  for (std::size_t m = 0; m < points.size(); ++m) points[m] = Point<Dim>(&values[m * Dim]);
+  return points;
+}
+
+}  // namespace washfsi

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/wall_forces/no_slip_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "washfsi/support/collective.hpp"
+#include "washfsi/support/krylov.hpp"
+#include "washfsi/support/point_vectors.hpp"
+
+namespace washfsi {
+
+template <int Dim>
+NoSlipSolver<Dim>::NoSlipSolver(const Grid<Dim>& grid, const WallMarkers<Dim>& markers, const BodyTreatment& treatment,
+                                double density)
+    : grid_(grid),
+      markers_(markers),
+      slip_tolerance_(treatment.slip_tolerance),
+      density_(density),
+      closed_(grid, markers.bodies(), markers.layout()),
+      overlap_(markers.layout().by_body(), wall_marker_layout(grid, treatment), markers.own()) {
+  create_solver();
+}
+
+template <int Dim>
+void NoSlipSolver<Dim>::create_solver() {
+  const auto size = static_cast<PetscInt>(Dim * markers_.patch_count());
+  WASH_PETSC(MatCreateShell(grid_.comm(), size, size, PETSC_DETERMINE, PETSC_DETERMINE, this, matrix_.put()));
+  WASH_PETSC(MatShellSetOperation(matrix_, MATOP_MULT, reinterpret_cast<void (*)()>(&NoSlipSolver::multiply)));
+  WASH_PETSC(MatCreateVecs(matrix_, solution_.put(), right_.put()));
+  WASH_PETSC(KSPCreate(grid_.comm(), solver_.put()));
+  WASH_PETSC(KSPSetOptionsPrefix(solver_, "walls_"));
+  WASH_PETSC(KSPSetOperators(solver_, matrix_, matrix_));
+  WASH_PETSC(KSPSetType(solver_, KSPGCR));
+  WASH_PETSC(KSPSetNormType(solver_, KSP_NORM_UNPRECONDITIONED));
+  WASH_PETSC(KSPSetConvergenceTest(solver_, &NoSlipSolver::judge, this, nullptr));
+  PC pc = nullptr;
+  WASH_PETSC(KSPGetPC(solver_, &pc));
+  WASH_PETSC(PCSetType(pc, PCSHELL));
+  WASH_PETSC(PCShellSetContext(pc, this));
+  WASH_PETSC(PCShellSetApply(pc, &NoSlipSolver::precondition));
+  WASH_PETSC(KSPSetTolerances(solver_, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, 1000));
+  (void)set_up_from_options(solver_);
+}
+
+template <int Dim>
+PetscErrorCode NoSlipSolver<Dim>::multiply(Mat matrix, Vec x, Vec y) {
+  return petsc::guarded([&] {
+    void* self = nullptr;
+    WASH_PETSC(MatShellGetContext(matrix, &self));
+    to_vector<Dim>(static_cast<NoSlipSolver*>(self)->response(to_points<Dim>(x)), y);
+  });
+}
+
+template <int Dim>
+PetscErrorCode NoSlipSolver<Dim>::precondition(PC pc, Vec x, Vec y) {
+  return petsc::guarded([&] {
+    void* self = nullptr;
+    WASH_PETSC(PCShellGetContext(pc, &self));
+    to_vector<Dim>(static_cast<const NoSlipSolver*>(self)->approximate_forces(to_points<Dim>(x)), y);
+  });
+}
+
+template <int Dim>
+PetscErrorCode NoSlipSolver<Dim>::judge(KSP solver, PetscInt, PetscReal norm, KSPConvergedReason* reason, void* self) {
+  return petsc::guarded([&] {
+    const auto& equations = *static_cast<const NoSlipSolver*>(self);
+    Vec residual = nullptr;
+    WASH_PETSC(KSPBuildResidual(solver, nullptr, nullptr, &residual));
+    const std::vector<bool> within = equations.are_within(to_points<Dim>(residual), equations.slip_left_);
+    WASH_PETSC(VecDestroy(&residual));
+    *reason = KSP_CONVERGED_ITERATING;
+    if (!std::isfinite(norm)) *reason = KSP_DIVERGED_NANORINF;
+    if (std::ranges::all_of(within, std::identity())) *reason = KSP_CONVERGED_ATOL;
+  });
+}
+
+template <int Dim>
+void NoSlipSolver<Dim>::place() {
+  closed_.update(markers_.states(), markers_.time());
+}
+
+template <int Dim>
+void NoSlipSolver<Dim>::begin(const TimeStep& step, Vec density) {
+  step_ = step;
+  fluid_density_ = density;
+}
+
+template <int Dim>
+Points<Dim> NoSlipSolver<Dim>::without_unreachable(const Points<Dim>& of_markers) const {
+  Points<Dim> result = markers_.means(of_markers);
+  closed_.remove_from(result);
+  return result;
+}
+
+template <int Dim>
+Points<Dim> NoSlipSolver<Dim>::slips(Vec velocity) const {
+  Points<Dim> result = markers_.water_velocities(velocity, markers_.time());
+  for (std::size_t m = 0; m < result.size(); ++m) result[m] = markers_.states()[m].velocity - result[m];
+  return without_unreachable(result);
+}
+
+template <int Dim>
+Points<Dim> NoSlipSolver<Dim>::approximate_forces(const Points<Dim>& slips) const {
+  Points<Dim> forces = overlap_(slips);
+  const double scale = density_ * grid_.cell_volume() / step_.dt;
+  for (std::size_t p = 0; p < forces.size(); ++p)
+    forces[p] = markers_.acts(p) ? markers_.constrained(scale * forces[p], p) : Point<Dim>(Point<Dim>::Zero());
+  closed_.remove_from(forces);
+  return forces;
+}
+
+template <int Dim>
+void NoSlipSolver<Dim>::accelerate(const Points<Dim>& forces, Vec velocity) const {
+  const petsc::GlobalVector density_of_force(grid_.face_dm());
+  WASH_PETSC(VecZeroEntries(density_of_force));
+  markers_.spread(forces, density_of_force);
+  const FaceView<Dim> u(grid_.face_dm(), velocity);
+  const ConstFaceView<Dim> f(grid_.face_dm(), density_of_force), rho(grid_.face_dm(), fluid_density_);
+  grid_.for_each_inner_face(
+      [&](const Index<Dim>& face, auto c) { u(face, c) += step_.dt * f(face, c) / rho(face, c); });
+}
+
+// J P S F dt/rho
+template <int Dim>
+Points<Dim> NoSlipSolver<Dim>::response(const Points<Dim>& forces) const {
+  const petsc::GlobalVector increment(grid_.face_dm());
+  WASH_PETSC(VecZeroEntries(increment));
+  accelerate(forces, increment);
+  projection_->project_increment(increment);
+  const petsc::LocalVector local(grid_.wide_face_dm(), increment);
+  markers_.boundary().fill_homogeneous(local);
+  return without_unreachable(markers_.transfer().interpolate(local));
+}
+
+template <int Dim>
+double NoSlipSolver<Dim>::tolerance(Vec velocity) const {
+  double speed = 0;
+  WASH_PETSC(VecNorm(velocity, NORM_INFINITY, &speed));
+  return slip_tolerance_ * std::max(speed, markers_.largest_speed());
+}
+
+template <int Dim>
+std::vector<bool> NoSlipSolver<Dim>::are_within(const Points<Dim>& slips, double tolerance) const {
+  const Points<Dim> filtered = overlap_.means_about(slips);
+  const std::size_t bodies = markers_.bodies().size();
+  std::vector<double> sums(2 * bodies, 0.0);  // of each body its squares and its patches that act
+  for (std::size_t p = 0; p < filtered.size(); ++p) {
+    if (!markers_.acts(p)) continue;
+    const std::size_t b = markers_.body_of(p);
+    sums[2 * b] += filtered[p].squaredNorm();
+    sums[2 * b + 1] += 1;
+  }
+  sums = ordered_sum(grid_.comm(), sums);
+  std::vector<bool> within;
+  for (std::size_t b = 0; b < bodies; ++b) within.push_back(sums[2 * b] <= tolerance * tolerance * sums[2 * b + 1]);
+  return within;
+}
+
+template <int Dim>
+Points<Dim> NoSlipSolver<Dim>::solve(const Points<Dim>& slips, double tolerance, Projection& projection) {
+  slip_left_ = tolerance;
+  projection_ = &projection;
+  to_vector<Dim>(slips, right_);
+  (void)solve_to(solver_, 0, right_, solution_, "walls");
+  projection_ = nullptr;
+  return to_points<Dim>(solution_);
+}
+
+template class NoSlipSolver<2>;
+template class NoSlipSolver<3>;
+
+}  // namespace washfsi

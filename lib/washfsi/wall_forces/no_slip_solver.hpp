@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// No slip as equations for the forces F of patches of markers, which are solved for together with the pressure:
+//   J P [u + (dt/rho) S F] = U
+// U the bodies' velocity, P the projection, S spread and J interpolation, its adjoint. J P S is symmetric, and the slip
+// is to be least: generalised conjugate residuals (PETSc prefix walls_), preconditioned by the inverse overlap of the
+// kernels. Conjugate gradients would find huge forces in nearly null directions, which the water hardly answers.
+// Uhlmann, J. Comput. Phys. 209 (2005) 448; Taira and Colonius, J. Comput. Phys. 225 (2007) 2118.
+#pragma once
+
+#include "washfsi/fluid/projection.hpp"
+#include "washfsi/wall_forces/closed_walls.hpp"
+#include "washfsi/wall_forces/overlap_inverse.hpp"
+#include "washfsi/wall_forces/wall_markers.hpp"
+
+namespace washfsi {
+
+template <int Dim>
+class NoSlipSolver {
+ public:
+  /// The markers stay alive; `density` [kg/m3] is the water's. Collective.
+  NoSlipSolver(const Grid<Dim>& grid, const WallMarkers<Dim>& markers, const BodyTreatment& treatment, double density);
+
+  /// After the markers have been placed. Collective.
+  void place();
+  /// For a step with this density on faces [kg/m3], which stays alive.
+  void begin(const TimeStep& step, Vec density);
+
+  /// The mean slip U - J u over each patch, without what no force can change. Collective.
+  Points<Dim> slips(Vec velocity) const;
+  /// Forces that change the slips by so much, about: without the pressure. Collective.
+  Points<Dim> approximate_forces(const Points<Dim>& slips) const;
+  /// u += (dt/rho) S F. Collective.
+  void accelerate(const Points<Dim>& forces, Vec velocity) const;
+
+  /// The slip that may be left, by the largest speed of water and walls [m/s]. Collective.
+  double tolerance(Vec velocity) const;
+  /// Of each body whether its slips, filtered over the reach of a kernel, are at most so much, rms [m/s]: what changes
+  /// from patch to patch no force can move. Collective.
+  std::vector<bool> are_within(const Points<Dim>& slips, double tolerance) const;
+  /// The forces that leave no more slip than the tolerance. Collective. Errors: DivergedError.
+  Points<Dim> solve(const Points<Dim>& slips, double tolerance, Projection& projection);
+
+  const OverlapInverse<Dim>& overlap() const { return overlap_; }
+
+ private:
+  static PetscErrorCode multiply(Mat matrix, Vec x, Vec y);
+  static PetscErrorCode precondition(PC pc, Vec x, Vec y);
+  static PetscErrorCode judge(KSP solver, PetscInt iteration, PetscReal norm, KSPConvergedReason* reason, void* self);
+  void create_solver();
+  Points<Dim> response(const Points<Dim>& forces) const;
+  Points<Dim> without_unreachable(const Points<Dim>& of_markers) const;
+
+  const Grid<Dim>& grid_;
+  const WallMarkers<Dim>& markers_;
+  double slip_tolerance_, density_;
+  ClosedWalls<Dim> closed_;
+  OverlapInverse<Dim> overlap_;
+  petsc::Matrix matrix_;
+  petsc::Solver solver_;
+  petsc::Vector right_, solution_;
+  TimeStep step_;                     ///< under way
+  Vec fluid_density_ = nullptr;       ///< of it
+  Projection* projection_ = nullptr;  ///< while the solver runs, and how much slip it may leave [m/s]
+  double slip_left_ = 0;
+};
+
+extern template class NoSlipSolver<2>;
+extern template class NoSlipSolver<3>;
+
+}  // namespace washfsi

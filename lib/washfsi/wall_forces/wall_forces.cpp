@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/wall_forces/wall_forces.hpp"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <numbers>
+
+namespace washfsi {
+
+namespace {
+
+// A slip correction takes no account of the pressure: walls respond with 0.2 to 1 of what it asks for, the least for
+// loads that vary slowly along them. Two corrections in a row have the relaxations of Chebyshev's method of second
+// degree over this interval, the larger first, since what responds well has been corrected already.
+constexpr double middle_response = 0.6;
+constexpr std::array<double, 2> relaxations{3.153, 1.133};
+
+// Rounds of these two before the solver is called. Mostly one is enough or none, and the solver makes loads jump in
+// time.
+constexpr int most_rounds = 3;
+
+// Where the water slides along walls, the part of a step's force that markers hardly feel would accumulate, since it
+// acts on other water in the next step: it is halved when the water has passed a quarter of a cell.
+constexpr double forgets = 4;  // [1/cell]
+
+}  // namespace
+
+template <int Dim>
+WallForces<Dim>::WallForces(const Grid<Dim>& grid, const Boundary<Dim>& boundary, const std::vector<Body<Dim>>& bodies,
+                            const BodyTreatment& treatment, double density)
+    : markers_(grid, boundary, bodies, treatment, treatment.limits_advection || treatment.inner_water_slides),
+      solver_(grid, markers_, treatment, density),
+      recycled_(grid.comm(), solver_.overlap()),
+      limits_advection_(treatment.limits_advection),
+      forces_(markers_.patch_count(), Point<Dim>::Zero()),
+      previous_(forces_) {
+  place(0);
+}
+
+template <int Dim>
+void WallForces<Dim>::place(double time) {
+  markers_.place(time);
+  solver_.place();
+}
+
+template <int Dim>
+void WallForces<Dim>::begin_trial(const TimeStep& step, Vec density) {
+  step_ = step;
+  solver_.begin(step, density);
+  last_correction_.reset();
+  forces_ = markers_.turned(previous_, true);
+  markers_.turn_normals();
+}
+
+template <int Dim>
+void WallForces<Dim>::add_to(Vec force) const {
+  markers_.spread(forces_, force);
+  if (markers_.law()) markers_.law()->add_friction(force);
+}
+
+template <int Dim>
+void WallForces<Dim>::accept() {
+  Points<Dim> next = forces_;  // without what slides, lest it return when the patch no longer does
+  for (std::size_t p = 0; p < next.size(); ++p)
+    next[p] = markers_.constrained(next[p], p) / (1 + forgets * markers_.slide(p).passes);
+  previous_ = markers_.turned(next, false);
+}
+
+template <int Dim>
+void WallForces<Dim>::add_forces(const Points<Dim>& more, Vec velocity) {
+  solver_.accelerate(more, velocity);
+  forces_ += more;
+}
+
+template <int Dim>
+void WallForces<Dim>::reduce_slip(Vec velocity, Velocity kind) {
+  const double relaxation = kind == Velocity::projected ? 1 / middle_response : 1;
+  add_forces(relaxation * solver_.approximate_forces(solver_.slips(velocity)), velocity);
+}
+
+// As corrections before have responded, and by the overlap against the rest. Where a law lets the water slide,
+// responses differ from step to step.
+template <int Dim>
+Points<Dim> WallForces<Dim>::correction(const Points<Dim>& slips, double relaxation) const {
+  if (markers_.law()) return relaxation * solver_.approximate_forces(slips);
+  const auto known = recycled_.best_for(markers_.turned(slips, false));
+  const Points<Dim> rest = slips - markers_.turned(known.responses, true);
+  return (1 / step_.dt) * markers_.turned(known.impulses, true) + relaxation * solver_.approximate_forces(rest);
+}
+
+template <int Dim>
+Points<Dim> WallForces<Dim>::without(const std::vector<bool>& bodies, Points<Dim> values) const {
+  for (std::size_t p = 0; p < values.size(); ++p)
+    if (bodies[markers_.body_of(p)]) values[p].setZero();
+  return values;
+}
+
+template <int Dim>
+void WallForces<Dim>::recycle_last_correction(const Points<Dim>& slips_after) {
+  if (!last_correction_ || markers_.law()) return;
+  recycled_.add({markers_.turned(step_.dt * last_correction_->forces, false),
+                 markers_.turned(last_correction_->slips - slips_after, false)});
+  last_correction_.reset();
+}
+
+template <int Dim>
+bool WallForces<Dim>::reduce_slip_beyond_tolerance(Vec velocity, double relaxation) {
+  const Points<Dim> slips = solver_.slips(velocity);
+  recycle_last_correction(slips);
+  const std::vector<bool> within = solver_.are_within(slips, solver_.tolerance(velocity));
+  if (std::ranges::all_of(within, std::identity())) return false;
+  last_correction_ = {without(within, correction(without(within, slips), relaxation)), slips};
+  add_forces(last_correction_->forces, velocity);
+  return true;
+}
+
+template <int Dim>
+void WallForces<Dim>::enforce_no_slip(Vec velocity, Projection& projection) {
+  for (int round = 0; round < most_rounds; ++round)
+    for (const double relaxation : relaxations) {
+      if (!reduce_slip_beyond_tolerance(velocity, relaxation)) return;
+      projection.project_again();
+    }
+  const Points<Dim> slips = solver_.slips(velocity);
+  recycle_last_correction(slips);
+  const double tolerance = solver_.tolerance(velocity);
+  if (std::ranges::all_of(solver_.are_within(slips, tolerance), std::identity())) return;
+  add_forces(solver_.solve(slips, tolerance, projection), velocity);
+  projection.project_again();
+}
+
+template <int Dim>
+void WallForces<Dim>::register_state(StateList& state) {
+  const PatchRange own = markers_.own();
+  const std::size_t patches = markers_.layout().patches();
+  state.add(points_entry<Dim>("/walls/force", row_slab(patches, own.begin, own.end, Dim), previous_)).if_other =
+      StateEntry::IfOther::begin_anew;
+  recycled_.register_state(state, own, patches);
+}
+
+template class WallForces<2>;
+template class WallForces<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "washfsi/grid/boundary.hpp"
+#include "washfsi/immersed_boundary/transfer.hpp"
+#include "washfsi/marker_layout/body_markers.hpp"
+#include "washfsi/support/clock.hpp"
+#include "washfsi/wall_law/body_wall_law.hpp"
+
+namespace washfsi {
+
+/// The markers on the walls of all bodies at one time, and what goes between them, their patches and the grid: S
+/// spreads forces of patches to faces, its adjoint J interpolates velocities to patches. All values are those of this
+/// rank.
+template <int Dim>
+class WallMarkers {
+ public:
+  using State = typename BodyMarkers<Dim>::State;
+
+  /// `finds_edges`: `nearness` is asked for. Collective.
+  WallMarkers(const Grid<Dim>& grid, const Boundary<Dim>& boundary, const std::vector<Body<Dim>>& bodies,
+              const BodyTreatment& treatment, bool finds_edges);
+
+  /// Places the markers as the bodies are at `time`. Collective.
+  void place(double time);
+  /// From the next `turn_normals` on the water slides where a law of friction acts instead of no slip. The law is that
+  /// of these markers and stays alive.
+  void let_slide(const BodyWallLaw<Dim>& law);
+  void turn_normals();
+
+  const Grid<Dim>& grid() const { return grid_; }
+  const BodyMarkers<Dim>& layout() const { return layout_; }
+  const std::vector<Body<Dim>>& bodies() const { return bodies_; }
+  const Boundary<Dim>& boundary() const { return boundary_; }
+  const Transfer<Dim>& transfer() const { return transfer_; }
+  const BodyWallLaw<Dim>* law() const { return law_; }
+  const std::vector<State>& states() const { return states_; }  ///< of the markers
+  double time() const { return time_; }                         ///< of `place` [s]
+  PatchRange own() const { return layout_.own(); }
+  std::size_t patch_count() const { return layout_.own().size(); }
+  std::size_t body_of(std::size_t patch) const { return layout_.body_of(own().begin + patch); }
+  bool acts(std::size_t patch) const { return shares_[patch] > 0; }
+  /// The largest speed of a marker [m/s]. Collective.
+  double largest_speed() const;
+  /// How the water slides along a patch; not at all without a law.
+  PatchSlide slide(std::size_t patch) const { return law_ ? law_->patch_slides()[own().begin + patch] : PatchSlide{}; }
+
+  /// What of a patch's velocity or force is not free to slide.
+  Point<Dim> constrained(const Point<Dim>& value, std::size_t patch) const;
+  /// Vectors of patches between the frames of their bodies and space.
+  Points<Dim> turned(const Points<Dim>& values, bool into_space) const;
+  /// From patches to their markers that act.
+  Points<Dim> shared_out(const Points<Dim>& of_patches) const;
+  /// Over the markers of each patch that act: the adjoint of `shared_out`.
+  Points<Dim> means(const Points<Dim>& of_markers) const;
+  /// force += S F. Collective.
+  void spread(const Points<Dim>& of_patches, Vec force) const { transfer_.spread(shared_out(of_patches), force); }
+  /// J u at the markers, wherever the bodies were then; `time` is that of the velocity. Collective.
+  Points<Dim> water_velocities(Vec velocity, double time) const;
+
+  /// Calls visit(patch, marker) for all markers that act, both counted from this rank's first.
+  template <class Visit>
+  void for_each_acting(Visit&& visit) const;
+
+  /// On faces: from 1 beside edges and thin parts to 0 beyond the reach of their forces; null if there are none, or
+  /// nothing asks for it. Valid until they are placed anew.
+  Vec nearness() const { return nearness_; }
+
+ private:
+  const Grid<Dim>& grid_;
+  const Boundary<Dim>& boundary_;
+  const std::vector<Body<Dim>>& bodies_;
+  Transfer<Dim> transfer_;
+  BodyMarkers<Dim> layout_;
+  std::vector<State> states_;
+  std::vector<double> shares_;  ///< of each marker in its patch; 0 of patches that do not act
+  const BodyWallLaw<Dim>* law_ = nullptr;
+  Points<Dim> slide_normals_, normals_;  ///< of the patches: in their bodies' frames; in space
+  petsc::Vector nearness_;
+  double time_ = 0;
+  /// What was asked for last, where the markers are.
+  struct Interpolated {
+    petsc::Version velocity;
+    double time;
+    Points<Dim> values;
+  };
+  mutable std::optional<Interpolated> interpolated_;
+};
+
+/// How markers are laid on walls: with the narrow kernel that is smooth for what moves over the grid.
+template <int Dim>
+MarkerLayout<Dim> wall_marker_layout(const Grid<Dim>& grid, const BodyTreatment& treatment);
+
+template <int Dim>
+template <class Visit>
+void WallMarkers<Dim>::for_each_acting(Visit&& visit) const {
+  const std::size_t begin = own().begin, first = layout_.start(begin);
+  for (std::size_t p = begin; p < own().end; ++p)
+    for (std::size_t m = layout_.start(p) - first; m < layout_.start(p + 1) - first; ++m)
+      if (states_[m].acts) visit(p - begin, m);
+}
+
+extern template class WallMarkers<2>;
+extern template class WallMarkers<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/wall_forces/water_step.hpp"
+
+namespace washfsi {
+
+template <int Dim>
+void WaterStep<Dim>::predict(const TimeStep& step, StepFields<Dim> fields) {
+  if (walls_) walls_->begin_trial(step, fields.liquid.density);
+  fields.further_force = walls_;
+  fluid_.predict(step, fields);
+}
+
+template <int Dim>
+void WaterStep<Dim>::project_between_walls() {
+  if (walls_) walls_->reduce_slip(fluid_.next_velocity(), WallForces<Dim>::Velocity::predicted);
+  fluid_.project();
+}
+
+template <int Dim>
+void WaterStep<Dim>::add_force(Vec force) {
+  const petsc::LogPart part("pressure");
+  fluid_.add_force(force);
+  if (walls_) walls_->reduce_slip(fluid_.next_velocity(), WallForces<Dim>::Velocity::projected);
+  if (fluid_.projects()) fluid_.project_again();
+}
+
+template <int Dim>
+void WaterStep<Dim>::enforce_no_slip() {
+  if (!walls_ || !fluid_.projects()) return;
+  const petsc::LogPart part("pressure");
+  walls_->enforce_no_slip(fluid_.next_velocity(), fluid_);
+}
+
+template <int Dim>
+void WaterStep<Dim>::finish() {
+  fluid_.finish();
+  if (walls_) walls_->accept();
+}
+
+template <int Dim>
+void WaterStep<Dim>::advance(const TimeStep& step, const StepFields<Dim>& fields) {
+  predict(step, fields);
+  project_between_walls();
+  enforce_no_slip();
+  finish();
+}
+
+template class WaterStep<2>;
+template class WaterStep<3>;
+
+}  // namespace washfsi

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// One step of the water between walls: the only place that says in which order the fluid's phases and the walls' forces
+// take part in it. Couplings that add forces of the cloth at the end of the step call
+//   predict, project, any number of (add_force, enforce_no_slip), finish,
+// all others
+//   predict, project_between_walls, enforce_no_slip, finish,
+// which `advance` does at once.
+#pragma once
+
+#include "washfsi/fluid/fractional_step.hpp"
+#include "washfsi/wall_forces/wall_forces.hpp"
+
+namespace washfsi {
+
+template <int Dim>
+class WaterStep {
+ public:
+  /// `walls`: null if no walls act by forces. Both stay alive.
+  WaterStep(FractionalStep<Dim>& fluid, WallForces<Dim>* walls) : fluid_(fluid), walls_(walls) {}
+
+  /// Phases 1 and 2, with the walls' forces of the step before. Collective.
+  void predict(const TimeStep& step, StepFields<Dim> fields);
+  /// Phase 3 of a velocity that `add_force` changes later. Collective.
+  void project() { fluid_.project(); }
+  /// Phase 3 of one that no further force changes: first with less slip, then free of divergence. Collective.
+  void project_between_walls();
+  /// Phase 3b: adds a further force density on faces to the projected velocity, with less slip, and projects it again.
+  /// Collective.
+  void add_force(Vec force);
+  /// Makes the slip as small as the tolerance. Collective. Errors: DivergedError.
+  void enforce_no_slip();
+  /// Phase 4: the step's velocity and the walls' forces become those of the step before. Collective.
+  void finish();
+
+  /// A whole step without further forces. Collective. Errors: DivergedError.
+  void advance(const TimeStep& step, const StepFields<Dim>& fields);
+
+ private:
+  FractionalStep<Dim>& fluid_;
+  WallForces<Dim>* walls_;
+};
+
+extern template class WaterStep<2>;
+extern template class WaterStep<3>;
+
+}  // namespace washfsi
