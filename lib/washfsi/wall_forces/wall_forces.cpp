@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <functional>
-#include <numbers>
 
 namespace washfsi {
 
@@ -12,7 +11,8 @@ namespace {
 
 // A slip correction takes no account of the pressure: walls respond with 0.2 to 1 of what it asks for, the least for
 // loads that vary slowly along them. Two corrections in a row have the relaxations of Chebyshev's method of second
-// degree over this interval, the larger first, since what responds well has been corrected already.
+// degree over this interval, 1/(0.6 -+ 0.4/sqrt(2)): the larger first, since what responds well has been corrected
+// already.
 constexpr double middle_response = 0.6;
 constexpr std::array<double, 2> relaxations{3.153, 1.133};
 
