@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Laws whose energy is a function of the strains at a point, on quads and on a whole sheet.
-#include "washfsi/cloth/pointwise_quad.hpp"
+#include "support/pointwise_quad.hpp"
 
 #include "support/elasticity.hpp"
 #include "washfsi/cloth/sheet_stiffness.hpp"

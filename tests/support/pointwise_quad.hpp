@@ -3,7 +3,7 @@
 
 #include "washfsi/cloth/fabric_law.hpp"
 
-namespace washfsi {
+namespace washfsi::test {
 
 /// E11, E22 and 2 E12 at a point, or N11, N22 and N12.
 using PointStrain = Eigen::Vector3d;
@@ -51,4 +51,4 @@ class PointwiseQuad {
   QuadVector strains_;
 };
 
-}  // namespace washfsi
+}  // namespace washfsi::test
