@@ -6,8 +6,8 @@
 //     +  sum over quads  ds dr quad(E11 of two edges, E22 of two edges, 2 E12)
 // E are the Green-Lagrange strains. Half of an edge's area is on either side of it; `bare` = 0, 1/2 or 1 is the share
 // that has no quad, at the border of the cloth, where the stress across the edge is zero. A law whose energy is a
-// function of all three strains at a point has it all on the quads (tests/support/pointwise_quad.hpp), and on the edges only
-// that of their bare share.
+// function of all three strains at a point has it all on the quads (tests/support/pointwise_quad.hpp), and on the edges
+// only that of their bare share.
 //
 // To add a law: a class of this kind in two new files, and its name in the list of cloth/fabric.hpp.
 #pragma once

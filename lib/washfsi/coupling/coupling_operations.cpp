@@ -53,40 +53,23 @@ void spread_cloth(System<Dim>& system, const Points<Dim>& forces) {
 }
 
 template <int Dim>
-void place_walls(Model<Dim>& model, double time) {
-  if (!model.walls) return;
-  const PosedBodies<Dim> posed(model.bodies, time);
-  model.boundary.cover_sides(time, model.mask.cover(posed));
-  model.walls->place(time);
-  model.count_sliding_water();
-}
-
-template <int Dim>
 void place_bodies(System<Dim>& system, double time) {
   Model<Dim>& model = system.model;
-  model.mask.update(time);
-  place_walls(model, time);
-  if (!model.mask.extrapolates()) return;
-  const GhostedVelocity<Dim> local(model.boundary, model.grid.wide_face_dm(), model.fluid.velocity(),
-                                   system.state.clock.time);
-  model.mask.extrapolate(local, time);
+  model.bodies.place(time, model.fluid.velocity(), system.state.clock.time);
 }
 
 template <int Dim>
 void predict(System<Dim>& system, double dt) {
   auto& [model, state, step] = system;
   model.liquid.update_viscosity(
-      {model.fluid.velocity(), state.clock.time, model.fluid_share(), model.fluid.last_step()}, model.wall_law.get());
-  if (model.wall_law) {
-    model.walls->let_slide(*model.wall_law);
-    model.mask.let_slide(
-        [&law = *model.wall_law](Vec fraction, Vec velocity) { law.add_inner_slip(fraction, velocity); });
-  }
+      {model.fluid.velocity(), state.clock.time, model.bodies.fluid_share(), model.fluid.last_step()},
+      model.bodies.wall_law());
+  model.bodies.let_water_slide();
   model.water().predict(state.clock.next(dt), {.liquid = model.liquid.fields(),
                                                .force = step.force,
-                                               .constraint = model.mask.constraint(),
+                                               .constraint = model.bodies.constraint(),
                                                .nearness = model.nearness(),
-                                               .driven_share = model.driven_share()});
+                                               .driven_share = model.bodies.driven_share()});
 }
 
 template <int Dim>
@@ -100,7 +83,7 @@ template <int Dim>
 Points<Dim> marker_velocities(const Model<Dim>& model, Vec velocity, double time) {
   const petsc::GlobalVector masked(model.grid.face_dm());
   WASH_PETSC(VecCopy(velocity, masked));
-  model.mask.apply(masked);
+  model.bodies.apply(masked);
   const GhostedVelocity<Dim> local(model.boundary, model.grid.wide_face_dm(), masked, time);
   return model.transfer.interpolate(local);
 }
@@ -122,8 +105,6 @@ template Points<2> all_forces<2>(System<2>&, const Points<2>&);
 template Points<3> all_forces<3>(System<3>&, const Points<3>&);
 template void spread_cloth<2>(System<2>&, const Points<2>&);
 template void spread_cloth<3>(System<3>&, const Points<3>&);
-template void place_walls<2>(Model<2>&, double);
-template void place_walls<3>(Model<3>&, double);
 template void place_bodies<2>(System<2>&, double);
 template void place_bodies<3>(System<3>&, double);
 template void predict<2>(System<2>&, double);

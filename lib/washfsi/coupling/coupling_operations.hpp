@@ -25,10 +25,6 @@ Points<Dim> all_forces(System<Dim>& system, const Points<Dim>& positions);
 template <int Dim>
 void spread_cloth(System<Dim>& system, const Points<Dim>& forces);
 
-/// Places the markers that hold the walls, if any do, as they are at `time`, and moves the sides beneath bodies.
-template <int Dim>
-void place_walls(Model<Dim>& model, double time);
-
 /// Places the bodies as they are at `time`.
 template <int Dim>
 void place_bodies(System<Dim>& system, double time);

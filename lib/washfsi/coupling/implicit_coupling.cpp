@@ -77,7 +77,7 @@ Points<Dim> ImplicitCoupling<Dim>::solve(System<Dim>& system, double dt, Points<
     const petsc::LogPart part("cloth_solve");
     const std::vector<double> mobility =
         row_sum_mobility<Dim>(model.transfer, model.grid, model.boundary, model.liquid.density(),
-                              model.fluid_fraction(), std::vector<double>(state.positions.size(), 1.0));
+                              model.bodies.fluid_fraction(), std::vector<double>(state.positions.size(), 1.0));
     model.forces.set_stiffness(state.positions + dt * velocities, geometric,
                                weight() * dt * dt * options_.mobility_factor, matrix);
     scale_and_shift<Dim>(mobility, std::vector<double>(mobility.size(), 1.0), matrix);

@@ -39,23 +39,14 @@ GridShape<Dim> with_ghosts_for(GridShape<Dim> shape, const ModelOptions<Dim>& op
 }
 
 template <int Dim>
-std::unique_ptr<WallForces<Dim>> make_walls(const Grid<Dim>& grid, const Boundary<Dim>& boundary,
-                                            const std::vector<Body<Dim>>& bodies, const ModelOptions<Dim>& options) {
-  if (options.treatment.method != BodyMethod::direct_forcing || bodies.empty()) return nullptr;
-  BodyTreatment treatment = options.treatment;
-  treatment.limits_advection &= options.fluid.advection == Advection::central;
-  return std::make_unique<WallForces<Dim>>(grid, boundary, bodies, treatment, options.fluid.density);
-}
-
-template <int Dim>
 bool cloth_limits(const ModelOptions<Dim>& options) {
   return options.cloth_limits_advection && options.fluid.advection == Advection::central && !options.cloths.empty();
 }
 
 template <int Dim>
-FluidOptions<Dim> with_edges(const ModelOptions<Dim>& options, const WallForces<Dim>* walls) {
+FluidOptions<Dim> with_edges(const ModelOptions<Dim>& options, const Bodies<Dim>& bodies) {
   FluidOptions<Dim> fluid = options.fluid;
-  fluid.limits_at_edges = cloth_limits(options) || (walls && walls->limits_advection());
+  fluid.limits_at_edges = cloth_limits(options) || bodies.limits_advection();
   return fluid;
 }
 
@@ -93,16 +84,12 @@ ModelOptions<Dim> ModelOptions<Dim>::from_options(Options& options, MassCarrier 
 template <int Dim>
 Model<Dim>::Model(MPI_Comm comm, const ModelOptions<Dim>& options, std::vector<Body<Dim>> rigid_bodies)
     : grid(comm, with_ghosts_for(options.grid.shape, options)),
-      bodies(repeat_bodies<Dim>(grid, std::move(rigid_bodies))),
-      boundary(grid, sides_with_drum<Dim>(options.grid.sides, options.grid.shape, bodies)),
-      mask(grid, bodies, options.treatment),
-      walls(make_walls(grid, boundary, bodies, options)),
-      wall_law(walls && options.fluid.wall_model != WallTreatment::none
-                   ? std::make_unique<BodyWallLaw<Dim>>(grid, boundary, bodies, walls->markers().layout())
-                   : nullptr),
+      body_list(repeat_bodies<Dim>(grid, std::move(rigid_bodies))),
+      boundary(grid, sides_with_drum<Dim>(options.grid.sides, options.grid.shape, body_list)),
+      bodies(grid, boundary, body_list, options.treatment, options.fluid),
       liquid(grid, boundary, options.fluid.density, options.fluid.viscosity, options.fluid.viscosity_models,
              options.fluid.wall_model),
-      fluid(grid, boundary, with_edges<Dim>(options, walls.get())),
+      fluid(grid, boundary, with_edges<Dim>(options, bodies)),
       cloths(comm, options.cloths),
       forces(cloths),
       transfer(grid, boundary, options.delta),
@@ -112,12 +99,6 @@ Model<Dim>::Model(MPI_Comm comm, const ModelOptions<Dim>& options, std::vector<B
       films_drain(options.films_drain),
       verify_interval(options.verify_interval) {
   if (cloth_limits(options)) cloth_nearness = grid.face_vector();
-  count_sliding_water();
-}
-
-template <int Dim>
-void Model<Dim>::count_sliding_water() {
-  if (wall_law && walls->markers().nearness()) mask.count_as_water(walls->markers().nearness());
 }
 
 // In this order they are summed.
@@ -144,7 +125,7 @@ void Model<Dim>::locate_cloth(const Points<Dim>& places) {
 
 template <int Dim>
 Vec Model<Dim>::nearness() const {
-  const Vec of_walls = walls ? walls->limits_advection() : nullptr;
+  const Vec of_walls = bodies.limits_advection();
   if (!cloth_nearness || !of_walls) return cloth_nearness ? static_cast<Vec>(cloth_nearness) : of_walls;
   WASH_PETSC(VecPointwiseMax(cloth_nearness, cloth_nearness, of_walls));
   return cloth_nearness;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "washfsi/bodies/bodies.hpp"
 #include "washfsi/contact/contact_force.hpp"
 #include "washfsi/grid/options.hpp"
-#include "washfsi/mask/mask.hpp"
-#include "washfsi/wall_forces/water_step.hpp"
 
 namespace washfsi {
 
@@ -54,24 +53,13 @@ struct Model {
   /// How near faces are to what central advection gives way to upwind beside (`StepFields`); null if it does nowhere.
   /// Collective.
   Vec nearness() const;
-  /// Counts the water at thin parts of bodies as water (`Mask::count_as_water`) if the law lets it slide there. After
-  /// mask and walls have been placed.
-  void count_sliding_water();
-  /// H on faces; null without solids.
-  Vec fluid_fraction() const { return mask.empty() ? nullptr : mask.fluid_fraction(); }
-  /// The share of faces that lies in fluid; null without solids.
-  Vec fluid_share() const { return mask.empty() ? nullptr : mask.fluid_share(); }
-  /// That of `StepFields`.
-  Vec driven_share() const { return wall_law ? mask.fluid_share() : nullptr; }
   /// The water's step between the walls.
-  WaterStep<Dim> water() { return {fluid, walls.get()}; }
+  WaterStep<Dim> water() { return {fluid, bodies.wall_forces()}; }
 
   Grid<Dim> grid;
-  std::vector<Body<Dim>> bodies;
+  std::vector<Body<Dim>> body_list;
   Boundary<Dim> boundary;
-  Mask<Dim> mask;
-  std::unique_ptr<WallForces<Dim>> walls;      ///< of -body_method direct_forcing, else null
-  std::unique_ptr<BodyWallLaw<Dim>> wall_law;  ///< of these walls with -wall_model, else null
+  Bodies<Dim> bodies;
   Liquid<Dim> liquid;
   FractionalStep<Dim> fluid;
   Cloths<Dim> cloths;

@@ -14,7 +14,7 @@ void StepMobility<Dim>::find(const Model<Dim>& model, const Points<Dim>& places,
   constexpr double floor = 1e-3;
   constexpr double own_share = 1e-2;  // in the machine as a cloth of permeance 1e-7 m/(s Pa), a hundredth of a towel's
   row_sums_ = row_sum_mobility<Dim>(model.transfer, model.grid, model.boundary, model.liquid.density(),
-                                    model.fluid_fraction(), std::vector<double>(places.size(), 1.0));
+                                    model.bodies.fluid_fraction(), std::vector<double>(places.size(), 1.0));
   double most = 0;
   for (const double sum : row_sums_) most = std::max(most, sum);
   most = largest(model.grid.comm(), most);

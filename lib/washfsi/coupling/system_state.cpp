@@ -49,8 +49,7 @@ StateList state_of(System<Dim>& system) {
   model.boundary.register_state(list);
   for (const auto& force : model.forces.list()) force->register_state(list);
   if (model.liquid.walls()) model.liquid.walls()->register_state(list);
-  if (model.walls) model.walls->register_state(list);
-  if (model.wall_law) model.wall_law->register_state(list);
+  model.bodies.register_state(list);
   return list;
 }
 
@@ -58,8 +57,7 @@ template <int Dim>
 void resume(System<Dim>& system) {
   Model<Dim>& model = system.model;
   model.locate_cloth(system.state.positions);
-  model.mask.update(system.state.clock.time);
-  place_walls(model, system.state.clock.time);
+  model.bodies.place(system.state.clock.time);
 }
 
 template <int Dim>

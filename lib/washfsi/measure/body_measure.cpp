@@ -34,7 +34,7 @@ BodyMeasure<Dim>::BodyMeasure(const System<Dim>& system, bool balance)
 
 template <int Dim>
 void BodyMeasure<Dim>::declare(QuantityList& quantities) {
-  if (!system_.model.mask.empty())
+  if (!system_.model.bodies.empty())
     quantities.add({"mask_dissipation", Units<Dim>::power,
                     "what moving walls gave beyond their power on the water: at the staircase of a mask, or as markers "
                     "move in a step",
@@ -49,7 +49,7 @@ void BodyMeasure<Dim>::declare(QuantityList& quantities) {
     quantities.add({"", Units<Dim>::torque, "torque about the axis in which it turns",
                     [this, b] { return loads_[b].torque[rotation_components<Dim> - 1]; }},
                    mean_peak_rms(name + "_torque", Units<Dim>::torque, "torque of water and cloth on the body", true));
-    if (system_.model.walls)
+    if (system_.model.bodies.wall_forces())
       quantities.add(
           {name + "_slip", "m/s",
            "what the water's velocity at the body's markers differs by from theirs after the step, root mean "
@@ -64,19 +64,19 @@ void BodyMeasure<Dim>::declare(QuantityList& quantities) {
 template <int Dim>
 Loads<Dim> BodyMeasure<Dim>::inner_momenta() const {
   const Model<Dim>& model = system_.model;
-  return model.mask.inner_momentum(model.fluid.velocity(), model.liquid.density(), system_.state.clock.time);
+  return model.bodies.mask().inner_momentum(model.fluid.velocity(), model.liquid.density(), system_.state.clock.time);
 }
 
 template <int Dim>
 void BodyMeasure<Dim>::prepare() {
-  if (system_.model.walls) inner_momenta_ = inner_momenta();
+  if (system_.model.bodies.wall_forces()) inner_momenta_ = inner_momenta();
 }
 
 // What loads have not got, as the momentum of the water inside has it.
 template <int Dim>
 Loads<Dim> BodyMeasure<Dim>::inner_inertia(double dt) {
   Loads<Dim> inertia(loads_.size());
-  if (!system_.model.walls) return inertia;
+  if (!system_.model.bodies.wall_forces()) return inertia;
   const Loads<Dim> before = std::exchange(inner_momenta_, inner_momenta());
   for (std::size_t b = 0; b < inertia.size(); ++b)
     inertia[b] = {(inner_momenta_[b].force - before[b].force) / dt, (inner_momenta_[b].torque - before[b].torque) / dt};
@@ -101,23 +101,24 @@ void BodyMeasure<Dim>::observe(const Observation<Dim>& seen) {
   const FractionalStep<Dim>& fluid = model.fluid;
   const Vec density = model.liquid.density();
   const double time = system_.state.clock.time, middle = time - 0.5 * seen.dt;
-  loads_ = model.mask.loads(fluid.constraint_force(), density, fluid.pressure(), middle);
-  const Loads<Dim> beneath =
-      model.mask.hidden_wall_shear(model.boundary, seen.velocity, model.liquid.viscosity(), time);
-  const Loads<Dim> of_markers = model.walls ? marker_loads(*model.walls) : Loads<Dim>(loads_.size());
+  loads_ = model.bodies.water_loads({.constraint_force = fluid.constraint_force(),
+                                     .density = density,
+                                     .pressure = fluid.pressure(),
+                                     .local_velocity = seen.velocity,
+                                     .viscosity = model.liquid.viscosity(),
+                                     .time = time,
+                                     .dt = seen.dt});
   const Loads<Dim> of_inner = inner_inertia(seen.dt);
-  for (std::size_t b = 0; b < loads_.size(); ++b)
-    for (const Loads<Dim>* part : {&beneath, &of_markers}) loads_[b] += (*part)[b];
   if (control_volumes_)
     balance_loads_ = control_volumes_->loads({fluid.velocity_before(), fluid.velocity(), fluid.pressure(), density,
-                                              system_.step.force, model.mask.fluid_share(), model.liquid.viscosity(),
+                                              system_.step.force, model.bodies.fluid_share(), model.liquid.viscosity(),
                                               time, seen.dt, fluid.driving().gradient()});
   for (std::size_t b = 0; b < loads_.size(); ++b)
     for (Load<Dim>* load : {&loads_[b], &balance_loads_[b]}) (*load += of_inner[b]) += seen.contact.bodies[b];
-  if (!model.walls)
-    mask_dissipation_ = model.mask.dissipation(fluid.velocity_before(), density, seen.dt);
+  if (!model.bodies.wall_forces())
+    mask_dissipation_ = model.bodies.mask().dissipation(fluid.velocity_before(), density, seen.dt);
   else
-    observe_markers(*model.walls, seen.dt);
+    observe_markers(*model.bodies.wall_forces(), seen.dt);
   for (std::size_t b = 0; b < loads_.size(); ++b) powers_[b] = power(model.bodies[b].motion, loads_[b], middle);
 }
 

@@ -33,7 +33,7 @@ void DrivingMeasure<Dim>::observe(const Observation<Dim>& seen) {
   const Model<Dim>& model = system_.model;
   if (!model.fluid.driving().is_there()) return;
   observe_start(seen);
-  const Vec share = model.driven_share();
+  const Vec share = model.bodies.driven_share();
   const Point<Dim> before = mean_velocity<Dim>(model.grid, model.fluid.velocity_before(), share);
   const Point<Dim> now = share ? mean_velocity<Dim>(model.grid, model.fluid.velocity(), share) : bulk_velocity_;
   const double volume = (model.grid.upper() - model.grid.lower()).prod();

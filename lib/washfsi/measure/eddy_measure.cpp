@@ -21,7 +21,7 @@ void EddyMeasure<Dim>::declare(QuantityList& quantities) {
         {"wall_y_plus_max", "-",
          "largest y+ of the middle of a cell beside no-slip sides of the box, by Reichardt's law at the next",
          [this] { return y_plus_; }, Accumulation::largest, "/max_wall_y_plus"});
-  body_y_plus_.assign(system_.model.wall_law ? system_.model.bodies.size() : 0, 0.0);
+  body_y_plus_.assign(system_.model.bodies.wall_law() ? system_.model.bodies.size() : 0, 0.0);
   for (std::size_t b = 0; b < body_y_plus_.size(); ++b) {
     const std::string& name = system_.model.bodies[b].name;
     quantities.add({name + "_y_plus_max", "-",
@@ -42,7 +42,7 @@ void EddyMeasure<Dim>::observe(const Observation<Dim>& seen) {
   if (models_walls())
     y_plus_ =
         largest_y_plus<Dim>(model.grid, model.boundary, {model.grid.face_dm(), seen.velocity}, model.liquid.pure());
-  if (model.wall_law) body_y_plus_ = model.wall_law->largest_y_plus();
+  if (model.bodies.wall_law()) body_y_plus_ = model.bodies.wall_law()->largest_y_plus();
   if (!model.liquid.has_models()) return;
   double sum = 0;
   largest_ = 0;

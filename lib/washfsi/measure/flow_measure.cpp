@@ -40,12 +40,12 @@ void FlowMeasure<Dim>::observe(const Observation<Dim>& seen) {
   const Model<Dim>& model = system_.model;
   dt_ = seen.dt;
   // Behind walls that markers hold there is water too: that of the first half of a cell belongs to the friction.
-  const double dry_fraction = model.walls ? Mask<Dim>::fraction_half_a_cell_behind : 0;
-  flow_ = FlowDiagnostics<Dim>::of(model.grid,
-                                   {seen.velocity, model.liquid.fields(), model.fluid_share(), dry_fraction}, dt_);
-  if (model.wall_law)
-    flow_.dissipation +=
-        model.wall_law->dissipation(model.fluid.velocity_before(), model.fluid.velocity(), system_.state.clock.time);
+  const double dry_fraction = model.bodies.dry_fraction();
+  flow_ = FlowDiagnostics<Dim>::of(
+      model.grid, {seen.velocity, model.liquid.fields(), model.bodies.fluid_share(), dry_fraction}, dt_);
+  if (model.bodies.wall_law())
+    flow_.dissipation += model.bodies.wall_law()->dissipation(model.fluid.velocity_before(), model.fluid.velocity(),
+                                                              system_.state.clock.time);
   const CarriedMass cloth = CarriedMass::of(system_);
   flow_.kinetic_energy += cloth.kinetic_energy;
   flow_.angular_momentum += cloth.angular_momentum;

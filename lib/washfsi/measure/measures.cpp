@@ -89,7 +89,7 @@ Measures<Dim>::Measures(const System<Dim>& system, const MeasureOptions& options
     statistics_ = std::make_unique<FlowStatistics<Dim>>(system.model.grid, options.statistics);
     quantities_.keep("statistics", statistics_->kept(), QuantityList::IfOther::begin_anew);
   }
-  const double cycle_time = options.cycle_time > 0 ? options.cycle_time : first_period(system.model.bodies);
+  const double cycle_time = options.cycle_time > 0 ? options.cycle_time : first_period(system.model.bodies.list());
   take_phases(options, cycle_time);
   cycles_.emplace(quantities_, cycle_time, "cycle");
   whole_run_.emplace(quantities_, Cycles::whole_run, "run");
@@ -172,7 +172,7 @@ void Measures<Dim>::observe(double dt, bool all) {
   if (statistics_) statistics_->observe(system_.state.clock.time, dt, {velocity, model.fluid.pressure()});
   if (phases_)
     phases_->observe(system_.state.clock.time, dt,
-                     {velocity, model.fluid_share(), model.liquid.pure_density(), model.liquid.pure_viscosity(),
+                     {velocity, model.bodies.fluid_share(), model.liquid.pure_density(), model.liquid.pure_viscosity(),
                       model.liquid.viscosity()});
   quantities_.accumulate();
   for (auto* cycles : {&cycles_, &whole_run_}) (*cycles)->observe(system_.state.clock.time, seen.interval);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/measure/wall_measure.hpp"
 
-#include "washfsi/wall_forces/marker_loads.hpp"
-
 namespace washfsi {
 
 template <int Dim>
@@ -26,7 +24,7 @@ void WallMeasure<Dim>::observe(const Observation<Dim>& seen) {
   const Model<Dim>& model = system_.model;
   loads_ = wall_loads<Dim>(model.grid, model.boundary, model.bodies, walls_, seen.velocity, model.fluid.pressure(),
                            model.liquid.viscosity(), system_.state.clock.time);
-  const Loads<Dim> of_markers = model.walls ? marker_loads_on_sides(*model.walls, walls_) : Loads<Dim>(walls_.size());
+  const Loads<Dim> of_markers = model.bodies.loads_on_sides(walls_);
   for (std::size_t s = 0; s < walls_.size(); ++s) loads_[s] += of_markers[s];
   for (std::size_t s = 0; s < walls_.size(); ++s)
     loads_[s] += seen.contact.sides[walls_[s].axis][walls_[s].end == End::upper ? 1 : 0];

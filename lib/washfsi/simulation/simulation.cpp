@@ -113,7 +113,7 @@ void Simulation<Dim>::start_results(Options& options) {
   results_ = std::make_unique<Results<Dim>>(*system_, *measures_, profiles_, run_.output_dir, continues_from);
   if (!run_.check) results_->open_history(continues_from);
   Model<Dim>& model = system_->model;
-  model.liquid.let_models_add({model.fluid.velocity(), clock().time, model.fluid_share()});
+  model.liquid.let_models_add({model.fluid.velocity(), clock().time, model.bodies.fluid_share()});
   measures_->observe_start(state_.dt);
   results_->write_frame(clock().step);
 }

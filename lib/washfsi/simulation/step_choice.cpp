@@ -32,7 +32,7 @@ bool StepChoice<Dim>::starts_at_once() const {
     const auto motion = body.motion.state(system_.state.clock.time);
     return motion.angular_velocity != 0 || !motion.velocity.isZero(0);
   });
-  return system_.model.walls && (speed > 0 || moves_off);
+  return system_.model.bodies.wall_forces() && (speed > 0 || moves_off);
 }
 
 template <int Dim>
@@ -117,7 +117,8 @@ double StepChoice<Dim>::courant_now(double dt) const {
   const Model<Dim>& model = system_.model;
   const GhostedVelocity<Dim> local(model.boundary, model.grid.face_dm(), model.fluid.velocity(),
                                    system_.state.clock.time);
-  return FlowDiagnostics<Dim>::of(model.grid, {local, model.liquid.fields(), model.fluid_share()}, dt).courant.value;
+  return FlowDiagnostics<Dim>::of(model.grid, {local, model.liquid.fields(), model.bodies.fluid_share()}, dt)
+      .courant.value;
 }
 
 template <int Dim>

@@ -129,11 +129,12 @@ void add_body(const Model<Dim>& model, std::size_t b, const std::vector<BodySurv
     findings.push_back(presence_for_cloths<Dim>(model.bodies[b], survey, model.grid.spacing().norm()));
     return;
   }
-  const std::size_t markers = model.walls ? model.walls->markers().layout().of_body(b).markers.size() : 0;
+  const std::size_t markers =
+      model.bodies.wall_forces() ? model.bodies.wall_forces()->markers().layout().of_body(b).markers.size() : 0;
   findings.push_back(presence<Dim>(model.bodies[b], survey, model.grid.cell_count(), markers));
   if (findings.back().verdict != Verdict::ok) return;
   findings.push_back(thickness(name, survey, markers > 0));
-  if (model.wall_law && !model.bodies[b].motion.at_rest()) findings.push_back(width(name, survey));
+  if (model.bodies.wall_law() && !model.bodies[b].motion.at_rest()) findings.push_back(width(name, survey));
   add_overlaps(model, b, surveys, findings);
 }
 

@@ -39,11 +39,12 @@ void add_water(const Model<Dim>& model, Findings& findings) {
 // A law stands for the layers at the box's sides; on bodies that markers hold it has been validated little.
 template <int Dim>
 void add_wall_model(const Model<Dim>& model, Findings& findings) {
-  const bool on_bodies = model.wall_law && model.wall_law->point_count() > 0;
+  const bool on_bodies = model.bodies.wall_law() && model.bodies.wall_law()->point_count() > 0;
   findings.push_back(
       {"wall model",
-       on_bodies ? format_text("of the box's sides, and at %zu points of bodies", model.wall_law->point_count())
-                 : "of the box's sides, not of bodies",
+       on_bodies
+           ? format_text("of the box's sides, and at %zu points of bodies", model.bodies.wall_law()->point_count())
+           : "of the box's sides, not of bodies",
        Verdict::warn, Finding::none, Finding::none,
        on_bodies
            ? "the law of bodies is validated on flat walls and thin plates only, along the grid and at 20 degrees to "
@@ -82,7 +83,7 @@ void add_flow(const Model<Dim>& model, const FlowScales& scales, Findings& findi
   if (model.liquid.walls()) {
     if (model.bodies.empty()) return;
     add_wall_model(model, findings);
-    if (model.wall_law) return;
+    if (model.bodies.wall_law()) return;
   }
   findings.push_back(at_least("boundary layer", layer, {4}, format_text("%.2g cells", layer),
                               "friction and shear at walls are not resolved; more -grid_cells"));
