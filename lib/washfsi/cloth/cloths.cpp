@@ -121,7 +121,7 @@ std::span<const Point<Dim>> Cloths<Dim>::seen(const Points<Dim>& with_halo, cons
   return std::span<const Point<Dim>>(with_halo).subspan(patch.first_in_halo, patch.markers.size());
 }
 
-// find(patch) gives a value for each marker of a patch; those of this rank's markers are kept.
+// Collects this rank's values; find(patch) gives a value for each marker of a patch.
 template <int Dim>
 template <class Find>
 auto Cloths<Dim>::values_by_patch(const Find& find) const {

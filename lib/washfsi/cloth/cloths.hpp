@@ -24,13 +24,13 @@ struct PointType : ContiguousType {
 /// is seen as an open one that goes round beyond its own end.
 struct Patch {
   std::size_t piece;
-  std::vector<PetscInt> markers;              ///< seen, by their numbers
-  std::size_t first_in_halo;                  ///< where they begin in an array with halo
-  std::size_t own_begin, own_end, own_first;  ///< this rank's among them, and the first of these in its arrays
+  std::vector<PetscInt> markers;              ///< markers seen, by their numbers
+  std::size_t first_in_halo;                  ///< index of the first in an array with halo
+  std::size_t own_begin, own_end, own_first;  ///< range of this rank's among them, and index of the first in its arrays
 };
 
 /// All cloths of a run. Markers are numbered cloth by cloth; each rank has a contiguous range of them, whatever cloths
-/// they belong to. Arrays of marker data hold this range. Knows no grid.
+/// they belong to. Arrays of marker data cover this range. Independent of the grid.
 template <int Dim>
 class Cloths {
  public:
@@ -43,7 +43,7 @@ class Cloths {
   PetscInt begin() const { return begin_; }  ///< first marker of this rank
   PetscInt end() const { return end_; }
   std::size_t owned() const { return static_cast<std::size_t>(end_ - begin_); }
-  /// This rank's part of an array over all markers with so many components each.
+  /// This rank's part of an array over all markers with `components` values each.
   Slab slab(int components) const {
     return row_slab(static_cast<std::size_t>(total_), static_cast<std::size_t>(begin_), static_cast<std::size_t>(end_),
                     components);
@@ -61,22 +61,22 @@ class Cloths {
   PetscInt number_of(std::size_t marker) const { return begin_ + static_cast<PetscInt>(marker); }
   /// The quads of a piece, each as its four markers in the order round it; a fibre has none.
   std::vector<std::array<PetscInt, 4>> quads(const Piece& piece) const;
-  /// Undeformed area that each of this rank's markers stands for [m2; m in the plane].
+  /// Undeformed area of each of this rank's markers [m2; m in the plane].
   const std::vector<double>& marker_areas() const { return marker_areas_; }
-  /// That area over the one of a marker inside its cloth: below 1 on the edges of a nodal lattice.
+  /// Area of each marker over that of a marker inside its cloth: below 1 on the edges of a nodal lattice.
   const std::vector<double>& marker_shares() const { return marker_shares_; }
   /// Excess mass of each of this rank's markers [kg; per unit depth in the plane].
   const std::vector<double>& marker_masses() const { return marker_masses_; }
 
-  /// What this rank sees of the cloths, for whatever acts between neighbours on a lattice.
+  /// The parts of the cloths that this rank sees, for forces between neighbours on a lattice.
   const std::vector<Patch>& patches() const { return patches_; }
   const ClothGroup<Dim>& group_of(const Patch& patch) const { return group_of_piece(patch.piece); }
   /// This rank's values and those of the other markers that it sees. Collective.
   Points<Dim> with_halo(const Points<Dim>& values) const;
   std::vector<double> with_halo(const std::vector<double>& values) const;
-  /// Those of a patch among them.
+  /// The values of a patch's markers in an array with halo.
   std::span<const Point<Dim>> seen(const Points<Dim>& with_halo, const Patch& patch) const;
-  /// Lets add(patch, sums of its markers, zero at first) work on some patches; adds what this rank's markers get.
+  /// Calls add(patch, sums of its markers, zero at first) for some patches and adds the sums of this rank's markers.
   template <class Add>
   void add_by_patch(const std::vector<Patch>& patches, Points<Dim>& sums, const Add& add) const {
     for (const Patch& patch : patches) {

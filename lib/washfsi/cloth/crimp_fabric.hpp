@@ -4,8 +4,8 @@
 // plain weaves): along warp and weft a bilinear law with a smooth knee, ours. Below the knee the crimp of the yarns is
 // pulled out, with the modulus k0; beyond it the yarns themselves are stretched, with k1 >= k0:
 //   k(E) = dN/dE = k0 + (k1 - k0) (1 + x/sqrt(1 + x^2))/2,   x = (E - Ec)/w,   N(0) = 0
-// All else is as in the linear law with k0, what a bare edge has less as well, so that the energy is convex in the
-// strains.
+// All else is as in the linear law with k0, including the lower modulus of a bare edge, so that the energy is convex in
+// the strains.
 #pragma once
 
 #include <cmath>
@@ -15,8 +15,8 @@
 
 namespace washfsi {
 
-/// What the yarns add to the modulus of an edge: rise (1 + x/sqrt(1 + x^2))/2 with x = (E - strain)/width; and to its
-/// resultant and energy, the first and second integrals from E = 0.
+/// The contribution of the yarns to the modulus of an edge, rise (1 + x/sqrt(1 + x^2))/2 with x = (E - strain)/width,
+/// and to its resultant and energy, the first and second integrals from E = 0.
 class CrimpKnee {
  public:
   CrimpKnee() = default;
@@ -40,7 +40,7 @@ class CrimpKnee {
 /// The knee of the curves along warp and weft.
 struct Crimp {
   WarpWeft yarn_modulus{};  ///< k1, not below k0 [N/m]
-  WarpWeft strain{};        ///< Ec, of the knee
+  WarpWeft strain{};        ///< Ec, strain at the knee
   double width = 0.01;      ///< w
 };
 
@@ -49,7 +49,7 @@ class CrimpFabric {
  public:
   static constexpr const char* name = "crimp";
 
-  /// What it is while the crimp lasts, with k0 as extensional stiffness; and its knee.
+  /// `crimped` is the law while the crimp lasts, with k0 as extensional stiffness; `crimp` describes the knee.
   CrimpFabric(const LinearFabric& crimped, const Crimp& crimp);
   static CrimpFabric from_options(OptionBlock& block, std::size_t directions);
 

@@ -5,13 +5,13 @@ namespace washfsi {
 
 namespace {
 
-// A force at the very edge, a spacing's overhang beyond the first or last row: the share of the row so many places from
-// there, with the right force and torque.
+// A force at the very edge, a spacing's overhang beyond the first or last row: the share of the row `from_end` places
+// from there, so that force and torque are right.
 double end_force_share(const MarkerRow& row, PetscInt from_end) {
   return from_end == 0 ? 1 + row.overhang() : from_end == 1 ? -row.overhang() : 0;
 }
 
-// On a marker of a cloth that stands for an area.
+// The load on a marker with this undeformed area.
 template <int Dim>
 Point<Dim> load_on(const ClothGroup<Dim>& group, PetscInt marker, double area) {
   const PetscInt row = marker / group.markers[1], rows = group.markers[0];

@@ -6,8 +6,8 @@
 
 namespace washfsi {
 
-/// What does not depend on the markers: the weight of the excess mass, loads per area (-NAME_load) and at the edges
-/// before the first and after the last row (-NAME_end_force_...).
+/// Forces independent of the markers' motion: the weight of the excess mass, loads per area (-NAME_load) and at the
+/// edges before the first and after the last row (-NAME_end_force_...).
 template <int Dim>
 class DeadLoads : public MarkerForce<Dim> {
  public:

@@ -31,11 +31,11 @@ class Elasticity : public MarkerForce<Dim> {
  private:
   const Cloths<Dim>& cloths_;
   ElasticModel model_;
-  std::vector<Patch> patches_;  ///< of the groups with this model
+  std::vector<Patch> patches_;  ///< patches of the groups with this model
 };
 
-/// The thesis's strong form of elasticity (`love.hpp`): it has no energy; what is measured, and what stands for its
-/// Jacobian, is of the energy form.
+/// The thesis's strong form of elasticity (`love.hpp`), which has no energy: measured energy and approximate Jacobian
+/// are those of the energy form.
 template <int Dim>
 class StrongElasticity : public Elasticity<Dim> {
  public:

@@ -7,7 +7,7 @@ namespace washfsi {
 
 namespace {
 
-// Of the law that the user chose; for -help of all, each in a block of its own.
+// Reads the options of the law that the user chose; for -help those of all laws, each in a block of its own.
 template <class... Laws>
 Fabric read_fabric(Options& options, const std::string& group, std::size_t directions,
                    std::type_identity<std::variant<Laws...>>) {

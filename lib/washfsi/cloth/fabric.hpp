@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Of what a cloth is. What a law of fabric must offer is in cloth/fabric_law.hpp.
+// The fabrics of which cloth is made. What a law of fabric must offer is in cloth/fabric_law.hpp.
 #pragma once
 
 #include <variant>
@@ -19,7 +19,7 @@ template <class... Laws>
 inline constexpr bool all_are_laws<std::variant<Laws...>> = (FabricLaw<Laws> && ...);
 static_assert(all_are_laws<Fabric>);
 
-/// Reads which law (-NAME_fabric) and its options, of a group of cloths. Collective.
+/// Reads the law (-NAME_fabric) of a group of cloths and its options. Collective.
 Fabric fabric_from_options(Options& options, const std::string& group, std::size_t directions);
 
 inline BendingModuli bending_of(const Fabric& fabric) {

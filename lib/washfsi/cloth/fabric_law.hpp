@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a law of fabric offers to the lattice of a sheet (cloth/sheet.hpp). The energy of the membrane lies partly on
-// the lattice's edges, partly on its quads, each per undeformed area:
+// The interface of a law of fabric to the lattice of a sheet (cloth/sheet.hpp). The energy of the membrane lies partly
+// on the lattice's edges, partly on its quads, each per undeformed area:
 //   sum over s-edges  ds dr warp(E11, bare)  +  sum over r-edges  ds dr weft(E22, bare)
 //     +  sum over quads  ds dr quad(E11 of two edges, E22 of two edges, 2 E12)
 // E are the Green-Lagrange strains. Half of an edge's area is on either side of it; `bare` = 0, 1/2 or 1 is the share
@@ -19,8 +19,8 @@
 
 namespace washfsi {
 
-/// The energy per area of an edge [J/m2] at a strain E; its derivative, the resultant N [N/m]; and that one's, the
-/// tangent modulus dN/dE [N/m].
+/// The energy per area of an edge [J/m2] at a strain E; its first derivative, the resultant N [N/m]; and its second,
+/// the tangent modulus dN/dE [N/m].
 struct EdgeResponse {
   double energy = 0, resultant = 0, tangent = 0;
 };
@@ -55,8 +55,8 @@ struct BendingModuli {
   double alone = 1;
 };
 
-/// Bounds of the membrane's tangent moduli at all strains that are meant: of dN11/dE11, dN22/dE22 and dN12/d(2 E12)
-/// [N/m]; and of dN11/dE22 over the root of the first two.
+/// Bounds of the membrane's tangent moduli over the strains of the law's range: of dN11/dE11, dN22/dE22 and
+/// dN12/d(2 E12) [N/m]; and of dN11/dE22 over the root of the first two.
 struct LargestModuli {
   double s = 0, r = 0, shear = 0, poisson = 0;
 };
@@ -73,11 +73,11 @@ concept QuadResponse = requires(const Response& response, const QuadVector& rate
 template <class Law>
 concept FabricLaw = std::copyable<Law> && requires(const Law& law, OptionBlock& block, std::size_t directions,
                                                    double strain, double bare, const QuadVector& strains) {
-  /// What users call it (-NAME_fabric).
+  /// The name of the law for users (-NAME_fabric).
   { Law::name } -> std::convertible_to<std::string>;
   /// Declares, reads and checks its options, along warp alone (1) or along warp and weft (2). Errors: InputError.
   { Law::from_options(block, directions) } -> std::same_as<Law>;
-  /// An edge along warp or weft.
+  /// The response of an edge along warp or weft.
   { law.warp(strain, bare) } -> std::same_as<EdgeResponse>;
   { law.weft(strain, bare) } -> std::same_as<EdgeResponse>;
   { law.quad(strains) } -> QuadResponse;

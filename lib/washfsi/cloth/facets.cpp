@@ -29,7 +29,7 @@ class Neighbours {
   }
 
  private:
-  // Where the whole cloth is known it is where it is guessed to be.
+  // If the whole cloth is known, the guess is right.
   std::optional<std::size_t> place(std::size_t number, std::size_t guess) const {
     const auto is_at = [&](std::size_t place) { return place < known_.size() && known_.numbers()[place] == number; };
     if (is_at(guess)) return guess;

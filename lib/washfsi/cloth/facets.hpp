@@ -7,8 +7,8 @@
 
 namespace washfsi {
 
-/// The facets whose markers a rank all knows, by the places of these among what it knows, and in ascending order. A
-/// cell of a lattice is split into two triangles; a fibre has segments alone.
+/// The facets all of whose markers a rank knows, in ascending order; markers are given by their index among the known
+/// ones. A cell of a lattice is split into two triangles; a fibre has segments alone.
 template <int Dim>
 struct Facets {
   using Edge = std::array<std::size_t, 2>;
@@ -18,9 +18,9 @@ struct Facets {
 
   std::vector<Face> faces;
   std::vector<Edge> edges;
-  std::vector<double> marker_areas;  ///< undeformed, of all that is known [m2; m in the plane]
-  std::vector<double> edge_lengths;  ///< undeformed [m]
-  std::vector<double> face_areas;    ///< an equal share of its cloth's area, undeformed [m2; m in the plane]
+  std::vector<double> marker_areas;  ///< undeformed areas of all known markers [m2; m in the plane]
+  std::vector<double> edge_lengths;  ///< undeformed lengths of the edges [m]
+  std::vector<double> face_areas;    ///< undeformed areas: equal shares of the cloth's area [m2; m in the plane]
 
  private:
   using Others = std::array<std::optional<std::size_t>, 3>;

@@ -18,7 +18,7 @@ class Forces {
   explicit Forces(const Cloths<Dim>& cloths) : cloths_(cloths) {}
 
   MPI_Comm comm() const { return cloths_.comm(); }
-  /// No communication.
+  /// Adds a force. No communication.
   void add(std::unique_ptr<MarkerForce<Dim>> force) { forces_.push_back(std::move(force)); }
   const std::vector<std::unique_ptr<MarkerForce<Dim>>>& list() const { return forces_; }
   /// The first force without the Jacobian that an implicit treatment needs; null if there is none. No communication.
@@ -26,11 +26,11 @@ class Forces {
 
   void begin_step(const StepStart<Dim>& start);
 
-  /// The forces that depend on places alone.
+  /// The sum of the forces that depend on places alone.
   Points<Dim> of_places(const Points<Dim>& positions) const;
-  /// Those that depend on velocities too.
+  /// The sum of the forces that depend on velocities too.
   Points<Dim> of_velocities(const Points<Dim>& positions, const Points<Dim>& velocities) const;
-  /// Those that are constant over a step.
+  /// The sum of the forces that are constant over a step.
   Points<Dim> constant() const;
   Points<Dim> all(const Points<Dim>& positions, const Points<Dim>& velocities) const;
 
@@ -43,11 +43,11 @@ class Forces {
 
   /// K d, with K minus the Jacobian of `of_places`.
   Points<Dim> stiffness_product(const Points<Dim>& positions, const Points<Dim>& direction) const;
-  /// Makes a matrix with a row for each coordinate of each marker and the places of K's entries; to be done anew when
+  /// Creates a matrix with a row for each coordinate of each marker and the nonzero pattern of K; call it again when
   /// `pattern` has changed.
   void lay_out_stiffness(petsc::Matrix& matrix);
   std::vector<long> pattern() const;
-  /// Whether any rank has left out blocks of K that have no places; and makes a pattern with these.
+  /// Whether any rank has left out blocks of K that are not in the pattern; and renews the pattern with these.
   bool outgrow_pattern() const;
   void renew_pattern();
   /// Sets a matrix, laid out for this pattern, to factor times K.
@@ -56,13 +56,13 @@ class Forces {
   /// Whether any force is of friction.
   bool have_friction() const;
 
-  /// Whether markers must not go anywhere; the part of a motion from 0 to 1 that all can make at once; and that motion,
-  /// shortened for those markers alone that cannot make it.
+  /// Whether any force has a step limit; the share of a motion, from 0 to 1, that is within the limit for all markers;
+  /// and the motion shortened only for those markers that exceed it.
   bool have_step_limit() const;
   double step_limit(const Points<Dim>& from, const Points<Dim>& motion);
   Points<Dim> shortened(const Points<Dim>& from, Points<Dim> motion);
 
-  /// What bounds the explicit step, for each marker.
+  /// The stiffness and damping of each marker, which bound the explicit step.
   std::vector<StiffnessBound> bounds() const;
 
  private:
@@ -74,7 +74,7 @@ class Forces {
 
   const Cloths<Dim>& cloths_;
   std::vector<std::unique_ptr<MarkerForce<Dim>>> forces_;
-  StiffnessRows<Dim> rows_;  ///< of the pattern that was laid out last
+  StiffnessRows<Dim> rows_;  ///< rows of the pattern that was laid out last
 };
 
 extern template class Forces<2>;

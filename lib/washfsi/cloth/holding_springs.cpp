@@ -50,7 +50,7 @@ void HoldingSprings<Dim>::add_cancelling_size(const Points<Dim>& positions, std:
   for (const Spring& spring : springs_) sizes[spring.marker] += spring.stiffness * positions[spring.marker].norm();
 }
 
-// All markers of a cloth that is held may take part in the oscillation of those that are, of which the smallest counts.
+// All markers of a held cloth may take part in the oscillation of the held ones, of which the smallest counts.
 template <int Dim>
 void HoldingSprings<Dim>::add_bound(std::span<StiffnessBound> bounds) const {
   std::vector<double> of_groups;

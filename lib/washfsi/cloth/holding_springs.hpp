@@ -10,7 +10,7 @@ namespace washfsi {
 template <int Dim>
 class HoldingSprings : public MarkerForce<Dim> {
  public:
-  /// `positions`: of this rank's markers at the start. The cloths must outlive it.
+  /// `positions` are those of this rank's markers at the start. The cloths must outlive it.
   HoldingSprings(const Cloths<Dim>& cloths, const Points<Dim>& positions);
 
   Dependence dependence() const override { return Dependence::potential; }
@@ -26,7 +26,7 @@ class HoldingSprings : public MarkerForce<Dim> {
 
  private:
   struct Spring {
-    std::size_t marker;  ///< in this rank's arrays
+    std::size_t marker;  ///< index in this rank's arrays
     double stiffness;    ///< [N/m; per unit depth in the plane]
     Point<Dim> anchor;   ///< [m]
   };

@@ -25,7 +25,7 @@ class MarkerRow {
   double share(std::size_t marker) const { return is_nodal_ && (marker == 0 || marker == last_) ? 0.5 : 1; }
   /// Where a marker is along the side, 0 to 1.
   double place(std::size_t marker) const { return (static_cast<double>(marker) + (is_nodal_ ? 0 : 0.5)) / parts(); }
-  /// Spacings by which the side goes on beyond its outermost markers, at either end.
+  /// Spacings by which the side extends beyond its outermost markers, at either end.
   double overhang() const { return is_nodal_ ? 0 : 0.5; }
 
  private:

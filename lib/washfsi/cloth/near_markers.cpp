@@ -10,9 +10,9 @@ namespace washfsi {
 
 namespace {
 
-constexpr std::size_t most_of_block = 32;  // markers: boxes are small, and few beside the markers
+constexpr std::size_t most_of_block = 32;  // markers in a block: boxes are small, and few compared to markers
 
-/// What is in the facets that begin at some markers of a cloth: they, the next one, and the same in the next row.
+/// The markers of the facets that begin at some markers of a cloth: these, the next one, and the same in the next row.
 std::array<std::pair<std::size_t, std::size_t>, 2> runs(std::size_t first, std::size_t end, std::size_t width) {
   return {std::pair{first, end + 1}, std::pair{first + width, end + width + 1}};
 }
@@ -46,7 +46,7 @@ std::vector<typename NearMarkers<Dim>::Block> NearMarkers<Dim>::own_blocks() con
   return blocks;
 }
 
-// Of the facets that begin at a block's markers, with half of the distance round them.
+// Boxes of the facets that begin at a block's markers, with half of the distance round them.
 template <int Dim>
 std::vector<Bounds<Dim>> NearMarkers<Dim>::own_boxes(const Points<Dim>& positions, const std::vector<double>& reaches,
                                                      double distance) const {
@@ -93,7 +93,7 @@ std::vector<std::size_t> NearMarkers<Dim>::markers_near(const std::vector<Bounds
   return markers;
 }
 
-// Of its facets; a closed cloth goes on at its start.
+// Adds the markers of a block's facets; a closed cloth continues at its start.
 template <int Dim>
 void NearMarkers<Dim>::add_markers(const Block& block, std::vector<std::size_t>& markers) const {
   const Piece& piece = cloths_.pieces()[block.piece];
@@ -107,7 +107,7 @@ void NearMarkers<Dim>::add_markers(const Block& block, std::vector<std::size_t>&
 template <int Dim>
 bool NearMarkers<Dim>::choose(const Points<Dim>& positions, const std::vector<double>& reaches, double distance,
                               Before before) {
-  if (ranks_of(cloths_.comm()) == 1) return false;  // all are its own
+  if (ranks_of(cloths_.comm()) == 1) return false;  // all markers are its own
   const petsc::LogPart part("near_markers");
   std::vector<std::size_t> markers = markers_near(own_boxes(positions, reaches, distance));
   for (std::size_t m = 0; m < cloths_.owned(); ++m) markers.push_back(static_cast<std::size_t>(cloths_.number_of(m)));
@@ -119,7 +119,7 @@ bool NearMarkers<Dim>::choose(const Points<Dim>& positions, const std::vector<do
   return changes;
 }
 
-// Makes the way on which values come from the owners of what is known.
+// Builds the communication of values from the owners of the known markers.
 template <int Dim>
 void NearMarkers<Dim>::know(std::vector<std::size_t> numbers) {
   numbers_ = std::move(numbers);

@@ -104,7 +104,7 @@ void read_loads(OptionBlock& block, ClothGroup<Dim>& group) {
                             "constant force at the edge after the last row of markers");
 }
 
-// All in the plane; in space no ring.
+// All shapes in the plane; in space none that is a ring.
 std::vector<ClothShape> shapes_in(int dimension) {
   if (dimension == 2) return {};
   return {ClothShape::flat, ClothShape::mode, ClothShape::bar_mode, ClothShape::crumpled};
@@ -158,7 +158,7 @@ ClothGroup<Dim> ClothGroup<Dim>::from_options(Options& options, const std::strin
 
 namespace {
 
-// The one or two in the middle of so many.
+// The one or two markers in the middle of `count`.
 std::vector<PetscInt> middle_of(PetscInt count) {
   if (count % 2 == 1) return {count / 2};
   return {count / 2 - 1, count / 2};

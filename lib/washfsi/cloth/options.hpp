@@ -23,7 +23,7 @@ const ChoiceNames<Hold>& names_of(Hold);
 enum class ClothShape { flat, ellipse, mode, bar_mode, crumpled };
 const ChoiceNames<ClothShape>& names_of(ClothShape);
 
-/// A group of equal cloths: how many, how large, of what, held where, loaded by what.
+/// A group of equal cloths: their number, size, fabric, holding springs and loads.
 template <int Dim>
 struct ClothGroup {
   std::string name;
@@ -32,22 +32,22 @@ struct ClothGroup {
   std::array<PetscInt, 2> markers{12, 1};
   /// Physical length along s and r [m] = parts of the lattice times spacing; in the plane the unit depth along r.
   std::array<double, 2> size{0.25, 1};
-  double excess_mass = 0.093;  ///< over the water displaced, rho_s [kg/m2]
+  double excess_mass = 0.093;  ///< rho_s, mass in excess of the water displaced [kg/m2]
   double permeance = 0;        ///< speed of water through it over the jump of pressure [m/(s Pa)]; 0: tight
   ElasticModel model = ElasticModel::energy;
-  ClothShape shape = ClothShape::flat;  ///< at the start; an ellipse is a ring
+  ClothShape shape = ClothShape::flat;  ///< shape at the start; an ellipse is a ring
   Sheet sheet;
 
-  Hold hold = Hold::none;     ///< where springs hold it
-  double hold_stiffness = 0;  ///< of the spring at each held marker [N/m; per unit depth in the plane]; 0: Ke/ds
+  Hold hold = Hold::none;                           ///< where springs hold it
+  double hold_stiffness = 0;                        ///< per spring [N/m; per unit depth in the plane]; 0: Ke/ds
   Point<Dim> load = Point<Dim>::Zero();             ///< constant force per undeformed area [N/m2]
-  Point<Dim> end_force_first = Point<Dim>::Zero();  ///< at the edge before the first row [N; N/m in the plane]
-  Point<Dim> end_force_last = Point<Dim>::Zero();   ///< after the last
-  Point<Dim> velocity = Point<Dim>::Zero();         ///< at the start [m/s]
+  Point<Dim> end_force_first = Point<Dim>::Zero();  ///< force at the edge before the first row [N; N/m in the plane]
+  Point<Dim> end_force_last = Point<Dim>::Zero();   ///< force at the edge after the last row [N; N/m in the plane]
+  Point<Dim> velocity = Point<Dim>::Zero();         ///< velocity at the start [m/s]
 
   static ClothGroup from_options(Options& options, const std::string& name);
 
-  PetscInt marker_count() const { return markers[0] * markers[1]; }  ///< of one cloth
+  PetscInt marker_count() const { return markers[0] * markers[1]; }  ///< number of markers of one cloth
   /// The markers along s (0) or r (1).
   MarkerRow row(std::size_t axis) const { return {sheet.lattice, static_cast<std::size_t>(markers[axis])}; }
   /// Undeformed area of a marker of a cloth over that of one inside.

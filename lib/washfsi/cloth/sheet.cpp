@@ -52,7 +52,7 @@ void add_energy_force_rates(const Sheet& sheet, std::span<const Point<Dim>> posi
 
 namespace {
 
-// By a law of fabric.
+// Adds the forces under a given law of fabric.
 template <int Dim, FabricLaw Law>
 void add_damping_forces_of(const Law& law, const SheetLattice<Dim>& lattice, std::span<const Point<Dim>> velocities,
                            std::span<Point<Dim>> forces) {

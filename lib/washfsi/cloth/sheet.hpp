@@ -34,13 +34,13 @@ namespace washfsi {
 struct Sheet {
   std::size_t width = 1;  ///< markers along r, m
   double ds = 0, dr = 1;  ///< spacings [m]
-  Fabric fabric{};        ///< of what it is
+  Fabric fabric{};        ///< law of its fabric
   double damping = 0;     ///< Kelvin-Voigt time beta of the edges [s]
   double thickness = 1;   ///< q [m], for stresses only
   bool closed = false;    ///< a ring along s: no ends
   MarkerLattice lattice = MarkerLattice::centred;
 
-  /// Undeformed, of what a marker inside stands for [m2; m in the plane].
+  /// Undeformed area of a marker inside the sheet [m2; m in the plane].
   double part_area() const { return ds * dr; }
 };
 
@@ -48,12 +48,13 @@ struct Sheet {
 template <int Dim>
 using StiffnessBlock = Eigen::Matrix<double, Dim, Dim>;
 
-/// Takes the block of a row and a column, to be added to what is there.
+/// A callback that adds the block of a row and a column.
 template <int Dim>
 using AddBlock = std::function<void(std::size_t row, std::size_t column, const StiffnessBlock<Dim>& block)>;
 
-/// How much of the geometric stiffness, which stems from the stresses and not from the moduli, enters a matrix: all of
-/// it, or only that of edges in tension. Without the rest the matrix is positive definite, if the law's tangents are.
+/// The part of the geometric stiffness, which stems from the stresses and not from the moduli, that enters a matrix:
+/// all of it, or only that of edges in tension; with the latter the matrix is positive definite if the law's tangents
+/// are.
 enum class GeometricStiffness { all, of_tension };
 
 /// The functions below act on neighbouring rows of one sheet (a row: all markers of one i). Given only some of its
@@ -89,7 +90,7 @@ double elastic_energy(const Sheet& sheet, std::span<const Point<Dim>> positions,
 /// [N/m3].
 double largest_stiffness(const Sheet& sheet);
 
-/// A size of the parts whose difference the force on a marker is, at a distance from the origin [N].
+/// The size of the terms whose difference is the force on a marker, at a distance from the origin [N].
 double cancelling_size(const Sheet& sheet, double distance);
 
 /// Largest stretch |X_s| - 1 or |X_r| - 1 of any edge.
@@ -103,7 +104,7 @@ Points<Dim> normals(const Sheet& sheet, std::span<const Point<Dim>> positions);
 /// Components of stress: along warp, along weft, shear. In the plane there is only the first.
 enum StressComponent : std::size_t { ss, rr, sr, stress_components };
 
-/// What a marker bears. The stress at the surface of the cloth is the sum of both (5.2-2 to 5.2-4).
+/// Stresses and deformation at a marker. The stress at the cloth's surface is the sum of both (5.2-2 to 5.2-4).
 struct MarkerState {
   std::array<double, stress_components> membrane_stress{};  ///< |N|/q, N the mean over the edges or quads beside,
                                                             ///< zero beyond a centred lattice [Pa]
@@ -113,7 +114,7 @@ struct MarkerState {
   double shear_angle = 0;                                   ///< mean of the quads beside [rad]
 };
 
-/// The state at each marker.
+/// Computes the state at each marker.
 template <int Dim>
 std::vector<MarkerState> marker_states(const Sheet& sheet, std::span<const Point<Dim>> positions);
 

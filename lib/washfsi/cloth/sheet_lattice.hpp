@@ -6,7 +6,7 @@
 
 #include "washfsi/cloth/sheet.hpp"
 
-// What forces, stiffness and states of a sheet share: its edges, quads and bends, strains and moments.
+// Common parts of forces, stiffness and states of a sheet: its edges, quads and bends, strains and moments.
 
 namespace washfsi {
 
@@ -72,7 +72,7 @@ struct Membrane {
   std::vector<double> s, r, shear;
   explicit Membrane(std::size_t markers) : s(markers, 0.0), r(markers, 0.0), shear(markers, 0.0) {}
 
-  /// Those of quad k and of the edges round it, rows of m markers.
+  /// The values of quad k and of the edges round it, with m markers per row.
   QuadVector quad(std::size_t k, std::size_t m) const { return {s[k], s[k + 1], r[k], r[k + m], shear[k]}; }
 };
 

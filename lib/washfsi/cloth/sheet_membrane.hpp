@@ -22,7 +22,8 @@ Membrane strain_rates_of(const SheetLattice<Dim>& lattice, const SheetLattice<Di
   return rates;
 }
 
-/// Sums what edges and quads give to resultants: of_s(k) and of_r(k) of edges, of_quad(k) of quads to all round them.
+/// Sums the resultants from edges and quads: of_s(k) and of_r(k) of edges, of_quad(k) of quads for all edges round
+/// them.
 template <int Dim, class OfS, class OfR, class OfQuad>
 Membrane sum_of_resultants(const SheetLattice<Dim>& lattice, const OfS& of_s, const OfR& of_r, const OfQuad& of_quad) {
   const std::size_t m = lattice.m;
@@ -50,7 +51,7 @@ Membrane resultants_of(const Law& law, const SheetLattice<Dim>& lattice, const M
       [&](std::size_t k) -> QuadVector { return law.quad(strains.quad(k, lattice.m)).resultants(); });
 }
 
-/// Their rates, at rates of the strains.
+/// Rates of these resultants at rates of the strains.
 template <int Dim, FabricLaw Law>
 Membrane resultant_rates_of(const Law& law, const SheetLattice<Dim>& lattice, const Membrane& strains,
                             const Membrane& rates) {
@@ -103,7 +104,7 @@ void add_membrane_force_rates(const Law& law, const SheetLattice<Dim>& lattice, 
   add_membrane_forces(direction, resultants_of(law, lattice, strains), rates);
 }
 
-/// The energy of `elastic_energy`, that of bending included.
+/// The energy of `elastic_energy` under a given law, bending included.
 template <int Dim, FabricLaw Law>
 double elastic_energy_of(const Law& law, const SheetLattice<Dim>& lattice, std::size_t first, std::size_t last) {
   const Membrane strains = strains_of(lattice);
@@ -125,7 +126,7 @@ double elastic_energy_of(const Law& law, const SheetLattice<Dim>& lattice, std::
   return lattice.sheet.part_area() * energy;
 }
 
-/// The same by the law of the sheet.
+/// The energy as above under the law of the sheet.
 template <int Dim>
 Membrane resultants_of(const SheetLattice<Dim>& lattice, const Membrane& strains) {
   return std::visit([&](const auto& law) { return resultants_of(law, lattice, strains); }, lattice.sheet.fabric);

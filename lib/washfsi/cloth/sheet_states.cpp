@@ -45,7 +45,8 @@ struct Beside {
     ++count;
   }
   double mean() const { return count > 0 ? sum / count : 0; }
-  /// With zeros up to so many on the centred lattice, whose outermost markers lie within the edges.
+  /// The mean; on the centred lattice, whose outermost markers lie within the edges, with zeros for missing ones of
+  /// `all`.
   double mean_of(int all, MarkerLattice lattice) const { return lattice == MarkerLattice::nodal ? mean() : sum / all; }
 };
 

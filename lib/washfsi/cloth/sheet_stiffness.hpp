@@ -7,26 +7,26 @@
 
 namespace washfsi {
 
-/// The stiffness of a few markers that belong together, summed up before it is handed on: adding to a large sparse
-/// matrix costs more than all else.
+/// The stiffness of a few neighbouring markers, summed up before it is handed on: adding to a large sparse matrix costs
+/// more than all else.
 template <int Dim, std::size_t Count>
 class ElementStiffness {
  public:
   explicit ElementStiffness(const std::array<std::size_t, Count>& markers) : markers_(markers) {
     for (auto& row : blocks_) row.fill(StiffnessBlock<Dim>::Zero());
   }
-  /// A part of the block of two of the markers.
+  /// Adds to the block of two of the markers.
   template <class Block>
   void add(std::size_t p, std::size_t q, const Eigen::MatrixBase<Block>& block) {
     blocks_[p][q] += block;
     is_used_[p][q] = true;
   }
-  /// factor a b^T
+  /// Adds factor a b^T.
   void add(double factor, const std::array<Point<Dim>, Count>& a, const std::array<Point<Dim>, Count>& b) {
     for (std::size_t p = 0; p < Count; ++p)
       for (std::size_t q = 0; q < Count; ++q) add(p, q, factor * a[p] * b[q].transpose());
   }
-  /// factor a b^T of numbers, each times the identity
+  /// Adds factor a b^T of numbers, each times the identity.
   void add(double factor, const std::array<double, Count>& a, const std::array<double, Count>& b) {
     for (std::size_t p = 0; p < Count; ++p)
       for (std::size_t q = 0; q < Count; ++q) {
@@ -35,7 +35,7 @@ class ElementStiffness {
         is_used_[p][q] = true;
       }
   }
-  /// The same blocks in the same order, whatever their values.
+  /// Calls `add` for the blocks, always the same ones in the same order, whatever their values.
   void hand_on(const AddBlock<Dim>& add) const {
     for (std::size_t p = 0; p < Count; ++p)
       for (std::size_t q = 0; q < Count; ++q)
@@ -56,12 +56,12 @@ void add_edge_stiffness(const std::array<std::size_t, 2>& markers, const Point<D
     for (std::size_t q = 0; q < 2; ++q) add(markers[p], markers[q], p == q ? block : StiffnessBlock<Dim>(-block));
 }
 
-/// What a quad's markers k, k + 1, k + m and k + m + 1 do to its strains. Each marker is an end of one of its two edges
-/// along s and of one of those along r.
+/// Gradients of a quad's strains with respect to its markers k, k + 1, k + m and k + m + 1. Each marker is an end of
+/// one of its two edges along s and of one of those along r.
 template <int Dim>
 struct QuadGradients {
-  std::array<double, 4> along_s, along_r;  ///< of the mean tangents: times the identity
-  std::array<Point<Dim>, 4> s, r, shear;   ///< of the E11 and E22 of the marker's edges and of 2 E12
+  std::array<double, 4> along_s, along_r;  ///< gradients of the mean tangents: times the identity
+  std::array<Point<Dim>, 4> s, r, shear;   ///< gradients of E11 and E22 of the marker's edges and of 2 E12
 
   QuadGradients(const SheetLattice<Dim>& lattice, std::size_t k) {
     const double ds = lattice.sheet.ds, dr = lattice.sheet.dr, half_s = 0.5 / ds, half_r = 0.5 / dr;
@@ -100,7 +100,7 @@ void add_material(ElementStiffness<Dim, 4>& element, const QuadMatrix& tangent, 
     }
 }
 
-/// Of the quad's strains, with the tangent of its law, and of twist.
+/// Adds the stiffness of a quad: of its strains, with the tangent of its law, and of twist.
 template <int Dim, class Tangent>
 void add_quad_stiffness(const SheetLattice<Dim>& lattice, std::size_t k, const Tangent& tangent, double shear,
                         bool geometric, const AddBlock<Dim>& add) {
@@ -119,7 +119,7 @@ void add_quad_stiffness(const SheetLattice<Dim>& lattice, std::size_t k, const T
   element.hand_on(add);
 }
 
-/// The part of `add_energy_stiffness` that stems from edges and quads.
+/// Adds the part of `add_energy_stiffness` that stems from edges and quads.
 template <int Dim, FabricLaw Law>
 void add_membrane_stiffness(const Law& law, const SheetLattice<Dim>& lattice, GeometricStiffness geometric,
                             const AddBlock<Dim>& add) {

@@ -15,7 +15,7 @@ namespace washfsi {
 
 namespace {
 
-constexpr double most_ways = 2;  // that markers go at a time, in spacings
+constexpr double most_ways = 2;  // largest motion of a marker at a time, in spacings
 
 }  // namespace
 
@@ -38,8 +38,8 @@ Barrier<Dim>::Barrier(const BarrierOptions& options, const Surroundings<Dim>& su
   places_of_blocks_.lay_out(near_, {});
 }
 
-// For the forces at the start all is known that was looked at for the end of the step before. For those at the end it
-// looks round anew, so that what is laid out does not depend on what was before: a restarted run has the same matrix.
+// For the forces at the start, the search for the end of the previous step is still valid. For those at the end it is
+// repeated, so that the pattern does not depend on earlier steps: a restarted run has the same matrix.
 template <int Dim>
 void Barrier<Dim>::begin_step(const StepStart<Dim>& start) {
   if (start.dt == 0) {
@@ -64,7 +64,7 @@ void Barrier<Dim>::begin_step(const StepStart<Dim>& start) {
   seen_.clear();
 }
 
-// What touches now.
+// The friction pairs: what touches now.
 template <int Dim>
 std::vector<typename PairFriction<Dim>::Pair> Barrier<Dim>::rubbing_pairs(const Points<Dim>& all,
                                                                           double damping) const {
@@ -77,7 +77,7 @@ std::vector<typename PairFriction<Dim>::Pair> Barrier<Dim>::rubbing_pairs(const 
   return pairs;
 }
 
-// That of the lighter cloth, on the area of the touch [kg].
+// Mass of the lighter cloth on the area of the touch [kg].
 template <int Dim>
 double Barrier<Dim>::mass_of(const Touch<Dim>& touch) const {
   const NearMarkers<Dim>& known = near_.search().known();
@@ -88,7 +88,7 @@ double Barrier<Dim>::mass_of(const Touch<Dim>& touch) const {
   return touch.area * std::min(of_cloth(markers[0]), of_cloth(markers[touch.facing.count - 1]));
 }
 
-// In no time nothing slides.
+// Begins an explicit step; with dt = 0 nothing slides.
 template <int Dim>
 void Barrier<Dim>::begin_explicit_friction(const Points<Dim>& all, const StepStart<Dim>& start) {
   seen_.clear();
@@ -107,7 +107,7 @@ void Barrier<Dim>::look_round(const Points<Dim>& positions, Before before) {
   seen_.clear();
 }
 
-// Where it looked last at what touches, unless it has looked round since.
+// Uses the places where touches were evaluated last, or those of a later search.
 template <int Dim>
 void Barrier<Dim>::renew_pattern() {
   places_of_blocks_.lay_out(near_, known(seen_.size() == places_.size() ? seen_ : places_));
@@ -128,7 +128,7 @@ double Barrier<Dim>::farthest_from_places(const Points<Dim>& positions) const {
   return largest(around_.cloths.comm(), farthest);
 }
 
-// Widens the reach of the markers that leave it on a way; before it has looked round, about the way's start.
+// Widens the reaches of markers whose motion exceeds them; before the first search, about the motion's start.
 template <int Dim>
 void Barrier<Dim>::cover(const Points<Dim>& from, const Points<Dim>& motion) {
   const Points<Dim> positions = from + motion;
@@ -155,7 +155,7 @@ const std::vector<Touch<Dim>>& Barrier<Dim>::touches(const Points<Dim>& position
   return touches_;
 }
 
-// visit(which of the markers, its number among this rank's)
+// Calls visit(index in `facing`, index among this rank's markers).
 template <int Dim>
 template <class Visit>
 void Barrier<Dim>::visit_own(const Facing<Dim>& facing, const Visit& visit) const {
@@ -173,7 +173,7 @@ void Barrier<Dim>::add_force(const Points<Dim>& positions, const Points<Dim>&, P
   });
 }
 
-// By the rank of the first marker.
+// Energies are counted by the rank of the first marker.
 template <int Dim>
 void Barrier<Dim>::add_energy(const Points<Dim>& positions, std::span<double> of_groups) const {
   const NearMarkers<Dim>& known = near_.search().known();
@@ -242,7 +242,7 @@ void Barrier<Dim>::add_cancelling_size(const Points<Dim>& positions, std::span<d
     });
 }
 
-// By the rows' sums of what touched last, and at least as for two surfaces at a third of d^, which may touch next.
+// From the row sums of the last touches, and at least that of two surfaces at a third of d^, which may touch next.
 template <int Dim>
 void Barrier<Dim>::add_bound(std::span<StiffnessBound> bounds) const {
   const double least = 2 * options_.stiffness / distance() * barrier(1.0 / 3).second;
@@ -257,7 +257,7 @@ void Barrier<Dim>::add_bound(std::span<StiffnessBound> bounds) const {
   for (std::size_t m = 0; m < bounds.size(); ++m) bounds[m].stiffness += 0.25 * std::max(least, sums[m]);
 }
 
-// No marker goes farther than some spacings at a time, so that what comes near remains little.
+// Limits motions to some spacings at a time, so that few pairs come near, and by continuous collision detection.
 template <int Dim>
 double Barrier<Dim>::step_limit(const Points<Dim>& from, const Points<Dim>& motion) {
   double farthest = 0;
@@ -275,8 +275,7 @@ double Barrier<Dim>::step_limit(const Points<Dim>& from, const Points<Dim>& moti
   return -largest(around_.cloths.comm(), -part);
 }
 
-// Shortens round by round the motions of pairs that would come too near. That ends, at the latest with no motion at
-// all.
+// Shortens round by round the motions of pairs that would come too near. This terminates, at the latest with no motion.
 template <int Dim>
 void Barrier<Dim>::shorten(const Points<Dim>& from, Points<Dim>& motion) {
   constexpr int most_rounds = 100;

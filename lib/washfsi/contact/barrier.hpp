@@ -8,26 +8,25 @@
 namespace washfsi {
 
 /// Keeps cloths, and the parts of one, from passing through each other (Li et al., ACM Trans. Graph. 39 (2020) 49). Two
-/// surfaces push each other apart where they are nearer than the contact distance d^: the middle of each face, a
-/// sample, at the distance d from another surface, has the energy
+/// surfaces repel each other where they are nearer than the contact distance d^: the middle of each face, a sample, at
+/// the distance d from another surface, has the energy
 ///   E = kappa w d^ b(d/d^),     w half of the undeformed area of the face
 /// and pushes its markers, and those of what it faces (contact/surface_samples.hpp), by -kappa w b' share n. So two
 /// flat sheets at the distance d press each other with -kappa b'(d/d^), wherever they lie. Corners and creases may come
 /// nearer than samples see. So pairs of facets without a common marker, a marker and a triangle or two edges, in the
 /// plane a marker and a segment, guard what is between them: with the same law, of half the contact distance, where
-///   E = kappa w d^/2 m b(2 d/d^),     w the undeformed area that the pair stands for, m the mollifier of parallel
-///   edges
+///   E = kappa w d^/2 m b(2 d/d^),     w the pair's undeformed area, m the mollifier of parallel edges
 /// The stiffness is the part  (share n)(share n)^T b''  of the Jacobian, which is never negative; near the solution of
-/// a step, where all of the elastic one is taken too, that of the bending distance is added
-/// (contact/distance_curvature.hpp). No accepted motion lets facets touch, whatever the step: `step_limit`. What starts
-/// nearer than d^ has its own (contact/pair_distances.hpp). Each rank has the samples and pairs with a marker of its
-/// own, and knows the markers that are near to these.
+/// a step, where the elastic stiffness is complete too, the part of the distance's curvature is added
+/// (contact/distance_curvature.hpp). No accepted motion lets facets touch, whatever the step: `step_limit`. Parts that
+/// start nearer than d^ have their own distance (contact/pair_distances.hpp). Each rank has the samples and pairs with
+/// a marker of its own, and knows the markers that are near to these.
 template <int Dim>
 class Barrier : public ContactForce<Dim> {
  public:
   /// Errors: InputError as `barrier_distance`.
   Barrier(const BarrierOptions& options, const Surroundings<Dim>& surroundings);
-  /// Makes nothing without cloth.
+  /// Returns what creates the force; it creates none without cloth.
   static MakeForce<Dim> maker(const BarrierOptions& options);
 
   Dependence dependence() const override { return Dependence::potential; }
@@ -76,8 +75,8 @@ class Barrier : public ContactForce<Dim> {
   BarrierTouches<Dim> near_;
 
   bool has_looked_ = false;
-  Points<Dim> places_;           ///< of this rank's markers when it looked round [m]
-  std::vector<double> reaches_;  ///< of them from there [m]
+  Points<Dim> places_;           ///< places of this rank's markers at the last search [m]
+  std::vector<double> reaches_;  ///< largest distances from there for which the search is valid [m]
   mutable BlockPlaces<Dim> places_of_blocks_;
 
   mutable Points<Dim> seen_;  ///< places of this rank's markers for which the touches are known

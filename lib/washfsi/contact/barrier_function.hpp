@@ -23,7 +23,7 @@ inline BarrierValue barrier(double s) {
   return {-r * r * log, -2 * r * log - r * r / s, -2 * log - 4 * r / s + r * r / (s * s)};
 }
 
-/// What fades the barrier of two nearly parallel edges out, whose nearest points jump from end to end:
+/// The factor that fades out the barrier of two nearly parallel edges, whose nearest points jump from end to end:
 ///   m = (2 - c/eps) c/eps   for c = |e x e'|^2 < eps, else 1
 struct Mollifier {
   double value = 1;

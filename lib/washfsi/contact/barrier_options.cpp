@@ -20,7 +20,7 @@ double share_of(double spacing, double share) {
 
 }  // namespace
 
-// The least spacing of markers along the lattices decides: nearer ones of a cloth would push each other.
+// The least spacing of markers along the lattices is decisive: nearer markers of a cloth would repel each other.
 template <int Dim>
 double barrier_distance(const BarrierOptions& options, const Cloths<Dim>& cloths) {
   constexpr double usual = 0.16, most = 0.5;

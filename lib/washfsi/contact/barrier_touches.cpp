@@ -17,7 +17,7 @@ void BarrierTouches<Dim>::look_round(const Points<Dim>& positions, const std::ve
   samples_ = search_.samples(of_surfaces, distances_.usual());
 }
 
-// How near cloths are to each other now, in terms of the distance at which their contact would begin.
+// Present least distances of cloths, scaled to the contact distance of surfaces.
 template <int Dim>
 PairDistances::Nearest BarrierTouches<Dim>::nearest(const Points<Dim>& all) const {
   const NearMarkers<Dim>& known = search_.known();
@@ -51,7 +51,7 @@ Touch<Dim> BarrierTouches<Dim>::touch(const Facing<Dim>& facing, double weight, 
   return touch;
 }
 
-// What presses a sample is one force, of which parts of what it faces have a share each, none less than nothing.
+// A sample is pressed by one force, of which each part that it faces has a share, none negative.
 template <int Dim>
 void BarrierTouches<Dim>::add_surface_touches(const SurfaceSample<Dim>& sample, const Points<Dim>& all,
                                               std::vector<Touch<Dim>>& touches) const {
@@ -72,7 +72,7 @@ void BarrierTouches<Dim>::add_surface_touches(const SurfaceSample<Dim>& sample, 
   }
 }
 
-// Facets that touch, as they do only where the places are not those of a cloth, have no barrier.
+// Facets at distance 0, which are impossible positions of cloth, have no barrier.
 template <int Dim>
 void BarrierTouches<Dim>::add_guard_touch(const FacetPair<Dim>& pair, const Points<Dim>& all,
                                           std::vector<Touch<Dim>>& touches) const {

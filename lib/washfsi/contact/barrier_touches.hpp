@@ -6,49 +6,50 @@
 
 namespace washfsi {
 
-/// Two parts of cloths that are nearer than their contact begins, and what the barrier does there.
+/// Two parts of cloths within their contact distance, and the action of the barrier there.
 template <int Dim>
 struct Touch {
   Facing<Dim> facing;
   double energy;     ///< [J; per unit depth in the plane]
-  double stiffness;  ///< [N/m]; 0 where it would be negative,
-  double taken_off;  ///< which is this then [N/m]
-  double push;       ///< the normal force [N]; negative where the barrier of an edge or a corner is taken off
-  double pressing;   ///< the share of the normal force that friction and measures count [N]
-  double area;       ///< undeformed, that a sample stands for [m2; m in the plane]
-  bool is_guard;     ///< of a pair of facets
-  std::array<Point<Dim>, 2 * Dim> forces;  ///< on its markers [N]
+  double stiffness;  ///< positive part of the stiffness [N/m]
+  double taken_off;  ///< negative part of the stiffness [N/m]
+  double push;       ///< normal force [N]; negative where the barrier of an edge or a corner is subtracted
+  double pressing;   ///< share of the sample's normal force for friction and measures [N]
+  double area;       ///< undeformed area that a sample stands for [m2; m in the plane]
+  bool is_guard;     ///< whether it is of a pair of facets
+  std::array<Point<Dim>, 2 * Dim> forces;  ///< forces on its markers [N]
 
   StiffnessBlock<Dim> block() const { return stiffness * facing.normal * facing.normal.transpose(); }
 };
 
-/// Finds what touches: the samples of surfaces, and the pairs of facets that guard what these do not see. Their laws
-/// are told in contact/barrier.hpp.
+/// Finds what touches: samples of surfaces, and pairs of facets, the guards, where samples see nothing. Their laws are
+/// in contact/barrier.hpp.
 template <int Dim>
 class BarrierTouches {
  public:
   using Pairs = std::vector<FacetPair<Dim>>;
   using Samples = std::vector<SurfaceSample<Dim>>;
 
-  /// The distance of pairs of facets over that of surfaces.
+  /// The contact distance of pairs of facets over that of surfaces.
   static constexpr double of_guards = 0.5;
 
   /// `stiffness` is kappa [Pa], `distance` the usual contact distance [m]. Collective.
   BarrierTouches(double stiffness, double distance, const Cloths<Dim>& cloths, const PeriodicSpace<Dim>& space)
       : comm_(cloths.comm()), stiffness_(stiffness), distances_(distance), search_(cloths, space) {}
 
-  /// Looks for what may touch, while each of this rank's markers moves from its place by its reach at most. Collective.
+  /// Searches for what may touch while each of this rank's markers moves from its place by its reach at most.
+  /// Collective.
   void look_round(const Points<Dim>& positions, const std::vector<double>& reaches, Before before);
-  /// What touches at these places of all markers that are known. No communication.
+  /// Returns what touches at these places of all known markers. No communication.
   std::vector<Touch<Dim>> at(const Points<Dim>& all) const;
 
-  /// Lets the contact distances of what starts in contact follow it. Collective.
+  /// Updates the contact distances of what started in contact. Collective.
   void follow_distances(const Points<Dim>& all);
   PairDistances& distances() { return distances_; }
   const PairDistances& distances() const { return distances_; }
   /// The distance at which this contact begins [m].
   double begins(const Touch<Dim>& touch) const;
-  /// A reach that markers have at least [m].
+  /// The least reach of markers [m].
   double least_reach() const { return distances_.usual() / 8; }
 
   const Pairs& pairs() const { return pairs_; }
@@ -69,7 +70,7 @@ class BarrierTouches {
   double stiffness_;
   PairDistances distances_;
   PairSearch<Dim> search_;
-  Pairs pairs_;  ///< that may touch, as long as no marker leaves its reach
+  Pairs pairs_;  ///< pairs that may touch as long as no marker leaves its reach
   Samples samples_;
 };
 

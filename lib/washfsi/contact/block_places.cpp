@@ -7,7 +7,7 @@ namespace washfsi {
 
 namespace {
 
-constexpr double ahead = 1.25;  // what is nearer than this times the contact distance has places
+constexpr double ahead = 1.25;  // pairs nearer than this times the contact distance are in the pattern
 
 }  // namespace
 

@@ -6,23 +6,23 @@
 
 namespace washfsi {
 
-/// Which blocks the stiffness of the barrier has in the rows of this rank's markers: those of what touches at some
-/// places, or soon may. Those of others, which come up while a step is solved for, are left out but for their diagonal
-/// ones: the matrix stays positive.
+/// The pattern of blocks of the barrier's stiffness in the rows of this rank's markers: those of what touches at some
+/// places, or soon may. Contacts that arise during the solution of a step are left out except for their diagonal
+/// blocks: the matrix stays positive.
 template <int Dim>
 class BlockPlaces {
  public:
   explicit BlockPlaces(const Cloths<Dim>& cloths) : cloths_(cloths) {}
 
-  /// Makes places for what touches here.
+  /// Makes the pattern for what touches at these places.
   void lay_out(const BarrierTouches<Dim>& touches, const Points<Dim>& all);
-  /// Another number whenever there are other places.
+  /// A number that changes with the pattern.
   long pattern() const { return pattern_; }
-  /// Whether blocks have been left out since places were made.
+  /// Whether blocks have been left out since the pattern was made.
   bool leaves_out() const { return leaves_out_; }
 
   std::vector<StiffnessBlock<Dim>> zeros() const { return {columns_.size(), StiffnessBlock<Dim>::Zero()}; }
-  /// Adds block(i, j) between each two of the markers that face each other.
+  /// Adds block(i, j) for each two of the markers that face each other.
   template <class Block>
   void add(const Facing<Dim>& facing, const NearMarkers<Dim>& known, const Block& block,
            std::vector<StiffnessBlock<Dim>>& blocks) {
@@ -37,15 +37,15 @@ class BlockPlaces {
       }
     }
   }
-  /// Gives all blocks in their order.
+  /// Calls `add` for all blocks in their order.
   void visit(const std::vector<StiffnessBlock<Dim>>& blocks, const AddMarkerBlock<Dim>& add) const;
 
  private:
-  /// Beyond the last one if there is none.
+  /// The index of a block; beyond the last one if the pattern lacks it.
   std::size_t place_of(std::size_t row, std::size_t column) const;
 
   const Cloths<Dim>& cloths_;
-  std::vector<std::size_t> columns_, rows_{0};  ///< of this rank's rows, and where each row's begin
+  std::vector<std::size_t> columns_, rows_{0};  ///< columns of the blocks in this rank's rows; starts of rows
   long pattern_ = 0;
   bool leaves_out_ = false;
 };

@@ -7,7 +7,7 @@ namespace washfsi {
 
 namespace {
 
-// How much nearer the facets can come by these motions: what they share takes no part.
+// How much nearer the facets can come by these motions, without their common part.
 template <int Dim>
 double approach(PairKind kind, PairPoints<Dim>& motions) {
   Point<Dim> mean = Point<Dim>::Zero();
@@ -26,7 +26,7 @@ double approach(PairKind kind, PairPoints<Dim>& motions) {
 template <int Dim>
 double step_limit(PairKind kind, PairPoints<Dim> places, PairPoints<Dim> motions) {
   constexpr double kept = 0.1;
-  constexpr int most_advances = 10000;  // each is safe: to stop early is too
+  constexpr int most_advances = 10000;  // each is safe, so stopping early is safe too
   const double fastest = approach<Dim>(kind, motions);
   const double start = gap_of<Dim>(kind, places).distance;
   if (start == 0) return 0;

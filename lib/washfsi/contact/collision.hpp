@@ -5,8 +5,8 @@
 
 namespace washfsi {
 
-/// The part of a motion, from 0 to 1, that two facets can make, all markers straight and at once, while a tenth of
-/// their distance is left at its end, and a hundredth on the way: additive continuous collision detection (Li, Kaufman
+/// The step limit of two facets, from 0 to 1: the share of a motion, all markers straight and at once, after which a
+/// tenth of their distance is left, and a hundredth on the way. Additive continuous collision detection (Li, Kaufman
 /// and Jiang, ACM Trans. Graph. 40 (2021) 170). Never too large, and 0 for facets that touch.
 template <int Dim>
 double step_limit(PairKind kind, PairPoints<Dim> places, PairPoints<Dim> motions);

@@ -16,7 +16,7 @@
 
 namespace washfsi {
 
-/// What is round the cloths, for forces to look at. All must outlive the forces.
+/// The surroundings of the cloths for their forces. All must outlive the forces.
 template <int Dim>
 struct Surroundings {
   const Grid<Dim>& grid;
@@ -25,7 +25,7 @@ struct Surroundings {
   const Cloths<Dim>& cloths;
 };
 
-/// Makes a force on the markers; null if it was not asked for.
+/// Creates a force on the markers; null if it was not requested.
 template <int Dim>
 using MakeForce = std::function<std::unique_ptr<MarkerForce<Dim>>(const Surroundings<Dim>&)>;
 
@@ -37,7 +37,7 @@ struct ContactLoads {
   std::array<std::array<Load<Dim>, 2>, Dim> sides{};
 };
 
-/// A share of the first, and the rest of the second.
+/// Weighted mean: a share of the first loads, and the rest of the second.
 template <int Dim>
 ContactLoads<Dim> weighed(double share, ContactLoads<Dim> first, const ContactLoads<Dim>& second) {
   const auto weigh = [&](Load<Dim>& load, const Load<Dim>& other) { (load = share * load) += (1 - share) * other; };
@@ -47,37 +47,37 @@ ContactLoads<Dim> weighed(double share, ContactLoads<Dim> first, const ContactLo
   return first;
 }
 
-/// What contact does to each of a rank's markers.
+/// The effect of contact on each of a rank's markers.
 struct MarkerContact {
   std::vector<double> normal_force;    ///< sum of the normal forces, each by the marker's share [N]
-  std::vector<double> area;            ///< undeformed, that touches [m2; m in the plane]
-  std::vector<double> friction_power;  ///< lost in the step: between cloths half from either, else all [W]
+  std::vector<double> area;            ///< undeformed area that touches [m2; m in the plane]
+  std::vector<double> friction_power;  ///< friction power lost in the step: between cloths half on either, else all [W]
 
   explicit MarkerContact(std::size_t markers) : normal_force(markers), area(markers), friction_power(markers) {}
 };
 
-/// Where things are nearest to each other, compared to the distance at which their contact begins.
+/// The place where things are nearest to each other, relative to their contact distance.
 struct TightestContact {
-  double share = 1;         ///< of that distance; 1: nothing touches
-  std::string description;  ///< who touches, where, and how near they are
+  double share = 1;         ///< distance over the contact distance; 1: nothing touches
+  std::string description;  ///< what touches, where, and how near it is
 };
 
-/// A force that keeps the markers from others, or from the bodies and the walls of the box.
+/// A force that keeps the markers away from others, or from the bodies and the sides of the box.
 template <int Dim>
 class ContactForce : public MarkerForce<Dim> {
  public:
-  /// Whether it is with bodies and walls, not between cloths.
+  /// Whether it is with bodies and sides of the box, not between cloths.
   virtual bool is_with_bodies() const { return false; }
-  /// At which distances contact begins; things are the cloths and, behind them, the bodies and the sides of the box.
+  /// The contact distances; things are the cloths and, after them, the bodies and the sides of the box.
   virtual PairDistances& distances() = 0;
   virtual const PairDistances& distances() const = 0;
-  /// Where this rank's markers are pressed hardest, at the places looked at last. No communication.
+  /// The tightest contact of this rank's markers at the places evaluated last. No communication.
   virtual TightestContact tightest() const = 0;
-  /// Adds what it does to this rank's markers at these places. Collective.
+  /// Adds its effect on this rank's markers at these places. Collective.
   virtual void add_marker_contact(const Points<Dim>& positions, MarkerContact& contact) const = 0;
-  /// Adds what this rank's markers do to the bodies and walls where they are. Collective.
+  /// Adds the reactions of this rank's markers at these places on bodies and sides of the box. Collective.
   virtual void add_reactions(const Points<Dim>&, ContactLoads<Dim>&) const {}
-  /// The distances at which the contact begins of what started in contact; after a run without them they begin anew.
+  /// Registers the contact distances of what started in contact; without stored ones they begin anew.
   void register_state(StateList& state) override {
     state.add({.name = is_with_bodies() ? "/body_contact_distances" : "/contact_distances",
                .slab = {},
@@ -100,7 +100,7 @@ ContactLoads<Dim> contact_loads(const Forces<Dim>& forces, const Points<Dim>& po
   return loads;
 }
 
-/// The contact that is tightest on any rank, in words; empty if nothing touches. Collective.
+/// Describes the tightest contact of all ranks in words; empty if nothing touches. Collective.
 template <int Dim>
 std::string tightest_contact(const Forces<Dim>& forces) {
   TightestContact tightest;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr Range coefficient{0.0, 5.0, false, "a number from 0 to 5"};
 
-// What the kind of contact does not use.
+// Marks the options that the kind of contact does not use.
 void mark_unused(Options& options, const ContactOptions& contact) {
   const std::string kind = "-contact is " + name_of(contact.kind);
   if (contact.kind != ContactKind::barrier)
@@ -68,7 +68,7 @@ ContactOptions ContactOptions::from_options(Options& options) {
 
 namespace {
 
-// Stops where a surface would push cloth that is not near to it: beyond two spacings of markers, and two cells.
+// Refuses contact distances of more than two spacings of markers and two cells: surfaces would push distant cloth.
 template <int Dim>
 void refuse_far_reach(const std::string& option, double distance, const Surroundings<Dim>& around) {
   double most = around.grid.spacing().maxCoeff();

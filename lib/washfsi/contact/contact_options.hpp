@@ -6,29 +6,29 @@
 
 namespace washfsi {
 
-/// What keeps cloths out of other things.
+/// The kind of contact.
 enum class ContactKind {
-  none,     ///< water alone
-  cushion,  ///< a soft push from bodies and walls
-  barrier,  ///< between cloths, which never pass through each other, and from bodies and walls
+  none,     ///< no contact force: water alone separates
+  cushion,  ///< penalty contact with bodies and sides of the box
+  barrier,  ///< between cloths, which never pass through each other, and with bodies and sides of the box
 };
 const ChoiceNames<ContactKind>& names_of(ContactKind);
 
 /// All options of contact, prefix contact_.
 struct ContactOptions {
   ContactKind kind = ContactKind::cushion;
-  double distance = 0;         ///< at which contact begins [m]; 0: as the kind has it
-  double body_distance = 0;    ///< of bodies and walls, of the barrier [m]; 0: as that has it
-  double pressure = 0;         ///< of the cushion, P0 [Pa]; 0: none
-  double stiffness = 1e4;      ///< of the barrier, kappa [Pa]
+  double distance = 0;         ///< contact distance [m]; 0: the default of the kind
+  double body_distance = 0;    ///< barrier's contact distance of bodies and sides of the box [m]; 0: its default
+  double pressure = 0;         ///< P0 of the cushion [Pa]; 0: no cushion
+  double stiffness = 1e4;      ///< kappa of the barrier [Pa]
   double friction = 0.4;       ///< coefficient between cloths, with the barrier
-  double body_friction = 0.2;  ///< the same on bodies and walls
-  double damping = 0.3;        ///< with the barrier, of the motion along the normal, over the critical one
-  bool drainage = false;       ///< films between cloths that are nearer than a cell drain along themselves
-  double verify_interval = 0;  ///< between counts of intersections [s]; 0: after each step
+  double body_friction = 0.2;  ///< coefficient on bodies and sides of the box
+  double damping = 0.3;        ///< damping of the normal motion with the barrier, over the critical one
+  bool drainage = false;       ///< whether films between cloths nearer than a cell drain
+  double verify_interval = 0;  ///< interval between counts of intersections [s]; 0: after each step
 
   static ContactOptions from_options(Options& options);
-  /// What these ask for.
+  /// Makers of the forces that these options request.
   template <int Dim>
   std::vector<MakeForce<Dim>> forces(bool in_water) const;
 };

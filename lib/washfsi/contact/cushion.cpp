@@ -12,9 +12,9 @@ namespace washfsi {
 
 namespace {
 
-constexpr double soft_start = 0.1;  // of the contact distance: what starts nearer has a soft barrier
+constexpr double soft_start = 0.1;  // share of the contact distance: points that start nearer have a soft barrier
 
-// The barrier, below a share of its distance as a parabola with the same second derivative.
+// The barrier, continued below a share of its distance as a parabola with the same second derivative.
 BarrierValue softened_barrier(double s, double soft) {
   if (s >= soft) return barrier(s);
   const BarrierValue from = barrier(soft);
@@ -71,7 +71,7 @@ void Cushion<Dim>::begin_step(const StepStart<Dim>& start) {
   begin_friction(start, velocities);
 }
 
-// Only a barrier is so hard that it would throw off what starts in it.
+// Only a barrier is so stiff that it would throw off cloth that starts within it.
 template <int Dim>
 void Cushion<Dim>::follow_distances() {
   if (options_.law != CushionLaw::barrier) return;
@@ -92,8 +92,8 @@ void Cushion<Dim>::follow_distances() {
     plane.begins *= distances_.of(plane.piece, plane.thing(cloths, bodies)) / options_.distance;
 }
 
-// With the normal forces of the step's start; in no time nothing slides. In an explicit step markers and surfaces slide
-// as they do at its start.
+// Uses the normal forces of the step's start; with dt = 0 nothing slides. In an explicit step markers and surfaces
+// slide as they do at its start.
 template <int Dim>
 void Cushion<Dim>::begin_friction(const StepStart<Dim>& start, const Points<Dim>& velocities) {
   rubbing_.clear();
@@ -125,7 +125,7 @@ Points<Dim> Cushion<Dim>::ways(const Points<Dim>& all) const {
   return ways;
 }
 
-// visit(plane, what friction does there)
+// Calls visit(plane, friction force there).
 template <int Dim>
 template <class Visit>
 void Cushion<Dim>::visit_friction(const Points<Dim>& all, const Visit& visit) const {
@@ -133,7 +133,7 @@ void Cushion<Dim>::visit_friction(const Points<Dim>& all, const Visit& visit) co
   for (std::size_t r = 0; r < forces.size(); ++r) visit(rubbing_[r].plane, forces[r]);
 }
 
-// visit(which of the plane's markers, its number among this rank's)
+// Calls visit(index among the plane's markers, index among this rank's).
 template <int Dim>
 template <class Visit>
 void Cushion<Dim>::visit_own(const Plane& plane, const Visit& visit) const {
@@ -146,7 +146,7 @@ double Cushion<Dim>::softness(const Plane& plane) const {
   return plane.distance < soft_start * plane.begins ? soft_start : 0;
 }
 
-// On the area that the point stands for.
+// The push on the area that the point stands for.
 template <int Dim>
 CushionPush Cushion<Dim>::push(const Plane& plane, double gap) const {
   const CushionPush push = cushion_push(options_, gap, plane.begins, softness(plane));
@@ -189,8 +189,8 @@ void Cushion<Dim>::add_force_rates(const Points<Dim>& positions, const Points<Di
   });
 }
 
-// One block for each marker, and for each two of a face, whether they touch anything or not: so the pattern never
-// changes.
+// Visits one block for each marker, and for each two of a face, whether they touch anything or not: so the pattern
+// never changes.
 template <int Dim>
 void Cushion<Dim>::visit_stiffness(const Points<Dim>& positions, GeometricStiffness,
                                    const AddMarkerBlock<Dim>& add) const {
@@ -222,8 +222,8 @@ void Cushion<Dim>::visit_stiffness(const Points<Dim>& positions, GeometricStiffn
           add(faces[f].numbers[i], faces[f].numbers[j], of_faces[f][i * Dim + j]);
 }
 
-// For a marker on the surface; with the barrier, which grows so much, for one at a third of d0, or where the nearest
-// one starts.
+// The bound for a marker on the surface; with the barrier, which is singular there, for one at a third of d0 or where
+// the nearest one starts.
 template <int Dim>
 void Cushion<Dim>::add_bound(std::span<StiffnessBound> bounds) const {
   double nearest = options_.law == CushionLaw::barrier ? options_.distance / 3 : 0;
@@ -233,7 +233,7 @@ void Cushion<Dim>::add_bound(std::span<StiffnessBound> bounds) const {
   for (StiffnessBound& bound : bounds) bound.stiffness += 0.25 * push.stiffness;
 }
 
-// A tenth of each distance is kept. A soft barrier does not stop what goes through it.
+// A tenth of each distance remains. A soft barrier has no step limit.
 template <int Dim>
 double Cushion<Dim>::step_limit(const Points<Dim>& from, const Points<Dim>& motion) {
   constexpr double kept = 0.1;
@@ -284,7 +284,7 @@ void Cushion<Dim>::add_reaction(const Plane& plane, const Points<Dim>& all, cons
     loads.sides[plane.axis][plane.end == End::upper ? 1 : 0].add(place - middle(), reaction);
 }
 
-// As the step begins.
+// The tightest contact as the step begins.
 template <int Dim>
 TightestContact Cushion<Dim>::tightest() const {
   TightestContact tightest;

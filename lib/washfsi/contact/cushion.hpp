@@ -6,42 +6,43 @@
 
 namespace washfsi {
 
-/// How the push of a surface grows with nearness.
+/// The law by which the push of a surface grows with nearness.
 enum class CushionLaw { quadratic, barrier };
 
-/// What pushes, and from where on.
+/// The parameters of a cushion.
 struct CushionOptions {
   double pressure = 0;     ///< P0, at the surface, or kappa of the barrier [Pa]; 0: no contact force
-  double distance = 0.01;  ///< d0 [m]
+  double distance = 0.01;  ///< d0, contact distance [m]
   CushionLaw law = CushionLaw::quadratic;
-  double friction = 0;  ///< coefficient, in steps that are solved for
-  double damping = 0;   ///< of the motion along the normal, over the critical one, in steps that are solved for
+  double friction = 0;  ///< coefficient of friction
+  double damping = 0;   ///< damping of the normal motion over the critical one, in implicit steps
 };
 
-/// What a cushion does per undeformed area at a distance from a surface.
+/// The action of a cushion per undeformed area at a distance from a surface.
 struct CushionPush {
   double energy = 0, pressure = 0, stiffness = 0;  ///< [J/m2, Pa, N/m3]
 };
-/// With contact that begins at `begins` [m]; below the share `soft` of that the barrier is a parabola.
+/// The push for the contact distance `begins` [m]; below the share `soft` of that the barrier is a parabola.
 CushionPush cushion_push(const CushionOptions& options, double distance, double begins, double soft = 0);
 
-/// A cushion on bodies and on the walls of the box that keeps cloth out of them: a marker nearer than d0 is pushed
-/// along the outward normal with the force per undeformed area
+/// Penalty contact that keeps cloth out of bodies and sides of the box: a marker nearer than d0 is pushed along the
+/// outward normal with the force per undeformed area
 ///   P0 s^2,  s = (d0 - Phi)/d0 > 0,      energy P0 d0/3 s^3,      stiffness 2 P0/d0 s n n^T
 /// or, with the law of the barrier between cloths (contact/barrier_function.hpp),
 ///   -P0 b'(Phi/d0),                      energy P0 d0 b,          stiffness P0/d0 b'' n n^T
-/// In a step Phi is that from a plane that moves with the body (contact/tangent_planes.hpp): so the energy is convex,
-/// and its stiffness exact and never negative. With the barrier no motion goes through the plane (`step_limit`); only a
-/// marker that a moving body has at the step's end, before the step is solved for, below d0/10 has a barrier that goes
-/// on with the same stiffness from there. What a body may come nearest to is not a marker but a place in a face, as a
-/// post or an edge does: this place is pushed likewise from d0/2 on, with the area of the face. What starts nearer than
-/// d0 has its own distance (contact/pair_distances.hpp). Friction is that of the barrier between cloths
-/// (contact/friction.hpp), with the normal force of the step's start, over the way that the surface goes in the step.
+/// In a step Phi is the distance from a plane that moves with the body (contact/tangent_planes.hpp): so the energy is
+/// convex, and its stiffness exact and never negative. With the barrier no motion goes through the plane
+/// (`step_limit`); only where a moving body comes nearer than d0/10 to a marker at rest by the step's end, the barrier
+/// continues from there with constant stiffness. A post or an edge may come nearest to a place in a face rather than to
+/// a marker: this place is pushed likewise from d0/2 on, with the area of the face. Points that start nearer than d0
+/// have their own distance (contact/pair_distances.hpp). Friction is that of the barrier between cloths
+/// (contact/friction.hpp), with the normal force of the step's start and the motion relative to the surface in the
+/// step.
 template <int Dim>
 class Cushion : public ContactForce<Dim> {
  public:
   Cushion(const CushionOptions& options, const Surroundings<Dim>& surroundings);
-  /// Makes nothing if there is no pressure.
+  /// Returns what creates the force; it creates none if the pressure is 0.
   static MakeForce<Dim> maker(const CushionOptions& options);
 
   Dependence dependence() const override { return Dependence::potential; }
@@ -66,12 +67,12 @@ class Cushion : public ContactForce<Dim> {
 
  private:
   using Plane = TangentPlane<Dim>;
-  /// A point of a cloth that slides on a plane in this step.
+  /// A friction pair: a point of a cloth that slides on a plane in this step.
   struct Rubbing {
     Plane plane;
-    Point<Dim> way;  ///< of the surface in the step, of an explicit one over its point [m]
+    Point<Dim> way;  ///< motion of the surface in the step; in an explicit step, relative to the point [m]
   };
-  /// The values of this rank's markers, and behind them those with halo where faces need these. Collective.
+  /// The values of this rank's markers, followed by those with halo where faces need these. Collective.
   Points<Dim> with_halo(const Points<Dim>& values) const;
   void follow_distances();
   void begin_friction(const StepStart<Dim>& start, const Points<Dim>& velocities);
@@ -86,7 +87,7 @@ class Cushion : public ContactForce<Dim> {
   double gap(const Plane& plane, const Points<Dim>& all) const {
     return plane.distance + plane.normal.dot(plane.place(all) - plane.start);
   }
-  /// Below which share of the distance at which contact begins the barrier is soft.
+  /// The share of the contact distance below which the barrier is soft.
   double softness(const Plane& plane) const;
   CushionPush push(const Plane& plane, double gap) const;
   CushionPush push(const Plane& plane, const Points<Dim>& all) const { return push(plane, gap(plane, all)); }

@@ -10,14 +10,14 @@ namespace washfsi {
 
 /// The second derivative of the distance of two parts that face each other. With the way r = sum of s_i X_i between the
 /// nearest points, whose places on their facets have the coordinates l_k, the half square g = r^2/2 has
-///   d2g/dX_i dX_j = s_i s_j 1 - sum over k, m of  a_ik (t_k . t_m)^-1 a_jm^T,    t_k = dr/dl_k,  a_ik = ds_i/dl_k r +
-///   s_i t_k
+///   d2g/dX_i dX_j = s_i s_j 1 - sum over k, m of  a_ik (t_k . t_m)^-1 a_jm^T,
+///   t_k = dr/dl_k,  a_ik = ds_i/dl_k r + s_i t_k
 /// since the nearest points move as the markers do, and the distance d = sqrt(2 g).
 template <int Dim>
 class DistanceCurvature {
  public:
-  /// Of parts with markers at these places. `first_slides`: the first point is the nearest one of a facet too, not
-  /// fixed in it.
+  /// `all` are the places of the markers. `first_slides`: the first point too is the nearest one of a facet, not fixed
+  /// in it.
   DistanceCurvature(const Facing<Dim>& facing, const Points<Dim>& all, bool first_slides) : facing_(facing) {
     if (first_slides) add_coordinates(all, 1);
     add_coordinates(all, -1);
@@ -43,7 +43,7 @@ class DistanceCurvature {
  private:
   static constexpr int most = 2;  // coordinates
 
-  // One for each marker with a share of this sign but the first one.
+  // Adds one coordinate for each marker with a share of this sign except the first.
   void add_coordinates(const Points<Dim>& all, double sign) {
     const auto is_of_part = [&](std::size_t i) { return sign * facing_.shares[i] > 0; };
     std::size_t first = 0;

@@ -10,9 +10,9 @@ namespace washfsi {
 /// negative and sum up to -1; the gradient of the distance in marker i is shares[i] normal.
 template <int Dim>
 struct Facing {
-  std::size_t count = 0;                       ///< of the markers
-  std::array<std::size_t, 2 * Dim> markers{};  ///< places among those that the rank knows
-  std::array<double, 2 * Dim> shares{};        ///< of the markers
+  std::size_t count = 0;                       ///< number of markers
+  std::array<std::size_t, 2 * Dim> markers{};  ///< indices among the markers that the rank knows
+  std::array<double, 2 * Dim> shares{};        ///< shares of the markers
   double distance = 0;                         ///< [m]
   Point<Dim> normal = Point<Dim>::Zero();      ///< from the second part to the first
 

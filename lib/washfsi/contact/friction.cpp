@@ -8,7 +8,7 @@ namespace washfsi {
 
 namespace {
 
-// Of a slide y, with g = y/f and F the integral of f from 0.
+// The regularisation at a slide y, with g = y/f and F the integral of f from 0.
 struct Creep {
   double g, rate, energy;  // g, dg/dy, F
 };
@@ -40,7 +40,7 @@ void Friction<Dim>::begin(std::vector<FrictionPair<Dim>> pairs, double dt, doubl
   slides_ = directions_;
 }
 
-// A step of Newton's for  g q = u  in both of its unknowns, in which the slides have already been found.
+// A Newton step for  g q = u  in both of its unknowns, of which the slides have already been found.
 template <int Dim>
 void Friction<Dim>::linearise(const Points<Dim>& ways) {
   for (std::size_t r = 0; r < pairs_.size(); ++r) {

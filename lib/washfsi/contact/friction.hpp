@@ -7,54 +7,55 @@
 
 namespace washfsi {
 
-/// Two surfaces that pair in a step: where they touch, and how hard they are pressed, is taken at its start.
+/// A friction pair: two surfaces that touch in a step, with place and normal force of its start.
 template <int Dim>
 struct FrictionPair {
   Point<Dim> normal;   ///< from the second to the first
   double limit;        ///< friction coefficient times normal force [N; per unit depth in the plane]
-  double stops = 0;    ///< slide below which the whole of it, in an explicit step, would more than stop them [m]
-  double damping = 0;  ///< of the motion along the normal [N s/m]
+  double stops = 0;    ///< slide below which the whole limit would more than stop them, in an explicit step [m]
+  double damping = 0;  ///< damping of the normal motion [N s/m]
 };
 
 /// The damping of two surfaces along their normal, as a share of the critical one of a mass [kg] on a spring, the
 /// contact at the step's start [N/m]  [N s/m].
 double contact_damping(double share, double stiffness, double mass);
 
-/// What a pair does when the first surface has gone some way over the second.
+/// The action of a pair when the first surface has moved some way over the second.
 template <int Dim>
 struct FrictionForce {
-  double energy = 0;              ///< of the potential [J]
-  double work = 0;                ///< that it takes out in the step, pull by its share times way [J]
-  Point<Dim> pull;                ///< on the second surface, and minus this on the first [N]
-  StiffnessBlock<Dim> stiffness;  ///< of Newton's method [N/m]
+  double energy = 0;              ///< energy of the potential [J]
+  double work = 0;                ///< energy dissipated in the step: pull by its share times way [J]
+  Point<Dim> pull;                ///< force on the second surface; minus this on the first [N]
+  StiffnessBlock<Dim> stiffness;  ///< stiffness for Newton's method [N/m]
 };
 
 /// Coulomb friction in a step, lagged (Li et al., ACM Trans. Graph. 39 (2020) 49): with the normal n and the normal
 /// force of the step's start, and the slide u = (1 - n n^T) way, the way being that of the first surface over the
 /// second, a pair pulls with
 ///   limit f(|u|) u/|u|,      f(y) = 2 y/e - y^2/e^2 for y < e, else 1,      e = dt times `creep_speed`
-/// the gradient of a convex energy. Below that speed it sticks but for a creep.
-/// Newton's method with its Hessian jumps to and fro across the kink at rest, and with the pull over the slide in place
-/// of it creeps up where pairs are about to slide. So the direction q of the pull is an unknown of its own, with
-/// g q = u, g = |u|/f(|u|)  (Chan, Golub and Mulet, SIAM J. Sci. Comput. 20 (1999) 1964): with u eliminated for it
+/// the gradient of a convex energy. Below that speed surfaces stick except for a creep.
+/// Newton's method with the Hessian oscillates across the kink at rest, and with pull over slide in place of it
+/// converges slowly where pairs are about to slide. So the direction q of the pull is an unknown of its own, with
+///   g q = u, g = |u|/f(|u|)  (Chan, Golub and Mulet, SIAM J. Sci. Comput. 20 (1999) 1964);
+/// with u eliminated, the stiffness
 ///   limit/g (1 - n n^T - g'/2 (q u^T + u q^T)/|u|),      |q| <= 1
-/// is positive, pull over slide at first, when q = 0, and the Hessian in the end.
+/// is positive: pull over slide at first, when q = 0, and the Hessian in the end.
 /// Friction is that of the step as a whole: where forces at its end make up a share of the step's mean force, and those
 /// at its start, when nothing has slid yet, the rest, the pull is limit/share.
-/// The motion along the normal is damped: what is pressed by a barrier would bounce, and cloth does not.
+/// The motion along the normal is damped: a barrier would make surfaces bounce, and cloth does not.
 /// `contact_damping` gives the coefficient. In an explicit step of length dt the way is that of the velocities at its
-/// start, and e at least so long that the pull does not turn the slide round: 2 limit dt^2 mobility.
+/// start, and e is large enough that the pull does not reverse the slide: 2 limit dt^2 mobility.
 template <int Dim>
 class Friction {
  public:
-  /// Of the slide at which friction is whole [m/s].
+  /// The sliding speed at which friction reaches its limit [m/s].
   static constexpr double creep_speed = 1e-3;
 
-  /// A step of length dt begins; dt = 0: nothing slides. Pulls make up this share of the step's mean force.
+  /// Begins a step of length dt; dt = 0: nothing slides. `share` is that of the pulls in the step's mean force.
   void begin(std::vector<FrictionPair<Dim>> pairs, double dt, double share = 1);
-  /// Newton's method goes on from these ways of all pairs [m].
+  /// Linearises for Newton's method at these ways of all pairs [m].
   void linearise(const Points<Dim>& ways);
-  /// What each pair does after these ways of all.
+  /// The action of each pair after these ways of all.
   std::vector<FrictionForce<Dim>> forces(const Points<Dim>& ways) const;
   double dt() const { return dt_; }
 
@@ -63,7 +64,7 @@ class Friction {
   void add_damping(const FrictionPair<Dim>& pair, const Point<Dim>& way, FrictionForce<Dim>& force) const;
 
   std::vector<FrictionPair<Dim>> pairs_;
-  Points<Dim> directions_, slides_;  ///< q and u of each, where it was linearised last
+  Points<Dim> directions_, slides_;  ///< q and u of each pair, where it was linearised last
   double dt_ = 0, share_ = 1;
 };
 

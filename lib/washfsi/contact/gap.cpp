@@ -25,7 +25,7 @@ Point<Dim> way_of(const Shares<Dim>& shares, const PairPoints<Dim>& places) {
   return way;
 }
 
-// Of the first marker with the edge between two others.
+// Shares of the first marker with the edge between two others.
 template <int Dim>
 Shares<Dim> point_edge(const PairPoints<Dim>& places, std::size_t from, std::size_t to) {
   const double part = part_along<Dim>(places[from], places[to], places[0]);

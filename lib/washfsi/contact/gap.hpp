@@ -18,7 +18,7 @@ inline constexpr std::size_t pair_markers = Dim + 1;
 template <int Dim>
 using PairPoints = std::array<Point<Dim>, pair_markers<Dim>>;
 
-/// Which facets a pair is of; the markers of the first come first.
+/// The kinds of facets in a pair; the markers of the first come first.
 enum class PairKind {
   point_facet,  ///< a point with a segment in the plane, with a triangle in space
   edge_edge,    ///< in space only
@@ -35,7 +35,7 @@ template <int Dim>
 struct Gap {
   double distance;                               ///< [m]
   Point<Dim> normal;                             ///< from the second to the first; any unit vector where they touch
-  std::array<double, pair_markers<Dim>> shares;  ///< of the markers
+  std::array<double, pair_markers<Dim>> shares;  ///< shares of the markers
 };
 
 /// The gap of a pair whose markers are at these places. Facets may be degenerate.

@@ -9,17 +9,16 @@
 
 namespace washfsi {
 
-/// Where in a face a distance from a body is least.
+/// The place in a face where the distance from a body is least.
 template <int Dim>
 struct NearestInFace {
-  std::array<double, Dim> shares;  ///< of the corners
+  std::array<double, Dim> shares;  ///< shares of the corners
   double distance;                 ///< [m]; infinite if it cannot be below the limit
 };
 
-/// Finds that place by a compass search: from the best of the corners, the middles of the edges and that of the face
-/// along the edges, with ways that are halved. distance(place) must be a lower bound in size of a signed distance: so
-/// what is farther from it than the limit and the rest of the way need not be looked at. `at_corners` are its values
-/// there.
+/// Finds that place by a compass search: from the best of the corners, the middles of the edges and that of the face,
+/// along the edges, with steps that are halved. distance(place) must be a lower bound in size of a signed distance, so
+/// that places farther than the limit plus the remaining steps are skipped. `at_corners` are its values there.
 template <int Dim, class Distance>
 NearestInFace<Dim> nearest_in_face(const std::array<Point<Dim>, Dim>& corners,
                                    const std::array<double, Dim>& at_corners, double limit, const Distance& distance) {

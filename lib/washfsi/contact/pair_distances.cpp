@@ -9,7 +9,7 @@ namespace washfsi {
 
 namespace {
 
-constexpr double least = 0.01;  // of the usual distance: what starts nearer is pushed apart
+constexpr double least = 0.01;  // least share of the usual distance: things that start nearer are pushed apart
 
 PairDistances::Nearest of_all(MPI_Comm comm, const PairDistances::Nearest& nearest) {
   struct Item {

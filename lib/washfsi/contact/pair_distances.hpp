@@ -10,9 +10,9 @@
 
 namespace washfsi {
 
-/// The distance at which the contact of two things begins. Things that start nearer to each other than the usual
+/// The contact distances of pairs of things, which have numbers. Things that start nearer to each other than the usual
 /// distance have a smaller one: that at which they start, so that contact does not throw them apart. It grows as they
-/// part, and never shrinks. All ranks have the same ones. Things have numbers.
+/// separate, and never shrinks. All ranks have the same distances.
 class PairDistances {
  public:
   using Pair = std::pair<std::size_t, std::size_t>;
@@ -29,16 +29,17 @@ class PairDistances {
   }
   /// Whether the things have started.
   bool has_started() const { return has_started_; }
-  /// The pairs with a smaller distance.
+  /// The pairs with a contact distance smaller than usual.
   const Nearest& less() const { return less_; }
 
-  /// The things start like this. Collective.
+  /// Sets the initial distances of the things. Collective.
   void start(MPI_Comm comm, const Nearest& nearest);
-  /// They are like this now. Pairs that no rank sees are farther apart than their distance by `beyond` [m]. Collective.
+  /// Updates them by the present distances. Pairs that no rank sees are farther apart than their contact distance by
+  /// `beyond` [m]. Collective.
   void follow(MPI_Comm comm, const Nearest& nearest, double beyond);
 
-  /// What a run that goes on needs: three numbers for each pair with a smaller distance, and a further one; none before
-  /// the start.
+  /// The values for a restart: three numbers for each pair with a smaller distance, and a further one; none before the
+  /// start.
   std::vector<double> stored() const;
   void restore(const std::vector<double>& stored);
 

@@ -25,8 +25,8 @@ void PairFriction<Dim>::begin_explicit(std::vector<Pair> pairs, const NearMarker
   begin(std::move(pairs), all + -dt * velocities, dt);
 }
 
-// By all that slides on each marker of a pair, in the direction that all of it may have: its owner has all of these
-// pairs.
+// Sets `stops` from the limits of all pairs of each marker, as if all acted in one direction: a marker's owner has all
+// of its pairs.
 template <int Dim>
 void PairFriction<Dim>::set_stops(std::vector<Pair>& pairs, const NearMarkers<Dim>& known,
                                   const std::vector<double>& mobilities, double dt) {
@@ -38,7 +38,7 @@ void PairFriction<Dim>::set_stops(std::vector<Pair>& pairs, const NearMarkers<Di
     over_markers(pair, [&](std::size_t marker, double share) { limits[marker] += share * pair.limit; });
   limits = known.values(known.own(limits));
   for (Pair& pair : pairs) {
-    double speed = 0;  // of the slide, over dt
+    double speed = 0;  // of the slide, per dt
     over_markers(pair, [&](std::size_t marker, double share) { speed += share * mobilities[marker] * limits[marker]; });
     pair.stops = 2 * dt * dt * speed;
   }

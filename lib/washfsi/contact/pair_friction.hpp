@@ -14,31 +14,31 @@ class PairFriction {
   struct Pair {
     Facing<Dim> facing;  ///< at the step's start
     double limit;        ///< friction coefficient times normal force there [N; per unit depth in the plane]
-    double damping = 0;  ///< as of a `FrictionPair`
-    double stops = 0;    ///< as of a `FrictionPair`
-    /// Where its markers start; in an explicit step where they would have come from [m].
+    double damping = 0;  ///< as in `FrictionPair`
+    double stops = 0;    ///< as in `FrictionPair`
+    /// Initial places of its markers; in an explicit step the places from which they would have come [m].
     std::array<Point<Dim>, 2 * Dim> starts{};
   };
 
-  /// A step of length dt from these places begins; dt = 0: nothing slides. The share is that of `Friction::begin`.
+  /// Begins a step of length dt from these places; dt = 0: nothing slides. `share` is that of `Friction::begin`.
   void begin(std::vector<Pair> pairs, const Points<Dim>& starts, double dt, double share = 1);
-  /// An explicit step, in which what is at these places slides as it does now; mobilities as in `ExplicitStep`.
+  /// Begins an explicit step, in which pairs at these places slide as they do now; mobilities as in `ExplicitStep`.
   /// Collective.
   void begin_explicit(std::vector<Pair> pairs, const NearMarkers<Dim>& known, const Points<Dim>& all,
                       const Points<Dim>& velocities, const std::vector<double>& mobilities, double dt);
-  /// The markers are known at other places now: place(where one was).
+  /// Renumbers the known markers: place(old index) is the new one.
   template <class Place>
   void renumber(const Place& place) {
     for (Pair& pair : pairs_)
       for (std::size_t i = 0; i < pair.facing.count; ++i) pair.facing.markers[i] = place(pair.facing.markers[i]);
   }
-  /// Newton's method goes on from these places.
+  /// Linearises for Newton's method at these places.
   void linearise(const Points<Dim>& all);
-  /// What `visit` gives is of these places.
+  /// Sets the places for `visit`.
   void look_at(const Points<Dim>& all) { forces_ = friction_.forces(ways(all)); }
   double dt() const { return friction_.dt(); }
 
-  /// visit(what faced each other at the step's start, what they do)
+  /// Calls visit(facing at the step's start, friction force).
   template <class Visit>
   void visit(const Visit& visit) const {
     for (std::size_t r = 0; r < forces_.size(); ++r) visit(pairs_[r].facing, forces_[r]);

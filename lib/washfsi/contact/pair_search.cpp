@@ -15,7 +15,7 @@ struct PairSearch<Dim>::Query {
   double most;
   const ContactDistance& distance;
 
-  /// Where a facet may be, with half of the distance round it.
+  /// The bounds of where a facet may be, with half of the distance round it.
   template <class Markers>
   Bounds<Dim> bounds(const Markers& markers) const {
     std::vector<Bounds<Dim>> boxes;
@@ -46,8 +46,7 @@ bool overlap(const Bounds<Dim>& a, const Bounds<Dim>& b) {
   return (a.lower.array() <= b.upper.array()).all() && (b.lower.array() <= a.upper.array()).all();
 }
 
-/// Those of some facets that a rank has to look at, and the search among them. Only what may be near to `asked` is
-/// kept.
+/// The facets among some that a rank has to visit, and the search among them; only those that may be near to `asked`.
 template <int Dim>
 class Search {
  public:
@@ -73,7 +72,7 @@ class Search {
   NearSearch<Dim> search_;
 };
 
-/// Among all that is known for what is this rank's, and among this rank's for what is not.
+/// Searches among all known facets for those of this rank, and among this rank's for others.
 template <int Dim>
 class Searches {
  public:
@@ -139,7 +138,7 @@ std::vector<std::size_t> PairSearch<Dim>::own(const std::vector<Facet>& facets) 
   return numbers;
 }
 
-// This rank's points may touch all faces, others only this rank's.
+// Pairs this rank's points with all faces, others only with this rank's.
 template <int Dim>
 void PairSearch<Dim>::find_points_and_faces(const Query& query, std::vector<FacetPair<Dim>>& found) const {
   std::vector<std::array<std::size_t, 1>> points;
@@ -195,7 +194,7 @@ void PairSearch<Dim>::keep_if_near(const Query& query, FacetPair<Dim> pair, std:
   if (pair.start < distance + first + second) found.push_back(pair);
 }
 
-// To the image of the second facet that is nearest to the first.
+// The shift to the image of the second facet that is nearest to the first.
 template <int Dim>
 Point<Dim> PairSearch<Dim>::shift_of(const FacetPair<Dim>& pair, const Points<Dim>& all) const {
   Point<Dim> shift = Point<Dim>::Zero();

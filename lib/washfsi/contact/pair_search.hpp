@@ -11,13 +11,13 @@ namespace washfsi {
 template <int Dim>
 struct FacetPair {
   PairKind kind;
-  std::array<std::size_t, pair_markers<Dim>> markers;  ///< places among those that the rank knows
-  Point<Dim> shift;                                    ///< of the second facet's periodic image [m]
+  std::array<std::size_t, pair_markers<Dim>> markers;  ///< indices among the markers that the rank knows
+  Point<Dim> shift;                                    ///< shift of the second facet's periodic image [m]
   double weight;    ///< undeformed area that the pair stands for [m2; m in the plane]
   double parallel;  ///< eps of the mollifier [m4]; 0 where there is none
-  double start;     ///< distance where it was found [m]
+  double start;     ///< distance when it was found [m]
 
-  /// The places of its markers, near to each other, by those of all that is known.
+  /// The places of its markers, shifted to be near to each other, from those of all known markers.
   PairPoints<Dim> at(const Points<Dim>& all) const {
     PairPoints<Dim> places;
     for (std::size_t i = 0; i < places.size(); ++i)
@@ -25,7 +25,7 @@ struct FacetPair {
     return places;
   }
 
-  /// Its markers' motions.
+  /// The motions of its markers.
   PairPoints<Dim> motions(const Points<Dim>& all) const {
     PairPoints<Dim> motions;
     for (std::size_t i = 0; i < motions.size(); ++i) motions[i] = all[markers[i]];
@@ -33,8 +33,8 @@ struct FacetPair {
   }
 };
 
-/// Finds the pairs of facets that may come near to each other, of one cloth with itself too. Each rank finds those that
-/// have a marker of its own, and knows what is near to these. Their order depends on nothing but which they are.
+/// Finds the pairs of facets that may come near to each other, also within one cloth. Each rank finds those with a
+/// marker of its own, and knows the markers near to these. The pairs' order depends only on which they are.
 template <int Dim>
 class PairSearch {
  public:
@@ -42,23 +42,24 @@ class PairSearch {
   PairSearch(const Cloths<Dim>& cloths, const PeriodicSpace<Dim>& space)
       : cloths_(cloths), space_(space), known_(cloths, space), facets_(cloths, known_) {}
 
-  /// Learns of all markers that may come as near as `distance` to a facet of this rank, while each marker moves from
-  /// its place by its reach at most; places and reaches are those of this rank's markers. What was known before stays
-  /// known if it is to be kept, elsewhere perhaps. Collective.
+  /// Gets all markers that may come as near as `distance` to a facet of this rank, while each marker moves from its
+  /// place by its reach at most; places and reaches are those of this rank's markers. With `Before::keep` markers known
+  /// so far stay known, perhaps at other indices. Collective.
   void look_round(const Points<Dim>& positions, const std::vector<double>& reaches, double distance,
                   Before before = Before::forget);
-  /// The pairs of facets that may come as near as their contact distance, which must be at most `most`, and that not
-  /// larger than the distance of the last look round. No communication.
+  /// The pairs of facets that may come as near as their contact distance, which must be at most `most`; this must not
+  /// exceed the distance of the last `look_round`. No communication.
   std::vector<FacetPair<Dim>> pairs(const ContactDistance& distance, double most) const;
-  /// The same of samples of surfaces, half of the distance of the last look round at most. No communication.
+  /// The samples of surfaces likewise; `most` is at most half of the distance of the last `look_round`. No
+  /// communication.
   std::vector<SurfaceSample<Dim>> samples(const ContactDistance& distance, double most) const {
     return find_samples<Dim>(known_, facets_, all_, reaches_, distance, most, space_);
   }
 
-  /// The markers that the pairs are of, and their facets, until the next search.
+  /// The markers of the pairs, and their facets, valid until the next `look_round`.
   const NearMarkers<Dim>& known() const { return known_; }
   const Facets<Dim>& facets() const { return facets_; }
-  /// Where a marker was at the last look round [m].
+  /// The place of a marker at the last `look_round` [m].
   const Point<Dim>& place(std::size_t marker) const { return all_[marker]; }
 
  private:
@@ -78,8 +79,8 @@ class PairSearch {
   PeriodicSpace<Dim> space_;
   NearMarkers<Dim> known_;
   Facets<Dim> facets_;
-  Points<Dim> all_;              ///< places of all that is known at the last look round [m]
-  std::vector<double> reaches_;  ///< from there [m]
+  Points<Dim> all_;              ///< places of all known markers at the last `look_round` [m]
+  std::vector<double> reaches_;  ///< their reaches from there [m]
 };
 
 extern template class PairSearch<2>;

@@ -13,11 +13,11 @@ class SeenFaces {
   static constexpr std::ptrdiff_t none = -1;
 
   struct Face {
-    std::array<std::size_t, Dim> seen;    ///< its markers, by where they are in an array with halo
-    std::array<std::ptrdiff_t, Dim> own;  ///< and in this rank's arrays; `none`
-    std::array<PetscInt, Dim> numbers;    ///< and among those of all ranks
+    std::array<std::size_t, Dim> seen;    ///< indices of its markers in an array with halo
+    std::array<std::ptrdiff_t, Dim> own;  ///< their indices in this rank's arrays, or `none`
+    std::array<PetscInt, Dim> numbers;    ///< their numbers among those of all ranks
     std::size_t piece;
-    double area;  ///< undeformed [m2; m in the plane]
+    double area;  ///< undeformed area [m2; m in the plane]
 
     /// Whether this rank counts it, in sums over all ranks.
     bool counts() const { return own[0] != none; }

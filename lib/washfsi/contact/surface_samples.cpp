@@ -23,7 +23,7 @@ Feature<Dim> feature_of(const Facing<Dim>& facing) {
   return feature;
 }
 
-/// Sums up how often each feature counts in which the nearest point of something lies.
+/// Sums up how often each feature counts that contains the nearest point of a face, an edge or a corner.
 template <int Dim>
 class Count {
  public:
@@ -107,7 +107,7 @@ template <std::size_t Size, int Dim>
 struct Shared {
   std::array<std::size_t, Size> markers;
   Point<Dim> shift;
-  int faces = 0, excess = 0;  ///< excess: of a corner, how often all edges that meet there are taken off
+  int faces = 0, excess = 0;  ///< excess: how often all edges that meet at a corner are subtracted
 };
 
 template <std::size_t Size, int Dim>
@@ -175,7 +175,7 @@ bool share_a_marker(const typename Facets<Dim>::Face& first, const typename Face
   return std::ranges::any_of(first, [&](std::size_t m) { return std::ranges::find(second, m) != second.end(); });
 }
 
-// Those of the rule that is exact for cubic functions along a segment, for quadratic ones on a triangle.
+// Gauss points of the rule that is exact for cubic functions along a segment, for quadratic ones on a triangle.
 template <int Dim>
 std::array<std::array<double, Dim>, Dim> gauss_points() {
   constexpr double large = Dim == 2 ? 0.78867513459481287 : 2.0 / 3, small = (1 - large) / (Dim - 1);
@@ -229,7 +229,7 @@ class SampleSearch {
       boxes.push_back(Bounds<Dim>::round(all_[marker], Point<Dim>::Constant(reaches_[marker] + 0.5 * most_)));
     return hull(boxes);
   }
-  // The image of the face that is nearest to the sample.
+  // The shift to the image of the face that is nearest to the sample.
   Point<Dim> shift(const Point<Dim>& place, const Face& face) const {
     Point<Dim> shift = Point<Dim>::Zero();
     const Point<Dim> way = place - all_[face[0]];

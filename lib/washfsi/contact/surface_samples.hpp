@@ -16,13 +16,13 @@ template <int Dim>
 struct SurfaceSample {
   using Face = typename Facets<Dim>::Face;
   struct Opposite {
-    Face face;         ///< its markers, places among those that the rank knows
-    Point<Dim> shift;  ///< of its periodic image [m]
-    double start;      ///< distance where it was found [m]
+    Face face;         ///< indices of its markers among those that the rank knows
+    Point<Dim> shift;  ///< shift of its periodic image [m]
+    double start;      ///< distance when it was found [m]
   };
 
   Face face;
-  std::array<double, Dim> shares;  ///< of its markers, the place's coordinates in it
+  std::array<double, Dim> shares;  ///< shares of its markers: the sample's coordinates in the face
   double weight;                   ///< half of the undeformed area that the sample stands for [m2; m in the plane]
   std::vector<Opposite> opposites;
 
@@ -33,7 +33,7 @@ struct SurfaceSample {
   }
 };
 
-/// What a sample faces, and how often its barrier counts there.
+/// A part that a sample faces, and how often its barrier counts there.
 template <int Dim>
 struct CountedFacing {
   Facing<Dim> facing;
@@ -49,21 +49,21 @@ double distance_between(const SurfaceSample<Dim>& sample, const typename Surface
   return gap_of<Dim>(PairKind::point_facet, places).distance;
 }
 
-/// At which distance contact begins between the cloths of two markers [m].
+/// The contact distance between the cloths of two markers [m].
 using ContactDistance = std::function<double(std::size_t marker, std::size_t other)>;
 
 /// The parts of other surfaces that a sample faces nearer than the contact distance. The sum over faces of the barrier
-/// would count what lies over an edge twice, and over a corner of a lattice six times. So that a surface has one
-/// barrier wherever on it a place lies, that of each edge is taken off as often as faces share it, but for once, and
-/// that of each corner set right (inclusion and exclusion: Li, Ferguson et al., arXiv:2307.15908). The sum is smooth;
-/// over a flat surface it is that of the distance from it.
+/// would count a place over an edge twice, and over a corner of a lattice six times. So that each place of a surface
+/// has one barrier, that of each edge is subtracted once less than the number of faces that share it, and that of each
+/// corner corrected (inclusion and exclusion: Li, Ferguson et al., arXiv:2307.15908). The sum is smooth; over a flat
+/// surface it is the barrier of the distance from it.
 template <int Dim>
 std::vector<CountedFacing<Dim>> faced_by(const SurfaceSample<Dim>& sample, const Points<Dim>& all,
                                          const ContactDistance& distance);
 
-/// All samples that may come as near as the contact distance, `most` at most, to a face without a common marker, while
-/// each marker moves from its place by its reach at most. Kept are those of which a marker, of the sample or of what it
-/// may face, is the rank's: it must know what is near to all of these.
+/// All samples that may come as near as the contact distance, at most `most`, to a face without a common marker, while
+/// each marker moves from its place by its reach at most. Only samples are returned of which a marker, of the sample or
+/// of a face that it may face, is the rank's, which must know the markers near to all of these.
 template <int Dim>
 std::vector<SurfaceSample<Dim>> find_samples(const NearMarkers<Dim>& known, const Facets<Dim>& facets,
                                              const Points<Dim>& all, const std::vector<double>& reaches,

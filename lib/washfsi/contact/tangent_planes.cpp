@@ -7,16 +7,16 @@
 
 namespace washfsi {
 
-/// One look round, at the ends of a step.
+/// One search, with the bodies at both ends of a step.
 template <int Dim>
 struct TangentPlanes<Dim>::Look {
   const Points<Dim>& all;
   const std::vector<double>& speeds;
   double distance, dt;
   PosedBodies<Dim> start, end;
-  std::vector<std::vector<double>> distances = {};  ///< from each body at the step's end, of all places [m]
+  std::vector<std::vector<double>> distances = {};  ///< distances of all places from each body at the step's end [m]
 
-  // What a point may come near to in the step, with as much to spare.
+  // The distance within which a point may come into contact in the step, with a margin of as much.
   double reach(double contact, double speed) const { return dt > 0 ? 2 * (contact + dt * speed) : contact; }
 };
 
@@ -79,7 +79,7 @@ void TangentPlanes<Dim>::add_sides(const TangentPlane<Dim>& marker, double reach
     }
 }
 
-// The body has run over the point if it holds it at the end and did not at the start.
+// The body has run over the point if it contains it at the end and did not at the start.
 template <int Dim>
 void TangentPlanes<Dim>::set_plane(const Look& look, TangentPlane<Dim>& plane) const {
   const Point<Dim> place = around_.grid.folded(plane.start);
@@ -90,7 +90,7 @@ void TangentPlanes<Dim>::set_plane(const Look& look, TangentPlane<Dim>& plane) c
     return;
   }
   const Point<Dim> normal = look.start.normal(plane.body, place, step), foot = place - plane.before * normal;
-  const Point<Dim> shift = place - look.start[plane.body].beside(place);  // of the nearest image
+  const Point<Dim> shift = place - look.start[plane.body].beside(place);  // shift of the nearest image
   const auto carried = [&](const Point<Dim>& point) -> Point<Dim> {
     return look.end.in_space(plane.body, look.start.in_body_frame(plane.body, point - shift)) + shift;
   };
@@ -104,7 +104,7 @@ void TangentPlanes<Dim>::add_faces(const Look& look, std::vector<TangentPlane<Di
     for (std::size_t body = 0; body < look.end.size(); ++body) add_face(look, face, body, planes);
 }
 
-// A face that comes nearest at a marker, as it does to whatever is wide, is kept away by that marker.
+// A face that comes nearest at a marker, as it does to any wide body, is kept away by that marker's plane.
 template <int Dim>
 void TangentPlanes<Dim>::add_face(const Look& look, std::size_t number, std::size_t body,
                                   std::vector<TangentPlane<Dim>>& planes) const {

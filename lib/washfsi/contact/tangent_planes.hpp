@@ -6,23 +6,23 @@
 
 namespace washfsi {
 
-/// The tangent plane of a surface, of a body or of a side of the box, near a point of a cloth. The point is a marker,
-/// or where in a face it comes nearest to the body.
+/// The tangent plane of a body's surface or a side of the box near a point of a cloth: a marker, or the place in a face
+/// that is nearest to the body.
 template <int Dim>
 struct TangentPlane {
   static constexpr std::size_t no_face = static_cast<std::size_t>(-1);
 
-  std::size_t face = no_face;              ///< in the list of seen faces; `no_face`: a marker
-  std::array<std::size_t, Dim> markers{};  ///< in an array of own values and those with halo; of a marker the first
-  std::array<double, Dim> shares{};        ///< of them, that sum up to 1
-  std::array<std::ptrdiff_t, Dim> own{};   ///< in this rank's arrays; `SeenFaces::none`
+  std::size_t face = no_face;              ///< index in the list of seen faces; `no_face`: a marker
+  std::array<std::size_t, Dim> markers{};  ///< indices in own values and those with halo; a marker: first
+  std::array<double, Dim> shares{};        ///< shares of the markers, of sum 1
+  std::array<std::ptrdiff_t, Dim> own{};   ///< indices in this rank's arrays, or `SeenFaces::none`
   std::size_t piece = 0;
-  double area = 0;  ///< undeformed, that the point stands for [m2; m in the plane]
-  Point<Dim> start = Point<Dim>::Zero(), normal = Point<Dim>::Zero();  ///< where the point starts [m]; out of the body
-  double distance = 0;                                                 ///< there, at the step's end [m]
-  double before = 0;                                                   ///< there, at the step's start [m]
-  double begins = 0;                                                   ///< the distance at which contact begins [m]
-  std::size_t body = 0;                                                ///< its number; that of the bodies for a side
+  double area = 0;  ///< undeformed area that the point stands for [m2; m in the plane]
+  Point<Dim> start = Point<Dim>::Zero(), normal = Point<Dim>::Zero();  ///< start of the point [m]; outward normal
+  double distance = 0;                                                 ///< distance of `start` at the step's end [m]
+  double before = 0;                                                   ///< distance of `start` at the step's start [m]
+  double begins = 0;                                                   ///< contact distance [m]
+  std::size_t body = 0;  ///< number of the body; for a side the count of bodies
   int axis = 0;
   End end = End::lower;
 
@@ -36,7 +36,7 @@ struct TangentPlane {
     for (std::size_t i = 1; i < count(); ++i) sum += shares[i] * all[markers[i]];
     return sum;
   }
-  /// The number of what it is of, behind those of all cloths.
+  /// The number of its body or side as a thing, after those of all cloths.
   std::size_t thing(std::size_t cloths, std::size_t bodies) const {
     return cloths + body + (body < bodies ? 0 : 2 * static_cast<std::size_t>(axis) + (end == End::upper ? 1 : 0));
   }
@@ -48,14 +48,14 @@ struct TangentPlane {
 template <int Dim>
 class TangentPlanes {
  public:
-  /// Planes of faces are looked for in addition to those of markers if `sees_faces`; only those count that are nearer
-  /// than the share `of_faces` of the distance at which contact with markers begins.
+  /// With `sees_faces`, planes of faces are found in addition to those of markers; only those count that are nearer
+  /// than the share `of_faces` of the contact distance of markers.
   TangentPlanes(const Surroundings<Dim>& around, bool sees_faces);
 
   static constexpr double of_faces = 0.5;
 
-  /// Those that points may come nearer to than `distance` in this step, with as much to spare; `all` are the places of
-  /// the markers and those with halo, `speeds` those of the markers and with halo [m/s]. No communication.
+  /// Finds the planes to which points may come nearer than `distance` in this step, with a margin of as much; `all` and
+  /// `speeds` [m/s] are of the markers and those with halo. No communication.
   std::vector<TangentPlane<Dim>> find(const Points<Dim>& all, const std::vector<double>& speeds, double distance,
                                       double time, double dt) const;
   const SeenFaces<Dim>& faces() const { return faces_; }

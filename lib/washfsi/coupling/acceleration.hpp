@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The acceleration that a coupling scheme takes a marker to have in a step, from its mean velocity W = (X^(n+1) -
-// X^n)/dt there and from what went before. The inertia of the cloth's own mass is minus the mass times that.
+// The acceleration that a coupling scheme assigns to a marker in a step, from its mean velocity W = (X^(n+1) - X^n)/dt
+// there and from earlier velocities. The inertia of the cloth's own mass is minus the mass times this acceleration.
 #pragma once
 
 #include "washfsi/coupling/system.hpp"
 
 namespace washfsi {
 
-/// Second backward difference (BDF2) of the velocities V = W that hold at the ends of the steps; backward Euler without
-/// a step before. With r the ratio of this step to the last,
+/// Second backward difference (BDF2) of the velocities V = W, taken at the ends of the steps; backward Euler without a
+/// previous step. With r the ratio of this step to the last,
 ///   A = ( (1 + 2 r)/(1 + r) W - (1 + r) V^n + r^2/(1 + r) V^(n-1) )/dt
 template <int Dim>
 Acceleration<Dim> backward_difference(const System<Dim>& system, double dt);
@@ -18,11 +18,11 @@ Acceleration<Dim> backward_difference(const System<Dim>& system, double dt);
 template <int Dim>
 Acceleration<Dim> trapezoidal_difference(const System<Dim>& system, double dt);
 
-/// A = (V^(n+1) - V^n)/dt, with the velocity at the end extrapolated from the means of this step and the last, which
-/// hold in the middle of each: centred, and for equal steps the second backward difference of W.
+/// A = (V^(n+1) - V^n)/dt, with the velocity at the end extrapolated from the means of this step and the last, taken in
+/// the middle of each: centred, and for equal steps the second backward difference of W.
 template <int Dim>
 Acceleration<Dim> centred_difference(const System<Dim>& system, double dt);
-/// That V^(n+1), from W.
+/// Returns that extrapolated V^(n+1) from W.
 template <int Dim>
 Points<Dim> extrapolated(const System<Dim>& system, double dt, const Points<Dim>& mean_velocities);
 

@@ -8,25 +8,25 @@
 
 namespace washfsi {
 
-/// An equation for one vector of each marker, its velocity or a force. All of its functions are collective and take
-/// this rank's part.
+/// An equation for one vector per marker, its velocity or a force. All of its functions are collective and take this
+/// rank's part.
 template <int Dim>
 struct ClothEquation {
-  /// Its left side, one value per marker.
+  /// The residual of the equation, one vector per marker.
   std::function<Points<Dim>(const Points<Dim>& velocities)> residual;
-  /// Sets a matrix to its Jacobian, or to something near it.
+  /// Sets a matrix to the residual's Jacobian or an approximation of it.
   std::function<void(const Points<Dim>& velocities, GeometricStiffness geometric, Mat matrix)> assemble;
-  double round_off = 0;  ///< 2-norm over all markers that its residual may have at the solution
-  /// A function whose gradient the residual is, if there is one.
+  double round_off = 0;  ///< 2-norm over all markers of the residual's round-off at the solution
+  /// The potential whose gradient the residual is, if there is one.
   std::function<double(const Points<Dim>& velocities)> potential = {};
-  /// The Jacobian, where the matrix was assembled last, times a direction: if the matrix only preconditions; else that
-  /// is found by differences of the residual.
+  /// The Jacobian, where the matrix was assembled last, times a direction, for a matrix that only preconditions;
+  /// without it the product is found by differences of the residual.
   std::function<Points<Dim>(const Points<Dim>& direction)> product = {};
-  /// How fast the potential grows along a direction; if there is none, as the residual, its gradient, has it.
+  /// The slope of the potential along a direction; by default the product of residual and direction.
   std::function<double(const Points<Dim>& residual, const Points<Dim>& direction)> slope = {};
-  /// The part of a way that can be gone without coming to what limits the motion, from 0 to 1; if there is none, all.
+  /// The step limit: the share of a motion, from 0 to 1, that nothing limits; by default 1.
   std::function<double(const Points<Dim>& from, const Points<Dim>& way)> step_limit = {};
-  /// Whether a residual is small enough; if there is none, its 2-norm tells.
+  /// Whether a residual is small enough; by default its 2-norm decides.
   std::function<bool(const Points<Dim>& residual)> is_solved = {};
 };
 

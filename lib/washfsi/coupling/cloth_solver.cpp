@@ -12,7 +12,7 @@ namespace washfsi {
 
 namespace {
 
-constexpr PetscInt iterations_of_a_matrix = 4;  // before one is laid out anew: most solutions need no more
+constexpr PetscInt iterations_of_a_matrix = 4;  // before the matrix is laid out again: most solutions need no more
 
 }  // namespace
 
@@ -66,7 +66,7 @@ void ClothSolver<Dim>::create_matrix_free_jacobian() {
   }
 }
 
-// At once, so that all options are read, and wrong ones found, before the first step.
+// Sets the solver up at once, so that all options are read, and wrong ones found, before the first step.
 template <int Dim>
 void ClothSolver<Dim>::set_up_linear_solver(const Points<Dim>& positions) {
   forces_.set_stiffness(positions, GeometricStiffness::of_tension, 1, matrix_);
@@ -97,7 +97,7 @@ PetscErrorCode ClothSolver<Dim>::evaluate(SNES solver, Vec x, Vec f, void* conte
   });
 }
 
-// PETSc's own test, but for a short step that is only a part of Newton's, and an end where what is left is round-off.
+// PETSc's own test, except that a shortened Newton step does not count as small, and that round-off ends the iteration.
 template <int Dim>
 PetscErrorCode ClothSolver<Dim>::test_convergence(SNES solver, PetscInt iteration, PetscReal unknown, PetscReal step,
                                                   PetscReal residual, SNESConvergedReason* reason, void* context) {
@@ -137,7 +137,7 @@ PetscErrorCode ClothSolver<Dim>::linearise(SNES, Vec x, Mat jacobian, Mat matrix
   });
 }
 
-// A quasi-Newton method would go on with the matrix of the step before, which a restarted run does not know.
+// A quasi-Newton method would continue with the matrix of the previous step, which a restarted run does not have.
 template <int Dim>
 void ClothSolver<Dim>::forget_last_solve() {
   SNESType type = nullptr;
@@ -149,11 +149,11 @@ void ClothSolver<Dim>::forget_last_solve() {
   WASH_PETSC(SNESSetFromOptions(solver_));
 }
 
-// Newton's last linear solution need not be better than its equation's tolerance asks: most of the iterations are its.
-// Possible where the linear solver sees the residual itself, as it does with the preconditioner on the right.
+// Newton's last linear solution, which takes most of the iterations, need not be better than the equation's tolerance
+// requires. This needs a linear solver that sees the residual itself, as with the preconditioner on the right.
 template <int Dim>
 void ClothSolver<Dim>::aim_at(double residual) {
-  constexpr double part = 0.3;  // the rest for what is not linear
+  constexpr double part = 0.3;  // share of the tolerance; the rest is for the nonlinear terms
   KSP linear = nullptr;
   WASH_PETSC(SNESGetKSP(solver_, &linear));
   WASH_PETSC(KSPSetTolerances(linear, PETSC_DEFAULT, part * residual, PETSC_DEFAULT, PETSC_DEFAULT));
@@ -184,7 +184,7 @@ void ClothSolver<Dim>::start(const ClothEquation<Dim>& equation, double toleranc
   if (aims_linear_solver_) aim_at(enough);
 }
 
-// Goes on from where it is as often as what touches has outgrown the matrix.
+// Continues from the present iterate each time contact has outgrown the pattern of the matrix.
 template <int Dim>
 SNESConvergedReason ClothSolver<Dim>::run() {
   constexpr int most_matrices = 30;

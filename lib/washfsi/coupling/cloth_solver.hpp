@@ -15,13 +15,13 @@ namespace washfsi {
 template <int Dim>
 class ClothSolver {
  public:
-  /// `positions` are any that the cloths may have. Collective. Errors: InputError.
+  /// `positions` are any possible ones of the cloths. Collective. Errors: InputError.
   ClothSolver(Forces<Dim>& forces, const Points<Dim>& positions, const ClothSolverDefaults& defaults);
   ClothSolver(const ClothSolver&) = delete;
   ClothSolver& operator=(const ClothSolver&) = delete;
 
   /// Solves an equation until the 2-norm of its residual over all markers is below `tolerance`, or round-off;
-  /// `velocities` holds a guess, then the solution. Returns the number of evaluations of the residual. Collective.
+  /// `velocities` contains a guess, then the solution. Returns the number of evaluations of the residual. Collective.
   /// Errors: DivergedError.
   PetscInt solve(const ClothEquation<Dim>& equation, double tolerance, Points<Dim>& velocities);
 
@@ -43,16 +43,16 @@ class ClothSolver {
   Forces<Dim>& forces_;
   petsc::NonlinearSolver solver_;
   petsc::Matrix matrix_, matrix_free_;
-  std::vector<long> pattern_;  ///< of the matrix
+  std::vector<long> pattern_;  ///< pattern of the forces' stiffness for which the matrix was laid out
   petsc::Vector unknown_, value_;
   ClothSolverPlan plan_;
   DescentSearch<Dim> search_;
   const ClothEquation<Dim>* equation_ = nullptr;  ///< during `solve`
-  std::exception_ptr failure_;  ///< of the physics, thrown in a callback: it must not cross PETSc's frames
+  std::exception_ptr failure_;  ///< exception thrown in a callback, kept because it must not cross PETSc's frames
   PetscInt evaluations_ = 0;
-  bool is_outgrown_ = false;  ///< whether the solution has stopped, to go on with a matrix that has places for more
+  bool is_outgrown_ = false;  ///< whether the solution stopped in order to continue with a larger pattern of the matrix
   bool user_sets_atol_ = false;
-  bool aims_linear_solver_ = false;  ///< whether its tolerance follows that of the equation
+  bool aims_linear_solver_ = false;  ///< whether the linear solver's tolerance follows the equation's
 };
 
 extern template class ClothSolver<2>;

@@ -5,8 +5,8 @@ namespace washfsi {
 
 namespace {
 
-// Of fibres a direct solution, of all cloths by every rank: they are small, and the result does not depend on the
-// ranks. Sheets would fill its factors; as a preconditioner an incomplete one is as good.
+// Fibres are solved directly, all cloths on every rank: they are small, and the result does not depend on the number of
+// ranks. Sheets would fill the factors; as a preconditioner an incomplete factorisation is as good.
 void set_preconditioner(const ClothSolverDefaults& defaults, bool only_preconditions, int dim) {
   if (petsc::option_given("cloth_", "-pc_type")) return;
   if (only_preconditions && dim == 3) {

@@ -7,17 +7,17 @@
 
 namespace washfsi {
 
-/// Lets the forces on the cloths look at what is near to these places; they are to act at `time`, until which the
-/// markers move for dt, with such an acceleration, and then make up this share of the step's mean force.
+/// Begins a step of the forces on the cloths: they find what is near to these places. They act at `time`, until which
+/// the markers move for dt with this acceleration, and make up this share of the step's mean force.
 template <int Dim>
 void begin_step(System<Dim>& system, const Points<Dim>& positions, double time, double dt,
                 const Acceleration<Dim>& acceleration = {}, double share = 1);
 
-/// The same for forces at these places and this time, which are then held for dt. Locates the cloth.
+/// Begins an explicit step: forces at these places and this time, constant over dt. Locates the cloth.
 template <int Dim>
 void begin_explicit_step(System<Dim>& system, const Points<Dim>& positions, double time, double dt);
 
-/// All forces at these places; keeps the places.
+/// Returns all forces at these places, and notes the places as those evaluated last.
 template <int Dim>
 Points<Dim> all_forces(System<Dim>& system, const Points<Dim>& positions);
 
@@ -40,8 +40,8 @@ void move_water(System<Dim>& system, double dt);
 template <int Dim>
 Points<Dim> marker_velocities(const Model<Dim>& model, Vec velocity, double time);
 
-/// X and a motion from there, as far as nothing limits it: markers that would go through a cloth stay behind. What
-/// forces look at is right for the new places too.
+/// Returns X plus a motion, shortened by the step limit for markers that would go through a cloth. What the forces have
+/// found near the markers is valid at the new places too.
 template <int Dim>
 Points<Dim> moved(System<Dim>& system, const Points<Dim>& motion);
 

@@ -115,7 +115,7 @@ void CouplingOptions::read_solution(Options& options) {
 
 namespace {
 
-// Explicit, unless the user or a contact that limits the motion wants it implicit. The scheme that water has by default
+// Explicit, unless the user chooses implicit or a contact with a step limit requires it. The default scheme in water
 // leaves the choice open.
 template <int Dim>
 std::unique_ptr<CouplingScheme<Dim>> cloth_alone(const CouplingOptions& options, System<Dim>& system) {

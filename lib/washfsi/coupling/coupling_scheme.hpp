@@ -14,7 +14,7 @@ namespace washfsi {
 enum class TimeScheme { trapezoidal, backward_euler };
 const ChoiceNames<TimeScheme>& names_of(TimeScheme);
 
-/// What stands for the mobility of the markers in the semi-implicit coupling.
+/// How the semi-implicit coupling represents the mobility of the markers.
 enum class Mobility { matrix, row_sums };
 const ChoiceNames<Mobility>& names_of(Mobility);
 
@@ -24,16 +24,16 @@ inline constexpr PetscInt most_sweeps_with_inertia = 10;
 /// How cloth and water are coupled in a step.
 struct CouplingOptions {
   std::string scheme = "semi_implicit";           ///< one of `coupling_schemes`; not for cloth or water alone
-  bool scheme_given = false;                      ///< by the user
+  bool scheme_given = false;                      ///< whether the user gave the scheme
   std::string scheme_option = "coupling_scheme";  ///< the name by which the user gave it
   TimeScheme time_scheme = TimeScheme::trapezoidal;
   Mobility mobility = Mobility::matrix;
-  double mobility_factor = 1;                     ///< of what stands for the markers' mobility
+  double mobility_factor = 1;                     ///< factor of the markers' mobility
   double tolerance = 1e-5;                        ///< rms residual of the markers' velocities over the flow's speed
-  PetscInt order = 1;                             ///< in time, of the semi-implicit coupling: 1 or 2
-  PetscInt sweeps = 1;                            ///< at most, of the semi-implicit coupling
-  MassCarrier mass_carrier = MassCarrier::water;  ///< unless the user says which
-  double slip_tolerance = 0.01;                   ///< below which no further sweep is made
+  PetscInt order = 1;                             ///< order in time of the semi-implicit coupling: 1 or 2
+  PetscInt sweeps = 1;                            ///< most sweeps of the semi-implicit coupling
+  MassCarrier mass_carrier = MassCarrier::water;  ///< default carrier of the cloths' excess mass
+  double slip_tolerance = 0.01;  ///< relative slip of cloth and water below which no further sweep is made
 
   static CouplingOptions from_options(Options& options);
 
@@ -48,7 +48,7 @@ class CouplingScheme {
  public:
   /// Whether the cloths may carry their own mass; schemes that let them redeclare it.
   static constexpr bool takes_inertia = false;
-  /// Whether the cloths may let water through; likewise.
+  /// Whether the cloths may let water through; schemes that allow it redeclare it.
   static constexpr bool takes_seepage = false;
 
   CouplingScheme() = default;
@@ -56,7 +56,7 @@ class CouplingScheme {
   CouplingScheme& operator=(const CouplingScheme&) = delete;
   virtual ~CouplingScheme() = default;
 
-  /// From t^n to t^n + dt. Collective. Errors: DivergedError.
+  /// Advances the system from t^n to t^n + dt. Collective. Errors: DivergedError.
   void advance(System<Dim>& system, double dt) {
     State<Dim>& state = system.state;
     const Points<Dim> start = state.positions;
@@ -70,11 +70,11 @@ class CouplingScheme {
   virtual double step_bound(const System<Dim>& system) const { return cloth_step_bound<Dim>(system.model); }
 
  private:
-  /// Does what a step does, but for the clock, which shows t^n.
+  /// Takes a step without advancing the clock, which shows t^n.
   virtual void take(System<Dim>& system, double dt) = 0;
 };
 
-/// The scheme for a system. Errors: InputError if it does not fit the cloths.
+/// Creates the scheme for a system. Errors: InputError if it does not fit the cloths.
 template <int Dim>
 std::unique_ptr<CouplingScheme<Dim>> make_coupling_scheme(const CouplingOptions& options, System<Dim>& system);
 

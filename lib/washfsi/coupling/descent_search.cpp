@@ -63,14 +63,14 @@ double DescentSearch<Dim>::slope_along(Vec f, Vec direction) const {
   return slope;
 }
 
-// Of Newton's step, from x against the direction.
+// The step limit of Newton's step, which goes from x against the direction.
 template <int Dim>
 double DescentSearch<Dim>::step_limit(Vec x, Vec direction) const {
   return equation_->step_limit ? equation_->step_limit(to_points<Dim>(x), -1.0 * to_points<Dim>(direction)) : 1;
 }
 
-// How fast the potential falls along Newton's direction. Where it rises, or the linear solver fails, since the matrix
-// was not positive definite, the direction is found anew with one that is.
+// The slope by which the potential falls along Newton's direction. Where it rises, or the linear solver fails, because
+// the matrix was indefinite, the direction is computed again with a positive definite one.
 template <int Dim>
 double DescentSearch<Dim>::slope_towards_descent(Vec x, Vec f, Vec direction) {
   KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
@@ -80,7 +80,7 @@ double DescentSearch<Dim>::slope_towards_descent(Vec x, Vec f, Vec direction) {
   geometric_ = GeometricStiffness::of_tension;
   Mat jacobian = nullptr, matrix = nullptr;
   WASH_PETSC(KSPGetOperators(linear_solver(), &jacobian, &matrix));
-  if (!equation_->product) jacobian = matrix;  // one by differences would not be positive
+  if (!equation_->product) jacobian = matrix;  // a Jacobian by differences would not be positive definite
   WASH_PETSC(SNESComputeJacobian(solver_, x, jacobian, matrix));
   WASH_PETSC(KSPSetOperators(linear_solver(), jacobian, matrix));
   WASH_PETSC(KSPSolve(linear_solver(), f, direction));
@@ -88,7 +88,7 @@ double DescentSearch<Dim>::slope_towards_descent(Vec x, Vec f, Vec direction) {
   return falls > 0 ? falls : slope_of_exact_step(f, direction);
 }
 
-// An early end of the linear solver may leave more of what is soft than the step itself has of it.
+// If the linear solver stops early, its error in soft modes may exceed their part of the step: solve it exactly.
 template <int Dim>
 double DescentSearch<Dim>::slope_of_exact_step(Vec f, Vec direction) {
   constexpr double exact = 1e-9;

@@ -9,9 +9,9 @@ namespace washfsi {
 /// that lowers the potential or, near the solution, where differences of the potential drown in round-off, the
 /// residual; without a potential, the preconditioned residual (Deuflhard's natural level function, with the
 /// preconditioner in place of the Jacobian: a residual's own norm sees little but the stiffest waves). The matrix
-/// leaves the geometric stiffness of compressed edges out, so that there is such a step; of an equation with a
-/// potential only far from the solution, of others always, for GMRES hardly solves what is not positive. Where
-/// something limits the motion, the first step tried is what is free of it.
+/// omits the geometric stiffness of compressed edges, so that such a step exists: with a potential only far from the
+/// solution, without one always, since GMRES hardly solves indefinite systems. Where something limits the motion, the
+/// first step tried is shortened to the step limit.
 template <int Dim>
 class DescentSearch {
  public:
@@ -21,15 +21,15 @@ class DescentSearch {
 
   /// Becomes the line search of a solver, whose Jacobian, or its preconditioner, is `matrix`. Both must outlive it.
   void attach(SNES solver, Mat matrix);
-  /// Before each solution.
+  /// Call it before each solution.
   void start(const ClothEquation<Dim>& equation);
 
-  /// What the next matrix is to hold.
+  /// How much of the geometric stiffness the next matrix is to contain.
   GeometricStiffness geometric() const { return geometric_; }
-  /// Whether all that the last step left of the preconditioned residual is round-off.
+  /// Whether the preconditioned residual after the last step is only round-off.
   bool is_round_off() const { return is_round_off_; }
-  /// Whether the last step, in an equation whose motion something limits, was only a part of Newton's: however short,
-  /// it does not tell that the solution is near.
+  /// Whether the last step, in an equation with a step limit, was only a part of Newton's: then a short step is no sign
+  /// that the solution is near.
   bool was_stopped() const { return was_stopped_; }
 
  private:
@@ -49,7 +49,7 @@ class DescentSearch {
 
   SNES solver_ = nullptr;
   Mat matrix_ = nullptr;
-  const ClothEquation<Dim>* equation_ = nullptr;  ///< during a solution
+  const ClothEquation<Dim>* equation_ = nullptr;  ///< set during a solution
   GeometricStiffness geometric_ = GeometricStiffness::of_tension;
   bool is_round_off_ = false, was_stopped_ = false;
 };

@@ -12,7 +12,7 @@ namespace washfsi {
 
 namespace {
 
-// l^2 of the area in which two cloths are near.
+// l^2 for the area in which two cloths are near.
 template <int Dim>
 double mean_square_of(double area) {
   return Dim == 3 ? area / (8 * std::numbers::pi) : area * area / 12;
@@ -30,7 +30,7 @@ template <int Dim>
 Films<Dim>::Films(const Grid<Dim>& grid, const Cloths<Dim>& cloths, PureLiquid liquid)
     : cloths_(cloths), liquid_(liquid), cell_(grid.spacing().minCoeff()), search_(cloths, periods_of<Dim>(grid)) {}
 
-// Of each of this rank's markers with each other cloth, the nearest.
+// The nearest pair of each of this rank's markers with each other cloth.
 template <int Dim>
 typename Films<Dim>::Pairs Films<Dim>::nearest_pairs(const Points<Dim>& positions) {
   std::map<std::pair<std::size_t, std::size_t>, FacetPair<Dim>> nearest;
@@ -82,7 +82,7 @@ void Films<Dim>::begin_step(const Points<Dim>& positions, const Points<Dim>& for
   for (Film& film : films_) film.ease = ease(film, pressure(film, given));
 }
 
-// Of the area in which two cloths are near: half of each marker's, from either side, of all ranks.
+// Finds l^2 from the area in which two cloths are near: half of each marker's area, on both cloths, over all ranks.
 template <int Dim>
 void Films<Dim>::find_mean_squares() {
   using Cloths = std::pair<std::size_t, std::size_t>;

@@ -21,23 +21,23 @@ class Films {
   /// The cloths must outlive it. Collective.
   Films(const Grid<Dim>& grid, const Cloths<Dim>& cloths, PureLiquid liquid);
 
-  /// Before each step, from these places of this rank's markers, which give these forces to the water as
-  /// it begins. Collective.
+  /// Finds the films before each step, from these places of this rank's markers, which give these forces to the water
+  /// at its start. Collective.
   void begin_step(const Points<Dim>& positions, const Points<Dim>& forces);
   /// Adds B f of this rank's markers, which give these forces to the water [m/s]. Collective.
   void add_velocities(const Points<Dim>& forces, Points<Dim>& velocities) const;
-  /// f.B f, of all ranks on each [W; per unit depth in the plane]. Collective.
+  /// The power f.B f, summed over all ranks [W; per unit depth in the plane]. Collective.
   double power(const Points<Dim>& forces) const;
-  /// Factor times B, with a row for each coordinate of each marker. Collective.
+  /// Returns factor times B, with a row for each coordinate of each marker. Collective.
   petsc::Matrix matrix(double factor) const;
 
  private:
-  /// Beside one marker.
+  /// The film beside one marker.
   struct Film {
-    std::array<std::size_t, pair_markers<Dim>> markers;  ///< as of a `FacetPair`; the film's own first
+    std::array<std::size_t, pair_markers<Dim>> markers;  ///< own marker, then the facet's (`FacetPair`)
     PairPoints<Dim> weights;                             ///< g [1/m2]
     double gap, mean_square;                             ///< d [m], l^2 [m2]
-    double area;                                         ///< W: half the marker's [m2]
+    double area;                                         ///< W: half the marker's area [m2]
     double ease = 0;                                     ///< v/q [m/(s Pa)]
   };
   using Pairs = std::vector<FacetPair<Dim>>;
@@ -51,7 +51,7 @@ class Films {
   PureLiquid liquid_;
   double cell_;  ///< the least spacing of the grid [m]
   PairSearch<Dim> search_;
-  std::vector<Film> films_;  ///< of this rank's markers
+  std::vector<Film> films_;  ///< films beside this rank's markers
 };
 
 /// v/q of a film [m/(s Pa)] under a pressure [Pa].

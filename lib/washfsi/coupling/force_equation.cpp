@@ -11,7 +11,7 @@
 
 namespace washfsi {
 
-// With a share of U only; all of it at last.
+// Applies only a share of U, which is 1 in the end.
 template <int Dim>
 Points<Dim> ForceEquation<Dim>::velocities(const Step& step, double share, const Points<Dim>& change) const {
   return share * step.water_velocities + step.dt * step.mobility.times(change);
@@ -97,7 +97,7 @@ ClothEquation<Dim> ForceEquation<Dim>::of_forces(const Step& step, double share)
   return equation;
 }
 
-// From velocities that can be gone with.
+// Solves from a guess within the step limit: for velocities, or for forces where that fails.
 template <int Dim>
 void ForceEquation<Dim>::solve_at(const Step& step, double share, Points<Dim>& all, double& iterations) {
   const Points<Dim> guess = all;
@@ -125,7 +125,7 @@ bool ForceEquation<Dim>::is_free(const Step& step, const Points<Dim>& all) const
   return step.all.step_limit(step.start, step.dt * all) == 1;
 }
 
-// Of the guesses that can be gone with, the one that is nearest to the solution.
+// Starts from that guess within the step limit whose residual is smallest.
 template <int Dim>
 Points<Dim> ForceEquation<Dim>::solve(const Step& step, const std::vector<Points<Dim>>& guesses, double& iterations) {
   const Points<Dim>* best = nullptr;
@@ -143,8 +143,8 @@ Points<Dim> ForceEquation<Dim>::solve(const Step& step, const std::vector<Points
   return all;
 }
 
-// From no motion at all, which is free, the water's velocity is raised as far as the way is free, and the forces that
-// then keep apart what came near are solved for.
+// Starts from no motion, which nothing limits; raises the water's velocity as far as the step limit permits and solves
+// for the contact forces there, until all of the velocity is applied.
 template <int Dim>
 Points<Dim> ForceEquation<Dim>::solved_by_shares(const Step& step, double& iterations) {
   constexpr int most_raises = 30;

@@ -11,7 +11,7 @@ namespace washfsi {
 /// positive, and the water's velocity U before the forces change by y:
 ///   V = U + N y,     y = F(X + dt V) - F,     N = dt M
 /// Newton's steps,  (1 + dt N K) dV = -(V - U - N y(V)),  by GMRES with the preconditioner 1 + dt^2 D K, D the row sums
-/// of M. They are shortened to what is free, and further until what is left of the equation, preconditioned, falls.
+/// of M. They are shortened to the step limit, and further until the preconditioned residual falls.
 /// Where that fails, the equations are solved for y, since for V they have no potential without M^-1:
 ///   phi(y) = 1/2 y.N y + E(X + dt V)/dt + F.V     has the gradient  N (y - F(X + dt V) + F)
 /// and falls along Newton's steps,  (1 + dt K N) dy = -(y - ...).
@@ -22,15 +22,16 @@ class ForceEquation {
   explicit ForceEquation(ClothSolver<Dim>& solver) : solver_(solver) {}
 
   struct Step {
-    Forces<Dim>& all;                     ///< on the cloths
-    double dt;                            ///< [s]
-    const Points<Dim>& start;             ///< X, from which the way must be free [m]
+    Forces<Dim>& all;                     ///< forces on the cloths
+    double dt;                            ///< length of the step [s]
+    const Points<Dim>& start;             ///< X, from which the step limit counts [m]
     const Points<Dim>& water_velocities;  ///< U [m/s]
-    const Points<Dim>& forces;            ///< F, which the water has already [N]
+    const Points<Dim>& forces;            ///< F, already contained in U [N]
     const StepMobility<Dim>& mobility;    ///< M, D [1/kg]
-    double tolerance;                     ///< of the velocities' 2-norm [m/s]
+    double tolerance;                     ///< tolerance of the velocities' 2-norm [m/s]
   };
-  /// V, from the best of the guesses. Adds the evaluations to `iterations`. Collective. Errors: DivergedError.
+  /// Returns V, starting from the best of the guesses. Adds the evaluations to `iterations`. Collective.
+  /// Errors: DivergedError.
   Points<Dim> solve(const Step& step, const std::vector<Points<Dim>>& guesses, double& iterations);
 
   /// U + N y with a share of U. Collective.
@@ -51,10 +52,10 @@ class ForceEquation {
   ClothSolver<Dim>& solver_;
   petsc::Matrix stiffness_;  ///< K where it was assembled last
   MatrixProduct<Dim> product_;
-  std::vector<long> pattern_;  ///< of it
+  std::vector<long> pattern_;  ///< pattern for which K was laid out
 };
 
-/// Stops unless the mobility's matrix is symmetric, where it has to be. Errors: InputError.
+/// Checks that the mobility's matrix is symmetric where it has to be. Errors: InputError.
 template <int Dim>
 void check_symmetry(const Model<Dim>& model);
 

@@ -65,7 +65,7 @@ ClothEquation<Dim> ImplicitClothAlone<Dim>::equation(System<Dim>& system, double
   return equation;
 }
 
-// Of the forces that change the velocities, and those that weight and loads would give in a step from rest.
+// A share of the forces that would stop the markers within dt, and of weight and loads.
 template <int Dim>
 double ImplicitClothAlone<Dim>::tolerance(const System<Dim>& system, double dt) const {
   const MPI_Comm comm = system.model.grid.comm();
@@ -74,8 +74,8 @@ double ImplicitClothAlone<Dim>::tolerance(const System<Dim>& system, double dt) 
   return options_.tolerance * std::hypot(norm(comm, momentum), norm(comm, system.model.forces.constant()));
 }
 
-// The velocities of the last step, as far as the way is free, or the part of them with the least potential: Newton's
-// method leaves the barrier in many steps where facets have been brought too near, and in few from afar.
+// The velocities of the last step up to the step limit, or the part of them with the least potential: Newton's method
+// needs many steps to leave the barrier where facets have been brought too near, and few from farther away.
 template <int Dim>
 Points<Dim> ImplicitClothAlone<Dim>::guess(System<Dim>& system, double dt, const ClothEquation<Dim>& equation) const {
   const State<Dim>& state = system.state;

@@ -39,7 +39,7 @@ template <int Dim>
 Points<Dim> ImplicitCoupling<Dim>::fluid_step(System<Dim>& system, double dt, const Points<Dim>& velocities) const {
   auto& [model, state, step] = system;
   step.evaluated_at = state.positions + dt * velocities;
-  // at half the way the damping is just beta Ke dE11/dt: a turning edge is not strained
+  // in the middle of the motion the damping is exactly beta Ke dE11/dt: a turning edge is not strained
   const Points<Dim> middle = state.positions + 0.5 * dt * velocities;
   model.locate_cloth(step.evaluated_at);
   spread_cloth(system, model.forces.of_places(step.evaluated_at) + model.forces.of_velocities(middle, velocities) +
@@ -54,14 +54,14 @@ template <int Dim>
 double ImplicitCoupling<Dim>::tolerance(const System<Dim>& system) const {
   const auto& [model, state, step] = system;
   double speed = 0;
-  // at the start, when all is at rest, that after a first trial
+  // in the first step, when all is at rest, the velocity after a first trial
   const Vec velocity = model.fluid.last_step() > 0 ? model.fluid.velocity() : model.fluid.next_velocity();
   WASH_PETSC(VecNorm(velocity, NORM_INFINITY, &speed));
   speed = std::max(speed, model.boundary.largest_speed(state.clock.time));
   return options_.tolerance * speed * std::sqrt(static_cast<double>(model.cloths.marker_count()));
 }
 
-// W by Broyden's method; U^(n+1) goes to `last`.
+// Solves for W by Broyden's method; stores U^(n+1) in `last`.
 template <int Dim>
 Points<Dim> ImplicitCoupling<Dim>::solve(System<Dim>& system, double dt, Points<Dim>& last) {
   Model<Dim>& model = system.model;
@@ -90,7 +90,7 @@ Points<Dim> ImplicitCoupling<Dim>::solve(System<Dim>& system, double dt, Points<
   return velocities;
 }
 
-// From W of the last step as far as the way is free.
+// Starts from W of the last step up to the step limit.
 template <int Dim>
 Points<Dim> ImplicitCoupling<Dim>::solve_by_sweeps(System<Dim>& system, double dt, Points<Dim>& last) {
   constexpr int most_sweeps = 200;

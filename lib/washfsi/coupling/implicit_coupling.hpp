@@ -5,7 +5,7 @@
 //   backward_euler   W = U^(n+1)                      damps more
 // where U^(n+1) = J(X) [H u + (1-H) u_solid] and u is the fluid's velocity after a whole step with rho, S and the
 // forces at X = X^n + dt W: one fluid solve for each evaluation of the residual. First order, since
-// the force of the end acts over the whole step: it takes energy out and never puts any in. Solved by Broyden's method
+// the force of the end acts over the whole step: it dissipates energy and never adds any. Solved by Broyden's method
 // (SNES prefix cloth_), which starts from  I + c dt^2 D K  with the elastic stiffness K, c = 1/2 or 1, and the
 // mobility's row sums D. Where contact limits the motion, by sweeps instead, each of a fluid solve with the forces at
 // the last W and the solution of

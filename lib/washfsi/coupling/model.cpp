@@ -27,7 +27,7 @@ const ChoiceNames<MassCarrier>& names_of(MassCarrier) {
 
 namespace {
 
-// Ghost layers that hold the stencil of a marker anywhere in an owned cell.
+// Ghost layers that contain the stencil of a marker anywhere in an owned cell.
 template <int Dim>
 GridShape<Dim> with_ghosts_for(GridShape<Dim> shape, const ModelOptions<Dim>& options) {
   const DeltaOptions& delta = options.delta;
@@ -101,7 +101,7 @@ Model<Dim>::Model(MPI_Comm comm, const ModelOptions<Dim>& options, std::vector<B
   if (cloth_limits(options)) cloth_nearness = grid.face_vector();
 }
 
-// In this order they are summed.
+// Adds the forces in the order in which they are summed.
 template <int Dim>
 void Model<Dim>::add_forces(const ModelOptions<Dim>& options, const Points<Dim>& start) {
   forces.add(std::make_unique<Elasticity<Dim>>(cloths));

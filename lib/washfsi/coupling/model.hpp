@@ -7,16 +7,16 @@
 
 namespace washfsi {
 
-/// What the cloths are in.
+/// The medium round the cloths.
 enum class Medium { water, none };
 const ChoiceNames<Medium>& names_of(Medium);
 
-/// What carries the cloths' mass over that of the water displaced: their markers; or, smeared, the water's density, as
-/// in the thesis.
+/// The carrier of the cloths' mass in excess of the water displaced: their markers; or, smeared, the water's density,
+/// as in the thesis.
 enum class MassCarrier { cloth, water };
 const ChoiceNames<MassCarrier>& names_of(MassCarrier);
 
-/// All options that describe what is simulated, but for how it starts.
+/// All options of the model except for its initial state.
 template <int Dim>
 struct ModelOptions {
   GridOptions<Dim> grid;
@@ -26,9 +26,9 @@ struct ModelOptions {
   MassCarrier mass_carrier = MassCarrier::water;
   Point<Dim> gravity = Point<Dim>::Zero();  ///< acts on the cloths' excess mass: p is measured from hydrostatic [m/s2]
   std::vector<ClothGroup<Dim>> cloths;
-  std::vector<MakeForce<Dim>> surrounding_forces;  ///< on the cloths, from what is round them
-  bool films_drain = false;                        ///< between cloths that are nearer than a cell
-  bool cloth_limits_advection = false;             ///< beside cloth central advection gives way to upwind
+  std::vector<MakeForce<Dim>> surrounding_forces;  ///< makers of the forces on the cloths from their surroundings
+  bool films_drain = false;                        ///< whether films between cloths nearer than a cell drain
+  bool cloth_limits_advection = false;             ///< whether central advection becomes upwind beside cloth
   double verify_interval = 0;  ///< between counts of the cloths' intersections [s]; 0: after each step
   BodyTreatment treatment;
   DeltaOptions delta;
@@ -36,8 +36,8 @@ struct ModelOptions {
   static ModelOptions from_options(Options& options, MassCarrier mass_carrier);
 };
 
-/// What is simulated: water, bodies and cloths, and the operators between them. The water's velocity and pressure are
-/// kept by `fluid`.
+/// The model: water, bodies and cloths, and the operators between them. `fluid` stores the water's velocity and
+/// pressure.
 template <int Dim>
 struct Model {
   /// Collective. Errors: InputError.
@@ -45,13 +45,13 @@ struct Model {
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
 
-  /// Makes the forces on cloths whose markers of this rank start here.
+  /// Creates the forces on cloths; `start` are the initial positions of this rank's markers.
   void add_forces(const ModelOptions<Dim>& options, const Points<Dim>& start);
   /// Fixes spread and interpolate, and the density of water and cloth, at these places of the markers. Collective.
   /// Errors: DivergedError if a marker has left the box.
   void locate_cloth(const Points<Dim>& places);
-  /// How near faces are to what central advection gives way to upwind beside (`StepFields`); null if it does nowhere.
-  /// Collective.
+  /// Nearness of faces to edges and cloth beside which central advection becomes upwind (`StepFields`); null if there
+  /// are none. Collective.
   Vec nearness() const;
   /// The water's step between the walls.
   WaterStep<Dim> water() { return {fluid, bodies.wall_forces()}; }
@@ -67,10 +67,10 @@ struct Model {
   Transfer<Dim> transfer;
   bool has_fluid;  ///< false: cloth alone
   MassCarrier mass_carrier;
-  double cloth_drag;             ///< on cloth alone, force per undeformed area and speed [kg/(m2 s)]
-  bool films_drain;              ///< between cloths that are nearer than a cell
+  double cloth_drag;             ///< drag of cloth alone, per undeformed area and speed [kg/(m2 s)]
+  bool films_drain;              ///< whether films between cloths nearer than a cell drain
   double verify_interval;        ///< between counts of the cloths' intersections [s]; 0: after each step
-  petsc::Vector cloth_nearness;  ///< of faces; null where cloth does not limit advection
+  petsc::Vector cloth_nearness;  ///< nearness of faces to cloth; null where cloth does not limit advection
 };
 
 extern template struct ModelOptions<2>;

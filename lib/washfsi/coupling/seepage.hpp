@@ -11,10 +11,10 @@ namespace washfsi {
 /// Water that goes through permeable cloth. A marker with the undeformed area A, which gives the water the force f,
 /// moves relative to it by
 ///   V - J u = B f,     B = permeance/A
-/// Across the cloth that is Darcy's law with the jump of pressure  n.f/A. Along it the water that goes through is held
-/// no better: the markers hold the mean of both sides, so that water that comes obliquely would else leave with the
-/// opposite velocity along the cloth. The water is that of both sides: its volume is kept. The power f.B f goes into
-/// heat within the cloth, never the other way. Where asked for, B has the films between cloths too.
+/// Across the cloth this is Darcy's law with the pressure jump  n.f/A. Along it the same slip is allowed: no slip acts
+/// on the mean of both sides, so that water arriving obliquely would else leave with the opposite velocity along the
+/// cloth. Water that leaves one side enters the other: its volume is conserved. The power f.B f becomes heat within the
+/// cloth, never the reverse. If requested, B includes the films between cloths.
 template <int Dim>
 class Seepage {
  public:
@@ -23,10 +23,10 @@ class Seepage {
 
   /// Whether any cloth is permeable, or films drain.
   bool present() const { return present_; }
-  /// Before each step, from these places of this rank's markers, which give these forces to the water as
-  /// it begins. Collective.
+  /// Call it before each step, with the places of this rank's markers and the forces that they give to the water at its
+  /// start. Collective.
   void begin_step(const Points<Dim>& positions, const Points<Dim>& forces);
-  /// B f of this rank's markers, which give these forces to the water [m/s]. Collective.
+  /// B f for this rank's markers, which give these forces to the water [m/s]. Collective.
   Points<Dim> velocities(const Points<Dim>& forces) const;
   /// sum f.B f over all markers of all ranks [W; per unit depth in the plane]. Collective.
   double power(const Points<Dim>& forces) const;

@@ -17,10 +17,10 @@ namespace washfsi {
 
 namespace {
 
-constexpr double least_share = 0.75;  // of the mobility that any step is stable with
+constexpr double least_share = 0.75;  // least share of the mobility with which any step is stable
 
-// Whether so many markers move one water that the pressure resists much of what their mobility without it lets them do:
-// if they were evenly spread over the box, each would be within reach of as many others.
+// Whether markers are packed so densely that the pressure resists much of the motion that their mobility, which
+// neglects it, allows: each has as many others within reach as if all were evenly spread over the box.
 template <int Dim>
 bool is_packed(const Model<Dim>& model) {
   constexpr double many = 3;
@@ -32,7 +32,7 @@ bool is_packed(const Model<Dim>& model) {
   return Dim == 3 && model.forces.have_step_limit() && reached > many * cells_per_marker;
 }
 
-// -m A of the last step, by the velocities at its ends.
+// The inertia -m A of the last step, from the velocities at its ends.
 template <int Dim>
 Points<Dim> last_inertia(const System<Dim>& system) {
   const State<Dim>& state = system.state;
@@ -199,7 +199,7 @@ double SemiImplicitCoupling<Dim>::slip(MPI_Comm comm, const Points<Dim>& interpo
   return speed > 0 ? norm(comm, velocities_ - interpolated) / speed : 0;
 }
 
-// Lines 5 to 7: from the forces at the start to those at the end, with the water's velocity at the markers.
+// Lines 5 to 7: advances from the forces at the start to those at the end, with the water's velocity at the markers.
 template <int Dim>
 void SemiImplicitCoupling<Dim>::sweep(System<Dim>& system, double dt, Points<Dim> forces, Points<Dim> interpolated) {
   auto& [model, state, step] = system;
@@ -223,7 +223,7 @@ void SemiImplicitCoupling<Dim>::sweep(System<Dim>& system, double dt, Points<Dim
   }
 }
 
-// Forces at the step's end are weighed; inertia and friction, of the step as a whole, are not to be.
+// Forces at the step's end are weighted; inertia and friction, which are those of the step as a whole, must not be.
 template <int Dim>
 void SemiImplicitCoupling<Dim>::begin_motion(System<Dim>& system, double dt) const {
   begin_step(system, system.state.positions, system.state.clock.time + dt, dt,

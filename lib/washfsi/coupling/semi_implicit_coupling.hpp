@@ -6,12 +6,11 @@
 // stand for the time scheme, of force and velocity alike:
 //   order 1      (1, 0, 0)                              backward Euler
 //   order 2      (9/16, 7/16 - r/16, r/16)              r: this step over the last; the first step is backward Euler
-//   1. spread      S, J, rho at X^n + dt/2 V^n;  f = S (a F + b F^n + c F^(n-1) + weight, loads);  F = F^n + I^n/a at
-//   first
+//   1. spread      S, J, rho at X^n + dt/2 V^n;  f = S (a F + b F^n + c F^(n-1) + weight, loads);  first F = F^n +
+//   I^n/a
 //   2. fluid       u, p by the fractional step with f
-//   3. markers     U = J [H (a u + b u^n + c u^(n-1)) + (1-H) u_solid];  permeable ones + B f (coupling/seepage.hpp),
-//   and
-//                  M + a B/dt below
+//   3. markers     U = J [H (a u + b u^n + c u^(n-1)) + (1-H) u_solid];  for permeable cloth + B f
+//                  (coupling/seepage.hpp), and M + a B/dt below
 //   4. mobility    M = factor times a^2 J H S / rho, a sparse matrix or a product that bounds the true mobility of the
 //                  markers, that of cloths lying on each other included; or, D, its row sums, a diagonal. Stable for
 //                  any step if factor >= 3/4 and the density is nearly uniform; a heavy plate needs 1
@@ -20,7 +19,7 @@
 //                  the motion, see coupling/force_equation.hpp
 //   6. correction  f' = a H S [F(X^n + dt W) - F]: u += dt f'/rho, projected;  F = F(X^n + dt W)
 //   7. slip        |W - U| / |W| with the new u; above a tolerance 5 and 6 again with that U, a few times at most; of
-//                  packed loads with 3/4 of M, since what is left is mostly what the pressure resists
+//                  packed loads with 3/4 of M, since the pressure resists most of the remaining slip
 //   8. markers     X^(n+1) = X^n + dt W;  V^(n+1) = W, or, order 2, extrapolated to the end
 // Backward Euler damps as a Kelvin-Voigt time between dt and 2 dt does; -..._damping is not used. Order 2 leaves smooth
 // motions and damps stiff ones by three a step: the modified Crank-Nicolson/Adams-Bashforth weights of Ascher, Ruuth
@@ -35,7 +34,7 @@
 
 namespace washfsi {
 
-/// What of the force and velocity at a step's end, at its start and one step before makes up their mean.
+/// The weights in a step's mean force and velocity of their values at its end, at its start and one step before.
 struct StepWeights {
   double end = 1, start = 0, before = 0;
 };
@@ -53,12 +52,12 @@ class SemiImplicitCoupling : public CouplingScheme<Dim> {
   void take(System<Dim>& system, double dt) override;
   void weigh(const System<Dim>& system, double dt);
   void find_known_water(const System<Dim>& system);
-  /// The water's mean velocity at the markers; with what seeps through them, theirs.
+  /// The water's mean velocity at the markers; with the velocity of seepage, the markers' own.
   Points<Dim> water_velocities(const System<Dim>& system, double dt) const;
   Points<Dim> reached_velocities(const System<Dim>& system, double dt) const;
   void begin_motion(System<Dim>& system, double dt) const;
   void sweep(System<Dim>& system, double dt, Points<Dim> forces, Points<Dim> interpolated);
-  /// V from U and F. Collective. Errors: DivergedError.
+  /// Solves for V from U and F. Collective. Errors: DivergedError.
   Points<Dim> move(System<Dim>& system, double dt, const Points<Dim>& free_velocities, const Points<Dim>& forces);
   Points<Dim> move_by_matrix(System<Dim>& system, double dt, const Points<Dim>& free_velocities,
                              const Points<Dim>& forces, double tolerance);
@@ -70,13 +69,13 @@ class SemiImplicitCoupling : public CouplingScheme<Dim> {
 
   CouplingOptions options_;
   StepWeights weights_;
-  petsc::Vector known_water_;  ///< what is known of the mean velocity before the step; null in first order
+  petsc::Vector known_water_;  ///< the part of the mean velocity known before the step; null in first order
   ClothSolver<Dim> solver_;
   ForceEquation<Dim> force_equation_;
-  StepMobility<Dim> mobility_;  ///< M, D of the step under way
+  StepMobility<Dim> mobility_;  ///< M, D of the current step
   Seepage<Dim> seepage_;
   Points<Dim> velocities_;  ///< W
-  Points<Dim> change_;      ///< guess of how the forces change in the step under way, for its first sweep
+  Points<Dim> change_;      ///< guess of the forces' change in the current step, for its first sweep
 };
 
 }  // namespace washfsi

@@ -16,15 +16,15 @@ double cloth_step_bound(const Model<Dim>& model);
 template <int Dim>
 std::vector<double> mobility_per_area(const Model<Dim>& model);
 
-/// How fast bodies will move, for steps that must not be surprised by one that starts off.
+/// The speeds that bodies will have, so that a step is short enough for a body that begins to move.
 template <int Dim>
 class BodySpeeds {
  public:
   /// Collective. The model must outlive it.
   explicit BodySpeeds(const Model<Dim>& model);
-  /// Largest distance from a body's centre of its material in the box at the start [m].
+  /// Largest distance from a body's centre to its material within the box at the start [m].
   double arm(std::size_t body) const { return arms_[body]; }
-  /// dt, or a shorter step after which no body is so fast that its CFL number is much above this.
+  /// Returns dt, or a shorter step after which no body's CFL number is much above `courant`.
   double longest_step(double time, double dt, double courant) const;
 
  private:

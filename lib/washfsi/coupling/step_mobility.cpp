@@ -12,7 +12,7 @@ template <int Dim>
 void StepMobility<Dim>::find(const Model<Dim>& model, const Points<Dim>& places, double factor, bool with_matrix) {
   const petsc::LogPart part("mobility");
   constexpr double floor = 1e-3;
-  constexpr double own_share = 1e-2;  // in the machine as a cloth of permeance 1e-7 m/(s Pa), a hundredth of a towel's
+  constexpr double own_share = 1e-2;  // in the machine like a permeance of 1e-7 m/(s Pa), a hundredth of a towel's
   row_sums_ = row_sum_mobility<Dim>(model.transfer, model.grid, model.boundary, model.liquid.density(),
                                     model.bodies.fluid_fraction(), std::vector<double>(places.size(), 1.0));
   double most = 0;

@@ -9,8 +9,8 @@
 
 namespace washfsi {
 
-/// What stands for the mobility of the markers in a step: M, symmetric, or the sums of its rows. M is a sparse matrix
-/// or, of packed loads, a product through the faces of the grid, to which parts may be added.
+/// The approximate mobility of the markers in a step: M, symmetric, or its row sums. M is a sparse matrix or, for
+/// packed loads, a product through the faces of the grid, to which parts may be added.
 template <int Dim>
 class StepMobility {
  public:
@@ -20,12 +20,12 @@ class StepMobility {
         matrix_(model.grid, model.transfer.delta()),
         faces_(model.grid, model.transfer.delta()) {}
 
-  /// At the places where the cloths were located last, times a factor. Where contact limits the markers' motion, those
-  /// that are in the same water get a little mobility of their own. Collective.
+  /// Computes the mobility where the cloths were located last, times a factor. Where contact limits the markers'
+  /// motion, each gets a little mobility of its own, so that M is not singular. Collective.
   void find(const Model<Dim>& model, const Points<Dim>& places, double factor, bool with_matrix);
   /// Adds a symmetric matrix to M. No communication.
   void add(petsc::Matrix part) { parts_.push_back(std::move(part)); }
-  /// M, but for the matrices that were added, is this share of what was found; its row sums stay.
+  /// Multiplies M, without the matrices that were added, with a share; its row sums stay.
   void set_share(double share) { share_ = share; }
 
   const std::vector<double>& row_sums() const { return row_sums_; }
@@ -33,14 +33,14 @@ class StepMobility {
   Points<Dim> times(const Points<Dim>& forces) const;
 
  private:
-  NearMarkers<Dim> near_;  ///< so that each rank's are with all that their deltas and the next ones reach
+  NearMarkers<Dim> near_;  ///< this rank's markers and all within twice the distance at which deltas overlap
   MobilityMatrix<Dim> matrix_;
   FaceMobility<Dim> faces_;
   bool by_faces_ = false;
   double share_ = 1;
   std::vector<petsc::Matrix> parts_;
   MatrixProduct<Dim> product_;
-  std::vector<double> row_sums_;  ///< of each of this rank's markers
+  std::vector<double> row_sums_;  ///< row sums D of this rank's markers
 };
 
 extern template class StepMobility<2>;

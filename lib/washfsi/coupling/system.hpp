@@ -6,7 +6,8 @@
 
 namespace washfsi {
 
-/// Where the cloths are, and when. With the water's fields, which `Model::fluid` keeps, all that a step starts from.
+/// The state of the cloths at a time. With the water's fields, which `Model::fluid` stores, all that a step starts
+/// from.
 template <int Dim>
 struct State {
   Clock clock;
@@ -14,19 +15,19 @@ struct State {
   Points<Dim> velocities;         ///< U^n [m/s]
   Points<Dim> velocities_before;  ///< U^(n-1); U^n before the first step [m/s]
   Points<Dim> mean_velocities;    ///< (X^n - X^(n-1))/dt; U^n before the first step [m/s]
-  Points<Dim> forces_before;      ///< F(X^(n-1)) of the forces of places without inertia, where a scheme keeps it [N]
+  Points<Dim> forces_before;      ///< F(X^(n-1)) of `Forces::of_places` without inertia, if the scheme needs it [N]
 };
 
-/// What a step leaves to be measured, and what all of them have cost.
+/// The results of a step for measures, and the cost of all steps.
 template <int Dim>
 struct StepRecord {
-  petsc::Vector force;                            ///< of cloth on water, on faces [N/m3]
+  petsc::Vector force;                            ///< force density of cloth on water, on faces [N/m3]
   Points<Dim> evaluated_at;                       ///< places at which the forces on the cloths were evaluated last [m]
-  double end_share = 1;                           ///< of the step's mean force that the forces at those places make up
-  ContactLoads<Dim> contact_at_start;             ///< of this rank's markers, which make up the rest
+  double end_share = 1;                           ///< share of the forces at those places in the step's mean force
+  ContactLoads<Dim> contact_at_start;             ///< this rank's contact loads at the start, of the other share
   Points<Dim> given;                              ///< force of each of this rank's markers on the water [N]
-  Point<Dim> wall_reaction = Point<Dim>::Zero();  ///< part of the cloth's force that walls took [N]
-  double seepage_power = 0;                       ///< lost to water that goes through cloth [W; W/m in the plane]
+  Point<Dim> wall_reaction = Point<Dim>::Zero();  ///< part of the cloth's force that sides of the box took [N]
+  double seepage_power = 0;                       ///< power lost by seepage through cloth [W; W/m in the plane]
   double cloth_slip = 0;                          ///< rms difference of cloth and water over the rms speed of cloth
   double cloth_iterations = 0;                    ///< evaluations of the cloths' equations in all steps so far
 };
@@ -34,8 +35,8 @@ struct StepRecord {
 /// Water, bodies and cloth in motion.
 template <int Dim>
 struct System {
-  /// With all at rest, and the cloths' markers where `place` puts them, all of them in marker order. Collective.
-  /// Errors: InputError.
+  /// Creates a system at rest, with the cloths' markers where `place` puts them, all of them in marker order.
+  /// Collective. Errors: InputError.
   System(MPI_Comm comm, const ModelOptions<Dim>& options, std::vector<Body<Dim>> bodies,
          const std::function<Points<Dim>(const Model<Dim>&)>& place)
       : model(comm, options, std::move(bodies)) {

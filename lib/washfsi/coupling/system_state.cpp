@@ -25,7 +25,7 @@ void register_motion(System<Dim>& system, StateList& list) {
     list.add(points_entry<Dim>(std::string("/cloth/") + name, slab, *points));
 }
 
-// What the step before has left to be measured: a run that goes on measures it anew.
+// Registers the results of the previous step, which only a repeated step needs: a restarted run measures them anew.
 template <int Dim>
 void register_record(System<Dim>& system, StateList& list) {
   StepRecord<Dim>& step = system.step;

@@ -6,21 +6,21 @@
 
 namespace washfsi {
 
-/// All that goes on from step to step in a system, which stays alive: each part registers its own.
+/// Registers all state that a system carries from step to step, each part its own. The system stays alive.
 template <int Dim>
 StateList state_of(System<Dim>& system);
 
-/// After the state has been put back: brings cloth, bodies and walls to their places. Collective.
+/// Brings cloth, bodies and walls to their places after the state has been restored. Collective.
 template <int Dim>
 void resume(System<Dim>& system);
 
-/// Where a step starts, so that it can be taken again.
+/// A copy of the state at a step's start, so that the step can be repeated.
 template <int Dim>
 class SavedStart {
  public:
-  /// Notes where the system stands; it stays alive. Collective.
+  /// Saves the state of the system, which stays alive. Collective.
   explicit SavedStart(System<Dim>& system);
-  /// Puts it back there, after any number of steps. Collective.
+  /// Restores that state, after any number of steps. Collective.
   void restore() const;
 
  private:

@@ -19,7 +19,7 @@ struct Mean {
   }
 };
 
-/// The same from two faces on either side, fourth order.
+/// The mean of two faces on either side, fourth order.
 template <int Dim>
 struct WideMean {
   template <class Velocity>
@@ -29,12 +29,12 @@ struct WideMean {
   }
 };
 
-/// What the flux form multiplies: the carrier u_d before a d-face along c, and the carried u_c between a c-face and the
-/// next one along d, both by one kind of mean. With the wide one the flux is of fourth order, which leaves the error of
-/// its difference alone, a third of the other or less.
+/// The factors of the flux form: the carrier u_d before a d-face along c, and the carried u_c between a c-face and the
+/// next one along d, both by one kind of mean. With the wide one the flux is of fourth order, which leaves only the
+/// error of its difference, a third of that of the flux or less.
 template <int Dim, template <int> class MeanOf = Mean>
 struct CentralFlux {
-  /// Whether it has a say on a c-face.
+  /// Whether it applies to a c-face.
   [[gnu::always_inline]] inline bool departs(const Index<Dim>&, int) const { return true; }
   template <class Velocity>
   [[gnu::always_inline]] inline double carrier(const Velocity& u, const Index<Dim>& face, int c, int d) const {
@@ -64,11 +64,11 @@ struct UpwindFlux : CentralFlux<Dim> {
   }
 };
 
-/// The mean beside walls that are not on the grid gives way to the value from upwind, face by face: what a wall does
-/// within a cell is short waves to the mean, and how they fall depends on where the wall lies in its cell.
+/// Blends the mean with the upwind value beside walls off the grid, face by face: variations within a cell at a wall
+/// appear to the mean as short waves, which depend on where the wall lies in its cell.
 template <int Dim, class Nearness>
 struct WallsideFlux : CentralFlux<Dim> {
-  const Nearness& near;  ///< from 0 to 1, on faces
+  const Nearness& near;  ///< share of upwind, from 0 to 1, on faces
 
   explicit WallsideFlux(const Nearness& of_faces) : near(of_faces) {}
 

@@ -13,7 +13,7 @@ namespace washfsi {
 
 namespace {
 
-constexpr double much_wider = 1.75;  // than the narrowest cells: such cells are not coarsened
+constexpr double much_wider = 1.75;  // width over that of the narrowest cells from which cells are not coarsened
 
 }  // namespace
 

@@ -8,9 +8,9 @@
 
 namespace washfsi {
 
-/// Cells along one axis, of any widths, shared out among the parts of a grid.
+/// Cells along one axis, of any widths, distributed over the parts of a grid.
 struct CellLine {
-  std::vector<double> edges;        ///< [m] of cells, one more than there are cells
+  std::vector<double> edges;        ///< edges of cells [m], one more than there are cells
   std::vector<PetscInt> part_ends;  ///< end of each part's range of cells
   bool periodic = false;
 
@@ -24,13 +24,13 @@ struct CellLine {
   PetscInt cells() const { return static_cast<PetscInt>(edges.size()) - 1; }
   double width(PetscInt cell) const { return edges[cell + 1] - edges[cell]; }
   double middle(PetscInt cell) const { return 0.5 * (edges[cell] + edges[cell + 1]); }
-  /// The cell that holds a place within the line.
+  /// The cell that contains a place within the line.
   PetscInt cell_at(double x) const;
   Place place(double x) const;
-  /// Between the middles of a cell and its upper neighbour, the first after the last.
+  /// Distance between the middles of a cell and its upper neighbour, the first after the last.
   double to_next(PetscInt cell) const { return 0.5 * (width(cell) + width((cell + 1) % cells())); }
-  /// Pairs of these cells; where their number is odd, the last one is three of them, or the last one alone, whichever
-  /// is nearer to the others in width. A coarse cell belongs to the part that has its first cell.
+  /// Merges pairs of these cells; where their number is odd, the last one is three of them, or the last one alone,
+  /// whichever is nearer to the others in width. A coarse cell belongs to the part that has its first cell.
   CellLine coarsened() const;
 };
 

@@ -12,7 +12,7 @@ namespace washfsi {
 
 namespace {
 
-/// What the sums need of the grid, kept apart so that the compiler sees that it does not change.
+/// A copy of the grid's data for the sums, so that the compiler sees that it does not change.
 template <int Dim>
 struct Ends {
   explicit Ends(const Grid<Dim>& grid) : cells(grid.cells()) {
@@ -29,12 +29,12 @@ struct Ends {
       if (!periodic[d] && (index[d] < 0 || index[d] >= cells[d])) return false;
     return true;
   }
-  /// A box of cells with what lies in the upper side of an axis.
+  /// A box of cells, extended by the faces or edges in the upper side of an axis.
   Box<Dim> with_upper(Box<Dim> box, std::size_t axis) const {
     if (!periodic[axis] && box.upper[axis] == cells[axis]) ++box.upper[axis];
     return box;
   }
-  /// What lies in the boundary has half the volume of another.
+  /// Volume of a face or edge: half in the boundary.
   double part(const Index<Dim>& index, std::size_t axis) const {
     return at_lower(index, axis) || at_upper(index, axis) ? 0.5 : 1;
   }
@@ -44,7 +44,7 @@ struct Ends {
 };
 
 // 2 mu e:e over the viscosity's scale, summed over this rank's cells and, between two directions, over the edges where
-// their faces meet. Where no face is wet nothing is counted.
+// their faces meet. Cells and edges without a wet face do not count.
 template <int Dim, class Form, class IsWet>
 double squared_strain(const Grid<Dim>& grid, const ConstFaceView<Dim>& u, const Form& mu, const Ends<Dim>& ends,
                       const IsWet& is_wet) {

@@ -6,15 +6,15 @@
 
 namespace washfsi {
 
-/// A flow as vectors of faces.
+/// A flow as vectors on faces.
 struct FlowState {
   Vec velocity;  ///< local, of face_dm, its ghosts filled [m/s]
   LiquidFields liquid;
-  Vec fluid_fraction = nullptr;  ///< H of the faces; none: no solids
-  double dry_fraction = 0;       ///< H up to which a face is not in the fluid whose friction counts
+  Vec fluid_fraction = nullptr;  ///< H of the faces; null: no solids
+  double dry_fraction = 0;       ///< H up to which a face does not count as wet
 };
 
-/// What is watched after each step. Sums are over faces, H times what is summed [in 2D per unit depth].
+/// Diagnostics after each step. Sums are over faces, weighted with H [in 2D per unit depth].
 template <int Dim>
 struct FlowDiagnostics {
   double kinetic_energy = 0;    ///< 1/2 sum rho |u|^2 [J]

@@ -70,7 +70,7 @@ void Driving<Dim>::keep_bulk(double dt, Vec density, Vec driven_share, Vec veloc
       sums[1] += response(face);
     });
     sums = ordered_sum(grid_.comm(), sums);
-    if (!(sums[1] > 0)) continue;  // all is solid
+    if (!(sums[1] > 0)) continue;  // no fluid on this axis' faces
     const double force = sums[0] / sums[1];
     for_each<Dim>(grid_.owned(), [&](const Index<Dim>& face) { u(face, c) += force * response(face); });
     gradient_[c] -= force;

@@ -14,7 +14,7 @@ namespace {
 
 struct NamedLaw {
   const char* name;
-  double constant;  ///< unless the user gives another
+  double constant;  ///< default of the law's constant
   std::shared_ptr<const ViscosityModel<3>> (*make)(double constant);
 };
 
@@ -23,7 +23,7 @@ std::shared_ptr<const ViscosityModel<3>> make(double constant) {
   return std::make_shared<EddyViscosity<Law>>(constant);
 }
 
-// Every law that there is.
+// All laws.
 constexpr std::array laws{NamedLaw{"vreman", 0.07, make<Vreman>}, NamedLaw{"sigma", 1.35, make<Sigma>},
                           NamedLaw{"wale", 0.5, make<Wale>}};
 

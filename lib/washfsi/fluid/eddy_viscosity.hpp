@@ -31,7 +31,7 @@ class EddyViscosity : public ViscosityModel<3> {
   double constant_;
 };
 
-/// The one that the user asks for, or null. Errors: InputError.
+/// Returns the model that the user chose, or null. Errors: InputError.
 template <int Dim>
 std::shared_ptr<const ViscosityModel<Dim>> eddy_viscosity_from_options(Options& options);
 

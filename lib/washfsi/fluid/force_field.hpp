@@ -5,7 +5,7 @@
 
 namespace washfsi {
 
-/// A force density on the water that is found as a step begins.
+/// A force density on the water, evaluated as a step begins.
 class ForceField {
  public:
   ForceField() = default;

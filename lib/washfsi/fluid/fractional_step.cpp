@@ -14,7 +14,7 @@ namespace washfsi {
 
 namespace {
 
-constexpr double parabolas_part = 2.0 / 3;  // of advection from three steps
+constexpr double parabolas_part = 2.0 / 3;  // share of the parabola in advection from three steps
 
 }  // namespace
 
@@ -113,7 +113,7 @@ void FractionalStep<Dim>::explicit_terms() {
                       [&](const auto& viscosity) { sum_explicit_terms(viscosity, local_u, local_p); });
 }
 
-// All that the loop reads is a value of this function's own: no store can be taken to change it.
+// All that the loop reads is a local copy, so that the compiler knows that no store changes it.
 template <int Dim>
 template <class Form>
 void FractionalStep<Dim>::sum_explicit_terms(const Form& viscosity, Vec local_u, Vec local_p) {
@@ -157,14 +157,14 @@ void FractionalStep<Dim>::advect(Vec local_velocity, Vec density) {
     replace_advection(grid_.owned(), u, rho, CentralFlux<Dim, WideMean>{});
 }
 
-// On this rank's faces of a box.
+// Replaces advection on this rank's faces of a box.
 template <int Dim>
 template <class Flux>
 void FractionalStep<Dim>::replace_advection(const Box<Dim>& where, const ConstFaceView<Dim>& u,
                                             const ConstFaceView<Dim>& rho, const Flux& flux) {
   const FaceView<Dim> result(grid_.face_dm(), advection_);
   const Spacing<Dim> h(grid_.spacing());
-  const Vec fluid_fraction = fields_.constraint.fluid_fraction;  // what is held is not advected
+  const Vec fluid_fraction = fields_.constraint.fluid_fraction;  // constrained water is not advected
   const ConstFaceView<Dim> fraction(grid_.face_dm(), fluid_fraction ? fluid_fraction : fields_.liquid.density);
   double dissipated = 0;
   grid_.for_each_inner_face(where, [&](const Index<Dim>& face, auto c) {
@@ -185,7 +185,7 @@ void FractionalStep<Dim>::project() {
   add_viscous_pressure();
 }
 
-// After a further force. Its guess is not the last one: a restart does not know it.
+// Projects again after a further force. The guess is not the last solution, which a restart does not have.
 template <int Dim>
 void FractionalStep<Dim>::project_again() {
   if (!phi_of_force_) phi_of_force_ = grid_.cell_vector();
@@ -195,7 +195,7 @@ void FractionalStep<Dim>::project_again() {
 
 template <int Dim>
 void FractionalStep<Dim>::project_increment(Vec increment) {
-  constexpr double looser = 200;  // than the projection of the step, which follows
+  constexpr double looser = 200;  // tolerance over that of the step's projection, which follows
   double speed = 0;
   WASH_PETSC(VecNorm(increment, NORM_INFINITY, &speed));
   {
@@ -218,7 +218,7 @@ void FractionalStep<Dim>::find_divergence(Vec local_velocity) {
   for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) { r(cell) = -divergence<Dim>(u, cell, h); });
 }
 
-// What the viscous force of the correction makes of the pressure.
+// Adds the pressure that balances the viscous force of the velocity's correction.
 template <int Dim>
 void FractionalStep<Dim>::add_viscous_pressure() {
   const Viscosity& viscosity = fields_.liquid.viscosity;
@@ -231,8 +231,8 @@ void FractionalStep<Dim>::add_viscous_pressure() {
   for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) { p(cell) += mu(cell) * r(cell) / grid_.cell_volume(); });
 }
 
-// phi and the pressure that make the intermediate velocity divergence free; phi holds a guess. Leaves minus the
-// divergence, times the cell volume, that there was.
+// Solves for phi and the pressure that make the intermediate velocity divergence free; phi contains a guess. Leaves
+// minus the former divergence times the cell volume.
 template <int Dim>
 void FractionalStep<Dim>::solve_pressure(Vec phi) {
   {

@@ -4,10 +4,10 @@
 //   1. explicit terms  b  = u^n + dt [ -(u.grad u) from n, n - 1 and n - 2 (`adams_bashforth.hpp`)
 //                                      - (1/rho) grad p^(n-1/2) + (mu / 2 rho) lap u^n + (f - G)/rho ]
 //   2. predict         u* - (mu dt / 2 rho) lap u* = b,    u* = u_b on the boundary, u* = u_solid in solids
-//      a bulk velocity that is kept corrects G and u* (`driving.hpp`)
+//      a prescribed bulk velocity corrects G and u* (`driving.hpp`)
 //   3. project         div( (1/rho) grad q ) = div u* / dt,    u^(n+1) = u* - (dt/rho) grad q
 //                      p^(n+1/2) = p^(n-1/2) + q - (mu/2) div u*
-//   3b. add_force      (couplings and walls) u += (dt/rho) H f, then `project_again`: p += q without the viscous term
+//   3b. add_force      (couplings, bodies' walls) u += (dt/rho) H f, `project_again`: p += q without the viscous term
 //   4. finish          n becomes n + 1
 // The first step takes (u.grad u)^0 alone (forward Euler), the second two of them. Where the viscosity varies, div tau
 // (`viscous_stress.hpp`) takes the place of mu lap u, and mu div u* that of (mu/2) div u*.
@@ -31,46 +31,46 @@ struct SolverCounts {
   double momentum = 0, pressure = 0;
 };
 
-/// What a step is given, as fields: the liquid, the force density on faces [N/m3] and the solids.
+/// The fields that a step is given: the liquid, the force density on faces [N/m3] and the solids.
 template <int Dim>
 struct StepFields {
   LiquidFields liquid;
   Vec force = nullptr;
   Constraint<Dim> constraint;
   const ForceField* further_force = nullptr;  ///< acts beside `force` from the start of the step, if there is one
-  /// On faces, with `limits_at_edges`: how near they are to edges and thin parts, from 1 to 0 beyond the reach of their
-  /// forces.
+  /// With `limits_at_edges`, nearness of faces to edges and thin parts: from 1 beside them to 0 beyond the reach of
+  /// their forces.
   Vec nearness = nullptr;
-  /// On faces: the share that the gradient of the mean pressure drives, the rest of which the constraint holds
-  /// (`driving.hpp`); null where it drives all.
+  /// Share of each face that the gradient of the mean pressure drives; the constraint takes the rest (`driving.hpp`).
+  /// Null if it drives all.
   Vec driven_share = nullptr;
 };
 
-/// A velocity's component c at a place [m/s].
+/// A function that gives a velocity's component c at a place [m/s].
 template <int Dim>
 using VelocityAt = std::function<double(const Point<Dim>& place, int c)>;
 
 template <int Dim>
 class FractionalStep : public Projection {
  public:
-  /// The water rests. Collective.
+  /// Starts with water at rest. Collective.
   FractionalStep(const Grid<Dim>& grid, Boundary<Dim>& boundary, const FluidOptions<Dim>& options);
   /// Sets the velocity at the start. Collective.
   void start(const VelocityAt<Dim>& velocity);
 
-  /// One whole step without walls that act by forces: predict, project, finish. Collective. Errors: DivergedError.
+  /// Takes a whole step without direct forcing: predict, project, finish. Collective. Errors: DivergedError.
   void advance(const TimeStep& step, const StepFields<Dim>& fields);
 
   /// Phases 1 and 2: u* from u^n. Collective.
   void predict(const TimeStep& step, const StepFields<Dim>& fields);
   /// Phase 3: makes the intermediate velocity divergence free and updates the pressure. Collective.
   void project();
-  /// Phase 3b: adds a further force density (faces) to the projected velocity, which `project_again` follows. What
-  /// falls on solids is taken by them. Collective.
+  /// Phase 3b: adds a further force density (faces) to the projected velocity; `project_again` follows. Solids take the
+  /// part that acts on them. Collective.
   void add_force(Vec force);
   void project_again() override;
   void project_increment(Vec increment) override;
-  /// For schemes that try a step several times: keeps the pressure, and takes the kept one back after a trial.
+  /// Saves the pressure, and restores it after a trial, for schemes that try a step several times.
   void keep_pressure();
   void restore_pressure();
   /// Phase 4: the intermediate velocity becomes u^(n+1). Collective.
@@ -85,18 +85,18 @@ class FractionalStep : public Projection {
   /// Whether the velocity is made free of divergence.
   bool projects() const { return projects_; }
   Advection scheme_of_advection() const { return advection_scheme_; }
-  /// Whether advection is other than central, and then the power that it took out of the flow in the last step beyond
-  /// central advection, which takes none [W; W/m in the plane].
+  /// Whether advection departs from central; and the power that it then dissipated in the last step, which central
+  /// advection does not [W; W/m in the plane].
   bool departs_from_central() const { return advection_scheme_ != Advection::central || limits_at_edges_; }
   double numerical_dissipation() const { return numerical_dissipation_; }
 
-  /// Force density [N/m3] by which solids held the water in the last `predict`; zero in fluid.
+  /// Constraint force density of solids on the water in the last `predict` [N/m3]; zero in fluid.
   Vec constraint_force() const { return constraint_force_; }
 
-  /// Registers what goes on from step to step.
+  /// Registers the state that is carried from step to step.
   void register_state(StateList& state);
 
-  /// What drives the water along periodic axes.
+  /// The driving of the water along periodic axes.
   const Driving<Dim>& driving() const { return driving_; }
 
   const SolverCounts& counts() const { return counts_; }
@@ -121,8 +121,8 @@ class FractionalStep : public Projection {
   double density_, pressure_tolerance_;
   bool projects_, limits_at_edges_;
   Advection advection_scheme_;
-  double advection_bend_;  ///< of `adams_bashforth`
-  DM flow_dm_;             ///< with the ghosts that advection and open sides need
+  double advection_bend_;  ///< `bend` of `adams_bashforth`
+  DM flow_dm_;             ///< face DM with the ghosts that advection and open sides need
   MomentumSolver<Dim> momentum_;
   PressureSolver<Dim> poisson_;
   Driving<Dim> driving_;
@@ -132,15 +132,15 @@ class FractionalStep : public Projection {
   petsc::Vector advection_, advection_before_;  ///< (u.grad u)^n, (u.grad u)^(n-1)
   petsc::Vector advection_earlier_;             ///< (u.grad u)^(n-2)
   petsc::Vector rhs_;                           ///< b of the last `predict`
-  petsc::Vector force_;                         ///< all of the step under way, with the further one
-  petsc::Vector constraint_force_;              ///< null before bodies have held anything
+  petsc::Vector force_;                         ///< all force density of the current step, the further one included
+  petsc::Vector constraint_force_;              ///< constraint force density; null before there is any
   petsc::Vector pressure_;                      ///< p^(n-1/2)
   petsc::Vector phi_;                           ///< dt q / rho_f of the last projection: the next one's guess
   petsc::Vector minus_divergence_;
-  petsc::Vector phi_of_force_, kept_pressure_;  ///< for forces on top and `keep_pressure`; made when first used
-  TimeStep step_;                               ///< under way
-  StepFields<Dim> fields_;                      ///< of it
-  double dt_before_ = 0, dt_earlier_ = 0;       ///< of the last step and the one before it [s]; 0 if there was none
+  petsc::Vector phi_of_force_, kept_pressure_;  ///< for further forces and for `keep_pressure`; created when first used
+  TimeStep step_;                               ///< current step
+  StepFields<Dim> fields_;                      ///< fields of the current step
+  double dt_before_ = 0, dt_earlier_ = 0;       ///< lengths of the last step and the one before it [s]; 0 if none
   double numerical_dissipation_ = 0;
   SolverCounts counts_;
 };

@@ -35,7 +35,7 @@ void Liquid<Dim>::update_viscosity(const StepFlow& flow, WallViscosity* bodies) 
   walls_time_ = flow.time;
   const CellShare<Dim> share(grid_, flow.fluid_share);
   let_models_add(flow, share);
-  const petsc::GlobalVector all(grid_.cell_dm());  // what the models add is looked at later
+  const petsc::GlobalVector all(grid_.cell_dm());  // kept, since measures read the models' viscosity later
   WASH_PETSC(VecCopy(global_viscosity_, all));
   if (bodies) {
     if (is_new) bodies->observe(flow, pure());

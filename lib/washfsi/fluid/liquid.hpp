@@ -30,42 +30,42 @@ class ViscosityModel {
 template <int Dim>
 using ViscosityModels = std::vector<std::shared_ptr<const ViscosityModel<Dim>>>;
 
-/// What the fluid's equations need of a liquid.
+/// The fields of a liquid for the fluid's equations.
 struct LiquidFields {
   Vec density = nullptr;  ///< on faces [kg/m3]
   Viscosity viscosity;
 };
 
-/// What flows: its density and viscosity as fields.
+/// The liquid: its density and viscosity as fields.
 template <int Dim>
 class Liquid {
  public:
-  /// Everywhere of this density [kg/m3], and of this viscosity [Pa s] and what the models add to it.
+  /// A liquid of uniform density [kg/m3] and viscosity [Pa s], to which the models add.
   Liquid(const Grid<Dim>& grid, const Boundary<Dim>& boundary, double density, double viscosity,
          ViscosityModels<Dim> models = {}, WallTreatment walls = WallTreatment::none);
 
-  double pure_density() const { return pure_density_; }      ///< of the liquid without what is in it [kg/m3]
-  double pure_viscosity() const { return pure_viscosity_; }  ///< without what the models add [Pa s]
+  double pure_density() const { return pure_density_; }      ///< density of the pure liquid [kg/m3]
+  double pure_viscosity() const { return pure_viscosity_; }  ///< viscosity without the models [Pa s]
 
-  /// On faces [kg/m3].
+  /// Density on faces [kg/m3].
   Vec density() const { return density_; }
-  /// Everywhere that of the pure liquid; what is in it is to be added anew.
+  /// Sets the density to that of the pure liquid; added masses have to be added again.
   void reset_density();
 
   Viscosity viscosity() const { return varying_ ? varying_->viscosity() : Viscosity{pure_viscosity_}; }
-  /// Lets the models work on the flow, and the walls' friction follow it. What they add counts by the share of fluid
-  /// round a cell: water in a body moves rigidly, and has no eddies. `bodies`, null without, then have their friction.
-  /// May be repeated for the same time. Collective.
+  /// Updates the models' viscosity and the friction of sides from the flow. Models count by the share of fluid round a
+  /// cell: water in a body moves rigidly and has no eddies. Then applies the friction of `bodies`, null without. May be
+  /// repeated for the same time. Collective.
   void update_viscosity(const StepFlow& flow, WallViscosity* bodies = nullptr);
 
-  /// Only what the models add, for those who look at it before the first step. Collective.
+  /// Updates only the models' viscosity, for measures before the first step. Collective.
   void let_models_add(const StepFlow& flow);
-  /// Of the walls' friction; null if it has none.
+  /// The model of the friction of the box's walls; null if there is none.
   WallModel<Dim>* walls() const { return walls_.get(); }
   PureLiquid pure() const { return {pure_density_, pure_viscosity_}; }
   bool has_models() const { return !models_.empty(); }
-  /// Calls visit(viscosity) with what the models add in each of this rank's cells [Pa s], x fastest; there must be
-  /// some.
+  /// Calls visit(viscosity) with the models' viscosity in each of this rank's cells [Pa s], x fastest; there must be
+  /// models.
   template <class Visit>
   void visit_added_viscosity(Visit&& visit) const {
     const ConstCellView<Dim> mu(grid_.cell_dm(), global_viscosity_);
@@ -83,7 +83,7 @@ class Liquid {
   double pure_density_, pure_viscosity_;
   ViscosityModels<Dim> models_;
   std::unique_ptr<WallModel<Dim>> walls_;
-  std::optional<double> walls_time_;  ///< of the flow that walls observed last [s]
+  std::optional<double> walls_time_;  ///< time of the flow that the walls observed last [s]
   petsc::Vector density_, global_viscosity_;
   std::optional<ViscosityField<Dim>> varying_;
 };

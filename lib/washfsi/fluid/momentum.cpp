@@ -34,7 +34,7 @@ MomentumSolver<Dim>::MomentumSolver(const Grid<Dim>& grid, const Boundary<Dim>& 
   WASH_PETSC(KSPSetTolerances(solver_, 1e-50, PETSC_DEFAULT, PETSC_DEFAULT, 1000));
   const petsc::Vector unit_density = petsc::zeros_like(residual_);
   WASH_PETSC(VecSet(unit_density, 1.0));
-  set_step(1.0, {unit_density, {}}, {});  // a first set of coefficients, for setting up only
+  set_step(1.0, {unit_density, {}}, {});  // first coefficients, only to set the solver up
   user_sets_atol_ = set_up_from_options(solver_);
   liquid_ = {};
 }

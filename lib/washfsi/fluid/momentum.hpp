@@ -20,18 +20,18 @@ namespace washfsi {
 template <int Dim>
 class MomentumSolver {
  public:
-  /// Collective. `tolerance`: rms residual over the largest speed.
+  /// `tolerance` is the rms residual over the largest speed. Collective.
   MomentumSolver(const Grid<Dim>& grid, const Boundary<Dim>& boundary, double tolerance);
 
   /// Fixes the coefficients of this step. The vectors must live until the next call. Collective.
   void set_step(double dt, const LiquidFields& liquid, const Constraint<Dim>& constraint);
 
-  /// Solves for u* at time `time`; `velocity` holds a guess and then u*. Returns the number of iterations.
+  /// Solves for u* at time `time`; `velocity` contains a guess and then u*. Returns the number of iterations.
   /// Collective. Errors: DivergedError.
   PetscInt solve(Vec rhs, double time, Vec velocity);
 
-  /// rho/dt (u* - (mu dt / 2 rho) lap u* - b) where H < 1, else 0: the force density [N/m3] that the solids
-  /// exert on the water to hold it, u* being the solution for `rhs`. Collective.
+  /// rho/dt (u* - (mu dt / 2 rho) lap u* - b) where H < 1, else 0: the constraint force density [N/m3] of the solids on
+  /// the water, u* being the solution for `rhs`. Collective.
   void constraint_force(Vec rhs, double time, Vec velocity, Vec force) const;
 
  private:
@@ -50,11 +50,11 @@ class MomentumSolver {
   double dt_ = 0;
   LiquidFields liquid_;
   Constraint<Dim> constraint_;
-  std::array<petsc::Version, 3> versions_;  ///< of density, fluid fraction and viscosity
+  std::array<petsc::Version, 3> versions_;  ///< versions of density, fluid fraction and viscosity
   petsc::Matrix matrix_;
   petsc::Solver solver_;
   petsc::Vector residual_, correction_;
-  petsc::Vector diagonal_;  ///< of the fluid rows; null before there are solid ones
+  petsc::Vector diagonal_;  ///< diagonal of the fluid rows; null before there are solid ones
   bool user_sets_atol_ = false;
 };
 

@@ -11,7 +11,7 @@ namespace washfsi {
 enum class Advection { central, wide_central, upwind };
 const ChoiceNames<Advection>& names_of(Advection);
 
-/// The liquid and how its equations are advanced.
+/// The liquid and the numerics of its equations.
 template <int Dim>
 struct FluidOptions {
   double density = 1000;    ///< [kg/m3]
@@ -20,11 +20,11 @@ struct FluidOptions {
   WallTreatment wall_model = WallTreatment::none;
   DrivingOptions<Dim> driving;
   Advection advection = Advection::central;
-  bool limits_at_edges = false;      ///< central gives way to upwind by the nearness in a step's fields
-  int advection_steps = 3;           ///< whose advection is extrapolated; 2: Adams-Bashforth, as the thesis has it
+  bool limits_at_edges = false;      ///< whether central advection becomes upwind by the nearness in a step's fields
+  int advection_steps = 3;           ///< steps from which advection is extrapolated; 2: Adams-Bashforth (thesis)
   bool projection = true;            ///< false: the cloth tests of thesis 3.5.1, where u = u*
-  double momentum_tolerance = 1e-7;  ///< rms residual of the momentum rows, as a part of the largest speed
-  double pressure_tolerance = 5e-7;  ///< divergence left after a step, as a part of (largest speed)/h
+  double momentum_tolerance = 1e-7;  ///< rms residual of the momentum rows over the largest speed
+  double pressure_tolerance = 5e-7;  ///< divergence left after a step over (largest speed)/h
 
   static FluidOptions from_options(Options& options);
 };

@@ -82,7 +82,7 @@ PressureSolver<Dim>::PressureSolver(const Grid<Dim>& grid, double reference_dens
   user_sets_atol_ = set_up_from_options(solver_);
 }
 
-// The transform wants none that is assembled; a kind of matrix that there is not is refused all the same.
+// The transform needs no assembled matrix; an unknown matrix type is refused all the same.
 template <int Dim>
 void PressureSolver<Dim>::create_matrices() {
   WASH_PETSC(MatNullSpaceCreate(grid_.comm(), PETSC_TRUE, 0, nullptr, constants_.put()));
@@ -101,7 +101,7 @@ void PressureSolver<Dim>::create_matrices() {
   WASH_PETSC(MatSetOption(assembled_, MAT_SPD, PETSC_TRUE));
 }
 
-// What hypre and PCMG take from the options database only.
+// Sets what hypre and PCMG read from the options database only.
 template <int Dim>
 void PressureSolver<Dim>::set_preconditioner_defaults() {
   const std::string chosen = petsc::option_value("pressure_", "-pc_type", "");
@@ -137,7 +137,7 @@ void PressureSolver<Dim>::set_density(Vec density, Vec fluid_fraction) {
   assemble();
 }
 
-// Whether it is nearly the same everywhere.
+// Whether the density is nearly the same everywhere.
 template <int Dim>
 bool PressureSolver<Dim>::find_ratio(Vec density, Vec fluid_fraction) {
   constexpr double least_fraction = 1e-2;  // so that the equation stays solvable within solids
@@ -162,7 +162,7 @@ bool PressureSolver<Dim>::find_ratio(Vec density, Vec fluid_fraction) {
   return least > 1 / 1.5 && most < 1.5;
 }
 
-// No flux through the sides of the box.
+// Sets the ratio on boundary faces to 0: no flux through the sides of the box.
 template <int Dim>
 void PressureSolver<Dim>::close_boundary_faces() {
   const FaceView<Dim> ratio(grid_.face_dm(), ratio_);
@@ -214,7 +214,7 @@ void PressureSolver<Dim>::apply(Vec x, Vec y) {
   });
 }
 
-// Of uniform density the transform is exact: nothing is left for CG.
+// With uniform density the transform is exact: nothing is left for CG.
 template <int Dim>
 void PressureSolver<Dim>::solve_directly(Vec minus_divergence, Vec phi) const {
   PC pc = nullptr;

@@ -11,7 +11,7 @@ namespace washfsi {
 /// The projection's Poisson equation (2.2-11, 2.2-28) for phi = dt q / rho_f:
 ///   -div( (rho_f/rho) grad phi ) = -div u*,   n . grad phi = 0 on the boundary,    each times the cell volume,
 /// so that u* - (rho_f/rho) grad phi has the solver's residual per volume as its divergence. Matrix-free CG, PETSc
-/// prefix pressure_; an assembled matrix serves preconditioners that want entries (hypre, mg, gamg). Where the density
+/// prefix pressure_; an assembled matrix serves preconditioners that need entries (hypre, mg, gamg). Where the density
 /// is uniform the default preconditioner, the transform, solves it alone, unless -pressure_ksp_ options want CG.
 template <int Dim>
 class PressureSolver {
@@ -26,9 +26,8 @@ class PressureSolver {
   /// Whether `solve` is exact and needs no tolerance.
   bool is_direct() const { return solves_directly_ && is_uniform_; }
 
-  /// Solves to a residual whose norm is below `tolerance` [1/s]; `phi` holds a guess, then the solution;
-  /// `minus_divergence` is used up.
-  /// Returns the iterations. Collective. Errors: DivergedError.
+  /// Solves to a residual norm below `tolerance` [1/s]; `phi` contains a guess, then the solution; `minus_divergence`
+  /// is overwritten. Returns the iterations. Collective. Errors: DivergedError.
   PetscInt solve(Vec minus_divergence, double tolerance, Vec phi);
 
   /// velocity -= (rho_f/rho) grad phi on all inner faces. Collective.
@@ -48,15 +47,15 @@ class PressureSolver {
 
   const Grid<Dim>& grid_;
   double reference_density_;
-  petsc::Vector ratio_;      ///< rho_f/rho, or H rho_f/rho, on faces, local, 0 on boundary faces; null where none asks
+  petsc::Vector ratio_;      ///< rho_f/rho, or H rho_f/rho, on faces, local, 0 on boundary faces; null if not needed
   petsc::Vector local_phi_;  ///< ghosted; ghosts beyond the boundary stay 0
   petsc::Matrix matrix_;
-  petsc::Matrix assembled_;  ///< null where the preconditioner wants none
+  petsc::Matrix assembled_;  ///< assembled matrix; null if the preconditioner needs none
   petsc::NullSpace constants_;
   petsc::Solver solver_;
   bool user_sets_atol_ = false, solves_directly_ = false;
-  bool is_uniform_ = false;                 ///< the density last taken
-  std::array<petsc::Version, 2> versions_;  ///< of density and H last taken
+  bool is_uniform_ = false;                 ///< whether the density set last is uniform
+  std::array<petsc::Version, 2> versions_;  ///< versions of density and H set last
   bool assembled_is_uniform_ = false;
 };
 

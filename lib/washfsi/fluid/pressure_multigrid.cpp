@@ -13,10 +13,10 @@ namespace washfsi {
 
 namespace {
 
-constexpr double coarsest_cells = 64;    // a level of so many cells or fewer is the last
+constexpr double coarsest_cells = 64;    // a level with at most this many cells is the last
 constexpr double most_for_dense = 1000;  // cells of a coarsest level that is solved by singular value decomposition
 
-/// The finest first. The user may want fewer than there can be.
+/// All levels, the finest first. The user may request fewer than possible.
 template <int Dim>
 std::vector<CellLevel<Dim>> levels_of(const Grid<Dim>& grid) {
   refuse_deadly_options("pressure_");

@@ -5,7 +5,7 @@
 
 namespace washfsi {
 
-/// The projection of the step under way, for constraints that are solved for together with the pressure.
+/// The projection of the current step, for constraints that are solved for together with the pressure.
 class Projection {
  public:
   Projection() = default;
@@ -13,11 +13,11 @@ class Projection {
   Projection& operator=(const Projection&) = delete;
   virtual ~Projection() = default;
 
-  /// After a further force has changed the step's velocity: makes it free of divergence again and adds to the pressure
-  /// what that takes. Collective.
+  /// Makes the step's velocity divergence free again after a further force has changed it, and updates the pressure.
+  /// Collective.
   virtual void project_again() = 0;
-  /// Makes an increment of that velocity, which is zero at the sides of the box, free of divergence; the pressure stays
-  /// as it is. To a looser tolerance, since `project_again` follows. Collective.
+  /// Makes an increment of that velocity, zero at the sides of the box, divergence free, to a looser tolerance, since
+  /// `project_again` follows. Does not change the pressure. Collective.
   virtual void project_increment(Vec increment) = 0;
 };
 

@@ -9,7 +9,7 @@ namespace washfsi {
 
 namespace {
 
-// First layer of a part of n layers; of the part after the last, n. As DMDA cuts, so that slabs stay where they are.
+// First layer of a part of n layers; n for the part after the last. The cuts are DMDA's, so that slabs need not move.
 PetscInt start_of(PetscInt n, int part, int parts) {
   return n / parts * part + std::min<PetscInt>(part, n % parts);
 }
@@ -63,7 +63,7 @@ Index<Dim> TransformLayout<Dim>::cell(const Box<Dim>& box, PetscInt offset) cons
 
 namespace {
 
-// Numbers of parts along two axes, which are to have cells everywhere: as many as can be, then as equal as can be.
+// Numbers of parts along two axes, none without cells: as many as possible, then as equal as possible.
 std::pair<int, int> most_even_parts(int ranks, PetscInt first_most, PetscInt second_most) {
   std::pair<int, int> best{1, 1};
   for (int first = 1; first <= std::min<PetscInt>(ranks, first_most); ++first) {

@@ -7,16 +7,16 @@
 
 namespace washfsi {
 
-/// How the cells of a box lie while some of its axes are transformed: the box is cut into parts, as even as can be, of
-/// which rank r has that with the number r, counted along x first; a rank's cells lie in memory along `order[0]` first.
+/// The distribution of a box's cells while some of its axes are transformed: the box is cut into parts as equal as
+/// possible, of which rank r has number r, counted along x first; a rank's cells lie in memory along `order[0]` first.
 template <int Dim>
 struct TransformLayout {
-  Index<Dim> cells;            ///< of the whole box
-  std::array<int, Dim> parts;  ///< along each axis
-  std::array<int, Dim> order;  ///< axes, the one whose cells lie side by side first
-  int transformed;             ///< so many of the first axes of `order`, which are not cut
+  Index<Dim> cells;            ///< cells of the whole box
+  std::array<int, Dim> parts;  ///< number of parts along each axis
+  std::array<int, Dim> order;  ///< axes, the one contiguous in memory first
+  int transformed;             ///< number of leading axes of `order` that are transformed and not cut
 
-  /// The cells of a rank; none beyond the last part.
+  /// The cells of a rank; an empty box beyond the last part.
   Box<Dim> owned_by(int rank) const;
   int owner(const Index<Dim>& cell) const;
   /// Place of a cell among those of its owner, and the cell of a place among those of a box.
@@ -27,8 +27,8 @@ struct TransformLayout {
 template <int Dim>
 using TransformLayouts = std::vector<TransformLayout<Dim>>;
 
-/// The layouts that one after another have each axis transformed once: slabs, cut along the last axis, with all other
-/// axes transformed, and columns, cut along the last but one; in space, on more ranks than these have layers, pencils.
+/// A sequence of layouts in which each axis is transformed once: slabs, cut along the last axis, with all other axes
+/// transformed, and columns, cut along the last but one; in space, on more ranks than these have layers, pencils.
 template <int Dim>
 TransformLayouts<Dim> transform_layouts(const Index<Dim>& cells, int ranks);
 

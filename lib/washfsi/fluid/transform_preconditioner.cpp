@@ -29,7 +29,7 @@ typename TransformSolver<Dim>::Pass TransformSolver<Dim>::pass(const TransformLa
   return pass;
 }
 
-// Where a cell of the next layout lies in the last one, or in the grid.
+// The place of a cell of the next layout in the previous one, or in the grid.
 template <int Dim>
 PetscSFNode TransformSolver<Dim>::before(const Index<Dim>& cell) const {
   if (!passes_.empty()) {
@@ -55,7 +55,7 @@ petsc::StarForest TransformSolver<Dim>::exchange(const Pass& to) const {
 // Estimated plans are the same in every run, measured ones are not: results must repeat to the bit.
 template <int Dim>
 typename TransformSolver<Dim>::Plan TransformSolver<Dim>::plan(const Pass& pass, bool forward) const {
-  std::vector<int> lengths;  // FFTW wants the slowest first
+  std::vector<int> lengths;  // FFTW expects the slowest first
   std::vector<fftw_r2r_kind> kinds;
   int distance = 1;
   for (int i = pass.layout.transformed; i-- > 0;) {

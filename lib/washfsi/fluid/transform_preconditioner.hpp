@@ -27,7 +27,7 @@ class TransformSolver {
       : TransformSolver(grid, transform_layouts<Dim>(grid.cells(), ranks_of(grid.comm()))) {}
   TransformSolver(const Grid<Dim>& grid, const TransformLayouts<Dim>& layouts);
 
-  /// phi = the solution of zero mean of -lap phi = r (r without its mean). Collective.
+  /// Sets phi to the solution of zero mean of -lap phi = r (r without its mean). Collective.
   void solve(Vec r, Vec phi);
 
  private:
@@ -46,7 +46,7 @@ class TransformSolver {
     Box<Dim> owned;
     std::size_t size;
     Buffer data;
-    petsc::StarForest from_before;  ///< from the layout before it, the first from the grid
+    petsc::StarForest from_before;  ///< from the previous layout, or from the grid
     Plan forward, backward;
   };
 
@@ -58,7 +58,8 @@ class TransformSolver {
 
   const Grid<Dim>& grid_;
   std::vector<Pass> passes_;
-  std::vector<double> inverse_eigenvalues_;  ///< of the last pass's cells, with the transforms' scale; 0 for the mean
+  std::vector<double> inverse_eigenvalues_;  ///< inverse eigenvalues of the last pass's cells, times the transforms'
+                                             ///< scale; 0 for the mean
 };
 
 /// Makes the solver known to PETSc as a preconditioner: -pressure_pc_type transform. Its DM must carry the Grid as

@@ -6,7 +6,7 @@
 
 namespace washfsi {
 
-/// The models that the user asks for, each by options of its own. Errors: InputError.
+/// Returns the models that the user chose, each by options of its own. Errors: InputError.
 template <int Dim>
 ViscosityModels<Dim> viscosity_models_from_options(Options& options);
 

@@ -18,7 +18,7 @@ Law law_at(double y) {
           1 / (1 + karman * y) + 7.8 * (sublayer / 11 - buffer / 11 + y / 33 * buffer)};
 }
 
-// The viscous layer's; far from the wall that of Werner and Wengle's power law, u+ = 8.3 y^(1/7).
+// First guess: the viscous layer; far from the wall the power law of Werner and Wengle, u+ = 8.3 y^(1/7).
 double first_guess(double reynolds) {
   return std::max(std::sqrt(reynolds), std::pow(reynolds / 8.3, 7.0 / 8));
 }

@@ -3,7 +3,7 @@
 
 namespace washfsi {
 
-/// Karman's constant, of the law below.
+/// Karman's constant in the law below.
 inline constexpr double karman = 0.41;
 
 /// Reichardt's law (Z. angew. Math. Mech. 31 (1951) 208) of the mean velocity along a smooth wall, over the friction
@@ -12,7 +12,7 @@ inline constexpr double karman = 0.41;
 /// near y+ in the viscous layer, logarithmic far out.
 double reichardt(double y_plus);
 
-/// y+ of a place at which the flow has this Reynolds number u y/nu = u+ y+ (0 or more) by that law.
+/// y+ where the flow has this Reynolds number u y/nu = u+ y+ (0 or more) by that law.
 double wall_distance(double reynolds);
 
 }  // namespace washfsi

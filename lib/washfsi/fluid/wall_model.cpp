@@ -18,7 +18,7 @@ const ChoiceNames<WallTreatment>& names_of(WallTreatment) {
 
 namespace {
 
-constexpr double first_place = 0.5, matching_place = 1.5;  // of the cells' middles, in spacings from the wall
+constexpr double first_place = 0.5, matching_place = 1.5;  // places of cells' middles, in spacings from the wall
 constexpr double viscous_layer = 5;                        // y+
 
 // Calls visit(cell, axis, inwards) for this rank's cells beside no-slip walls; from a cell to the second one it is one
@@ -33,7 +33,7 @@ void visit_wall_cells(const Grid<Dim>& grid, const Boundary<Dim>& boundary, Visi
       }
 }
 
-// Along the wall, in the middle of a cell, relative to the wall: of which a ghost is the mirror image.
+// Velocity along the wall in the middle of a cell, relative to the wall, from the ghost, which is its mirror image.
 template <int Dim>
 Eigen::Matrix<double, Dim - 1, 1> slip(const ConstFaceView<Dim>& u, const Index<Dim>& first, const Index<Dim>& cell,
                                        int axis, int inwards) {

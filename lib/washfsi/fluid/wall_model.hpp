@@ -12,12 +12,12 @@
 
 namespace washfsi {
 
-/// How the friction of the box's walls follows from the flow: from the difference to the first cell, or by the law of a
-/// turbulent wall layer in equilibrium.
+/// How the friction of the box's no-slip sides follows from the flow: from the difference to the first cell, or by the
+/// law of a turbulent wall layer in equilibrium.
 enum class WallTreatment { none, equilibrium };
 const ChoiceNames<WallTreatment>& names_of(WallTreatment);
 
-/// What the liquid is, for the law.
+/// The pure liquid's properties for the law.
 struct PureLiquid {
   double density, viscosity;  ///< [kg/m3, Pa s]
 };
@@ -26,29 +26,28 @@ struct PureLiquid {
 /// across it:
 ///   1. u1, u2     at the middles of the first and the second cell, filtered over T = y2/|u2|: longer
 ///                 times, as y2/(0.41 u_tau), would not follow an agitator's strokes; u += dt/(T + dt) (u_now - u)
-///   2. u_tau      of Reichardt's law at y2 = 1.5 h for |u2|: not at the first cell, whose velocity is itself an
-///   outcome of
+///   2. u_tau      of Reichardt's law at y2 = 1.5 h for |u2|: not at the first cell, whose velocity itself results from
 ///                 the wall's stress (Kawai and Larsson, Phys. Fluids 24 (2012) 015105)
 ///   3. mu_wall    = rho u_tau^2 (h/2)/|u1|: with it the discrete friction mu_wall u/(h/2) has the mean rho u_tau^2.
-///                 |u1| is taken as |u2|/3 at least, mu_wall as the liquid's viscosity at least, as where profiles bend
+///                 |u1| is at least |u2|/3, mu_wall at least the liquid's viscosity, as where profiles bend
 ///                 the way of a wall layer's
 ///   4. the viscosity of the ghosts beyond the side such that its mean with the cell's is mu_wall.
 /// So the implicit solve, the loads and the dissipation all have that friction. Where y2+ <= 5 the layer is resolved,
-/// and nothing is changed. That a filter takes away the correlation of stress and velocity in the first cell: Yang,
-/// Park and Moin (Phys. Rev. Fluids 2 (2017) 104601).
+/// and nothing is changed. A filter removes the correlation of stress and velocity in the first cell: Yang, Park and
+/// Moin (Phys. Rev. Fluids 2 (2017) 104601).
 template <int Dim>
 class WallModel {
  public:
   WallModel(const Grid<Dim>& grid, const Boundary<Dim>& boundary);
 
-  /// Steps 1 to 3, of a velocity [m/s] with one layer of ghosts, filled, dt [s] after the one before. Where a cell
+  /// Steps 1 to 3, for a velocity [m/s] with one layer of ghosts, filled, dt [s] after the previous one. Where a cell
   /// has no share of fluid nothing is changed.
   void observe(const ConstFaceView<Dim>& velocity, double dt, const PureLiquid& liquid, const CellShare<Dim>& share);
-  /// Step 4, of the viscosity in cells, local, its ghosts filled. Collective.
+  /// Step 4, for the viscosity in cells, local, its ghosts filled. Collective.
   void set_ghosts(Vec local_viscosity) const;
 
   /// Registers u1 and u2: in the first and the second cell from each side; in component `axis` of vector k the
-  /// tangential velocity along axis + 1 + k. After a run without them the next flow is taken as it is.
+  /// tangential velocity along axis + 1 + k. Without stored values the filter starts with the next flow.
   void register_state(StateList& state);
 
  private:
@@ -60,8 +59,8 @@ class WallModel {
   const Grid<Dim>& grid_;
   const Boundary<Dim>& boundary_;
   std::array<petsc::Vector, Dim - 1> filtered_;
-  petsc::Vector wall_viscosity_;  ///< in the first cell from a side across component's axis; 0 where nothing is changed
-  bool begun_ = false;            ///< what is filtered is an earlier flow
+  petsc::Vector wall_viscosity_;  ///< mu_wall in the first cell from a side across component's axis; 0 where unchanged
+  bool begun_ = false;            ///< whether the filtered velocities are of an earlier flow
 };
 
 /// The largest y+ of the middles of the cells beside the box's no-slip walls, by the law at the second cells; the

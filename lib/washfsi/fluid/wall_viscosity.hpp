@@ -7,12 +7,12 @@
 
 namespace washfsi {
 
-/// The flow that a step begins with.
+/// The flow at the start of a step.
 struct StepFlow {
-  Vec velocity = nullptr;     ///< [m/s]
-  double time = 0;            ///< [s]
-  Vec fluid_share = nullptr;  ///< the share of each face that lies in fluid; none: all of it
-  double last_step = 0;       ///< the length of the step before [s]; 0: there was none
+  Vec velocity = nullptr;     ///< velocity on faces [m/s]
+  double time = 0;            ///< time [s]
+  Vec fluid_share = nullptr;  ///< the share of each face that lies in fluid; null: all of it
+  double last_step = 0;       ///< the length of the previous step [s]; 0: there was none
 };
 
 /// Walls within the water whose friction follows from the viscosity of the water beside them.
@@ -23,10 +23,10 @@ class WallViscosity {
   WallViscosity& operator=(const WallViscosity&) = delete;
   virtual ~WallViscosity() = default;
 
-  /// Takes the flow, once a step. Collective.
+  /// Updates the friction from the flow, once a step. Collective.
   virtual void observe(const StepFlow& flow, const PureLiquid& liquid) = 0;
-  /// Makes the viscosity [Pa s] of this rank's cells beside and behind the walls such that it gives their friction. May
-  /// be repeated. Collective.
+  /// Sets the viscosity [Pa s] of this rank's cells beside and behind the walls so that it gives their friction. May be
+  /// repeated. Collective.
   virtual void replace(Vec viscosity) const = 0;
 };
 

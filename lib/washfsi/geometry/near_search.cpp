@@ -26,7 +26,7 @@ NearSearch<Dim>::NearSearch(std::vector<Bounds<Dim>> boxes, const Point<Dim>& bi
     visit_bins(range_of(boxes_[n]), [&](std::size_t place) { numbers_[next[place]++] = n; });
 }
 
-// Over what is asked for, or over a period; no more bins than there are boxes, and some.
+// Lays the bins over the query bounds, or over a period; not many more bins than boxes.
 template <int Dim>
 void NearSearch<Dim>::choose_bins(const Point<Dim>& bin, const Bounds<Dim>& asked) {
   const double most = std::pow(4 * static_cast<double>(boxes_.size()) + 64, 1.0 / Dim);

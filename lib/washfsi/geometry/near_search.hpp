@@ -8,7 +8,7 @@
 
 namespace washfsi {
 
-/// A box with sides along the axes; of a point, without extent.
+/// A box with sides along the axes; without extent for a point.
 template <int Dim>
 struct Bounds {
   Point<Dim> lower, upper;  ///< [m]
@@ -20,7 +20,7 @@ struct Bounds {
   }
 };
 
-/// The bounds of several boxes; of none, a point.
+/// The bounds of several boxes; a point if there are none.
 template <int Dim>
 Bounds<Dim> hull(const std::vector<Bounds<Dim>>& boxes) {
   if (boxes.empty()) return {Point<Dim>::Zero(), Point<Dim>::Zero()};
@@ -29,7 +29,7 @@ Bounds<Dim> hull(const std::vector<Bounds<Dim>>& boxes) {
   return all;
 }
 
-/// Points as boxes without extent.
+/// Returns points as boxes without extent.
 template <int Dim>
 std::vector<Bounds<Dim>> bounds_of(const Points<Dim>& places) {
   std::vector<Bounds<Dim>> bounds;
@@ -40,7 +40,7 @@ std::vector<Bounds<Dim>> bounds_of(const Points<Dim>& places) {
 /// A space that repeats itself along some axes.
 template <int Dim>
 struct PeriodicSpace {
-  Point<Dim> lower = Point<Dim>::Zero(), length = Point<Dim>::Zero();  ///< of a period [m]; where not periodic: any
+  Point<Dim> lower = Point<Dim>::Zero(), length = Point<Dim>::Zero();  ///< start, length of periods [m]
   std::array<bool, Dim> periodic{};
 };
 
@@ -52,20 +52,20 @@ PeriodicSpace<Dim> periods_of(const Grid& grid) {
   return space;
 }
 
-/// Tells which of many things come near to a place: their boxes are sorted into bins of equal size. Along periodic axes
+/// Finds which of many things come near to a place: their boxes are sorted into bins of equal size. Along periodic axes
 /// all images count.
 template <int Dim>
 class NearSearch {
  public:
-  /// `bin`: the least lengths of a bin [m]; about the size of the boxes and of the bounds asked for is best. Only boxes
-  /// that come near to `asked`, which holds all bounds that will be asked for, are kept.
+  /// `bin` are the least lengths of a bin [m]; best is about the size of the boxes and of the query bounds. Only boxes
+  /// near to `asked`, which contains all query bounds, are stored.
   NearSearch(std::vector<Bounds<Dim>> boxes, const Point<Dim>& bin, const Bounds<Dim>& asked,
              const PeriodicSpace<Dim>& space = {});
 
-  /// The numbers, from one on, of the boxes that overlap these bounds, in ascending order; along a periodic axis others
-  /// may be among them.
+  /// The numbers, from `from` on, of the boxes that overlap these bounds, in ascending order; along a periodic axis
+  /// others may be among them.
   std::vector<std::size_t> near(const Bounds<Dim>& bounds, std::size_t from = 0) const;
-  /// Calls visit(number) for each of them, in no order, and several times for what lies in several bins; points do not.
+  /// Calls visit(number) for each of them, in no order, and several times for boxes in several bins; points lie in one.
   template <class Visit>
   void visit_near(const Bounds<Dim>& bounds, const Visit& visit) const {
     visit_bins(range_of(bounds), [&](std::size_t place) {
@@ -102,9 +102,9 @@ class NearSearch {
 
   std::vector<Bounds<Dim>> boxes_;
   PeriodicSpace<Dim> space_;
-  Point<Dim> origin_, length_;       ///< of the first bin: its corner, its sides [m]
-  Bin count_;                        ///< of bins along each axis
-  std::vector<std::size_t> starts_;  ///< of each bin's numbers, and their end
+  Point<Dim> origin_, length_;       ///< corner of the first bin, and sides of a bin [m]
+  Bin count_;                        ///< number of bins along each axis
+  std::vector<std::size_t> starts_;  ///< start of each bin's numbers, and the end
   std::vector<std::size_t> numbers_;
 };
 

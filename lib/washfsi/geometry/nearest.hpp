@@ -26,7 +26,7 @@ inline Point<3> area_normal(const Triangle& t) {
   return (t[1] - t[0]).cross(t[2] - t[0]);
 }
 
-/// What of a triangle is nearest: its face, or the edge from corner `index` to the next, or this corner.
+/// The nearest part of a triangle: its face, or the edge from corner `index` to the next, or this corner.
 enum class TrianglePart { face, edge, corner };
 struct NearestOnTriangle {
   Point<3> place;  ///< [m]

@@ -7,8 +7,8 @@
 
 namespace washfsi {
 
-/// The smallest box of those of these cells that have faces where a field is above zero, or are beside such. The field
-/// is local, with ghosts round the cells.
+/// The smallest box containing those of these cells that have faces where a field is positive, or are beside such
+/// faces. The field is local, with ghosts round the cells.
 template <int Dim>
 Box<Dim> beside_positive(const Box<Dim>& cells, const ConstFaceView<Dim>& field) {
   Box<Dim> found{cells.upper, cells.lower};

@@ -14,7 +14,7 @@ namespace washfsi {
 namespace {
 constexpr std::array<End, 2> both_ends{End::lower, End::upper};
 
-// Local vectors come with few ghosts or many.
+// The DM of a local vector, with few ghosts or many.
 DM dm_of(Vec local) {
   DM dm = nullptr;
   WASH_PETSC(VecGetDM(local, &dm));
@@ -53,7 +53,7 @@ void Boundary<Dim>::check_net_flux() const {
                      " m^" + std::to_string(Dim) + "/s out of the box; it must be zero, or one side an outflow");
 }
 
-// What leaves the box through the sides whose velocity is given: the sum, and the sum without signs [m^Dim/s].
+// The flux out of the box through sides of given velocity: the sum, and the sum of absolute values [m^Dim/s].
 template <int Dim>
 typename Boundary<Dim>::Flux Boundary<Dim>::prescribed_flux(double time) const {
   std::vector<double> sums(2, 0.0);
@@ -127,7 +127,7 @@ void Boundary<Dim>::cover_sides(double time, const typename SideCover<Dim>::Cove
   for (auto& side : covers_) side.set(time, cover);
 }
 
-// What bodies make of a side; null where none stands.
+// The cover of a side by bodies; null where none stands.
 template <int Dim>
 const SideCover<Dim>* Boundary<Dim>::cover(int axis, End end) const {
   for (const auto& cover : covers_)
@@ -166,7 +166,7 @@ double Boundary<Dim>::largest_speed(double time) const {
   return largest(grid_.comm(), speed);
 }
 
-// The velocity that holds on the side next to a face: in it, or half a cell from it.
+// The velocity of the side at the place next to a face: in it, or half a cell from it.
 template <int Dim>
 double Boundary<Dim>::value(int axis, End end, const Index<Dim>& face, int component, double time) const {
   const Side<Dim>& here = side(axis, end);
@@ -179,7 +179,7 @@ double Boundary<Dim>::value(int axis, End end, const Index<Dim>& face, int compo
          parabola<Dim>(sides_, axis, grid_.lower(), grid_.upper(), foot(face, component, axis, end));
 }
 
-// Calls use(values), values(face) being `value`: where it is the same on the whole side, looked up once.
+// Calls use(values), values(face) being `value`; evaluates it once where it is the same on the whole side.
 template <int Dim>
 template <class Use>
 void Boundary<Dim>::with_values(int axis, End end, int component, double time, Use&& use) const {
@@ -231,7 +231,7 @@ void Boundary<Dim>::visit_ghosts(End end, int component, const Box<Dim>& part, V
   });
 }
 
-// values(axis, end, component, use) calls use with what `with_values` would.
+// Fills from values(axis, end, component, use), which calls use as `with_values` does.
 template <int Dim>
 template <class Values>
 void Boundary<Dim>::fill_from(Vec local, Values&& values) const {
@@ -306,7 +306,7 @@ Point<Dim> Boundary<Dim>::fold_with(Vec local, bool keep_sign) const {
       for_each_component<Dim>([&](auto c) {
         const double sign = keep_sign ? 1 : mirror_sign(axis, end, c);
         visit_ghosts<axis>(end, c, part, [&](const Index<Dim>& ghost, const Index<Dim>& mirror) {
-          if (f(ghost, c) == 0) return;  // as most are
+          if (f(ghost, c) == 0) return;  // most are 0
           f(mirror, c) += sign * f(ghost, c);
           kept[c] += (1 - sign) * f(ghost, c);
           f(ghost, c) = 0;

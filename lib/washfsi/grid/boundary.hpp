@@ -15,7 +15,7 @@ namespace washfsi {
 /// The conditions on all sides of the box, as values of ghost faces: the tangential velocity is reflected
 /// through a wall or inflow, ghost = 2 u_wall - u_interior (thesis Fig. 2.2-3), or mirrored at a slip side; faces in
 /// the boundary take the given normal velocity. At an outflow all of them are the values that the flow has carried
-/// there (`OutflowLayer`), shifted so that what flows out is exactly what flows in.
+/// there (`OutflowLayer`), shifted so that outflow exactly balances inflow.
 template <int Dim>
 class Boundary {
  public:
@@ -27,40 +27,39 @@ class Boundary {
   /// Fills boundary faces and ghosts of a local face vector, of `face_dm` or `wide_face_dm`, whose inner ghosts are up
   /// to date.
   void fill(Vec local_velocity, double time) const;
-  /// The linear part of `fill`: as if all walls were at rest.
+  /// Fills as `fill` with all walls at rest: its linear part.
   void fill_homogeneous(Vec local_velocity) const;
   /// Adjoint of the linear part: adds what lies on ghosts back to the faces they mirror and clears them.
-  /// Returns what the walls keep, summed over this rank's entries.
+  /// Returns the part that the sides take, summed over this rank's entries.
   Point<Dim> fold(Vec local_force) const;
-  /// Adds ghosts of a mass density back with their sign kept, so that mass beyond a wall is not lost.
+  /// Adds ghosts of a mass density back with unchanged sign, so that mass beyond a side is not lost.
   void fold_mass(Vec local_density) const;
-  /// Fills the ghosts of a local cell vector beyond the sides: with the values that they mirror, so that nothing
-  /// changes across a side.
+  /// Fills the ghosts of a local cell vector beyond the sides with the values that they mirror: zero normal gradient.
   void fill_cells(Vec local_cells) const;
   /// Sets the owned faces in the lower boundaries of a global velocity.
   void set_boundary_faces(Vec velocity, double time) const;
 
-  /// The open sides start with the values inside, at `time`. `local_velocity` has wide ghosts. Collective.
+  /// Starts the open sides with the values inside, at `time`. `local_velocity` has wide ghosts. Collective.
   void start_outflow(Vec local_velocity, double time);
-  /// What the open sides will hold after a step from `time` by `dt`, for all calls with a later time; the velocity is
-  /// that at `time`, filled, with wide ghosts. May be repeated. Collective.
+  /// Computes the values of the open sides after a step from `time` by `dt`, for all calls with a later time; the
+  /// velocity is that at `time`, filled, with wide ghosts. May be repeated. Collective.
   void advance_outflow(Vec local_velocity, double time, double dt);
-  /// The advanced values become the present ones.
+  /// Makes the advanced values the present ones.
   void accept_outflow();
   bool has_outflow() const { return !outflows_.empty(); }
-  /// Registers what the open sides hold.
+  /// Registers the values of the open sides.
   void register_state(StateList& state) {
     for (auto& layer : outflows_) layer.register_state(state);
     if (has_outflow()) state.add_number("/outflow/time", outflow_time_);
   }
 
-  /// Lets no-slip sides move along themselves from `time` on where bodies stand on them.
+  /// Sets the cover of no-slip sides at `time`: where bodies stand on them, sides have the bodies' tangential velocity.
   void cover_sides(double time, const typename SideCover<Dim>::Cover& cover);
-  /// Whether it has been told, as from the first step on; and as if it had not.
+  /// Whether a cover has been set, as from the first step on; below, forgets it.
   bool knows_cover() const { return !covers_.empty(); }
   void forget_cover() { covers_.clear(); }
 
-  /// The share of bodies in the place of a side beside a face; 0 where none stands.
+  /// The share of bodies on a side at the place beside a face; 0 where none stands.
   double covered_share(int axis, End end, const Index<Dim>& face, int component, double time) const {
     const auto* covered = cover(axis, end);
     return covered ? covered->shares(component, time)(face) : 0;
@@ -70,11 +69,11 @@ class Boundary {
     const auto* covered = cover(axis, end);
     return !touches(axis, end) || (covered && covered->covers_all());
   }
-  /// Whether a side is meant, by axis and end.
+  /// A set of sides: whether each belongs to it, by axis and end.
   using SideSet = std::array<std::array<bool, 2>, Dim>;
-  /// Fills a local face vector, at and beyond the sides of a set, as `fill` would if the water were at rest and, in all
-  /// three directions, what bodies cover of the sides moved with 1; or, if a side is named, what they leave open of it.
-  /// J of it tells what sides keep of a marker's force.
+  /// Fills a local face vector, at and beyond the sides of a set, as `fill` would for water at rest and a velocity of 1
+  /// in all directions on the covered part of the sides or, if `open` names a side, on the open part of this side. J of
+  /// it is the share of a marker's force that sides take.
   void fill_from_sides(Vec local, double time, const SideSet& sides, const std::optional<SideName>& open) const;
 
   const Side<Dim>& side(int axis, End end) const;
@@ -113,7 +112,7 @@ class Boundary {
   Sides sides_;
   std::vector<OutflowLayer<Dim>> outflows_;
   std::vector<SideCover<Dim>> covers_;
-  double outflow_time_ = 0, next_outflow_time_ = 0;  ///< of the present and the advanced values [s]
+  double outflow_time_ = 0, next_outflow_time_ = 0;  ///< times of the present and the advanced values [s]
 };
 
 /// A temporary local copy, in a DM of the grid's faces, of a velocity with its boundary faces and ghosts filled for a

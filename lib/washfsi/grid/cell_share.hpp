@@ -7,12 +7,12 @@
 
 namespace washfsi {
 
-/// The share of fluid in cells: the mean over a cell's faces of theirs. A face in an upper side of the box, which no
-/// global vector has, counts as the one across the cell.
+/// The share of fluid in cells: the mean of the shares of a cell's faces. A face in an upper side of the box, which no
+/// global vector contains, counts as the one across the cell.
 template <int Dim>
 class CellShare {
  public:
-  /// `fluid_share`: of the grid's faces, global; null: all is fluid. Collective.
+  /// `fluid_share` is on the grid's faces, global; null: all is fluid. Collective.
   CellShare(const Grid<Dim>& grid, Vec fluid_share) : grid_(grid), local_(grid.face_dm()) {
     if (fluid_share)
       WASH_PETSC(DMGlobalToLocal(grid.face_dm(), fluid_share, INSERT_VALUES, local_));
@@ -21,7 +21,7 @@ class CellShare {
     share_.emplace(grid.face_dm(), local_);
   }
 
-  /// Of a cell of this rank.
+  /// The share of a cell of this rank.
   double operator()(const Index<Dim>& cell) const {
     double sum = 0;
     for (int d = 0; d < Dim; ++d) {
@@ -35,7 +35,7 @@ class CellShare {
  private:
   const Grid<Dim>& grid_;
   petsc::LocalVector local_;
-  std::optional<ConstFaceView<Dim>> share_;  ///< goes before what it looks at
+  std::optional<ConstFaceView<Dim>> share_;  ///< destroyed before the vector that it views
 };
 
 }  // namespace washfsi

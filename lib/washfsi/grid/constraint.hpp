@@ -15,22 +15,22 @@ struct CutFace {
   /// Where the stencil ends on one side: the wall, or the neighbour if that is fluid.
   struct Arm {
     bool cut = false;
-    double length = 1;         ///< to the wall over the spacing, above 0 and at most 1
-    double wall_velocity = 0;  ///< this component's there [m/s]
+    double length = 1;         ///< distance to the wall over the spacing, above 0 and at most 1
+    double wall_velocity = 0;  ///< this component of the wall's velocity [m/s]
   };
   Index<Dim> face{};
   int component = 0, axis = 0;
   Arm lower, upper;
 };
 
-/// Where solids hold the velocity: a fraction H (1 in fluid, 0 in solid) and a velocity [m/s], on faces; null vectors:
-/// no solids. If `cuts` is given, the viscous stencils of fluid faces beside solids end at the walls.
+/// The constraint of the velocity by solids: a fraction H (1 in fluid, 0 in solid) and a velocity [m/s], on faces; null
+/// vectors: no solids. If `cuts` is given, the viscous stencils of fluid faces beside solids end at the walls.
 template <int Dim>
 struct Constraint {
   Vec fluid_fraction = nullptr;
   Vec solid_velocity = nullptr;
-  const std::vector<CutFace<Dim>>* cuts = nullptr;  ///< of this rank's faces
-  bool in_projection = false;                       ///< whether the projection knows of H too (4.2-9)
+  const std::vector<CutFace<Dim>>* cuts = nullptr;  ///< cut faces of this rank
+  bool in_projection = false;                       ///< whether the projection contains H too (4.2-9)
 };
 
 }  // namespace washfsi

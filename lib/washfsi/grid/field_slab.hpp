@@ -6,7 +6,7 @@
 
 namespace washfsi {
 
-/// This rank's part of a dataset over the box `whole`, of which it holds `part`, with `components` values per cell.
+/// This rank's part of a dataset over the box `whole`, of which it has `part`, with `components` values per cell.
 template <int Dim>
 Slab box_slab(const Box<Dim>& whole, const Box<Dim>& part, int components) {
   Slab slab;

@@ -12,7 +12,7 @@
 
 namespace washfsi {
 
-/// What a grid is made from.
+/// The parameters of a grid.
 template <int Dim>
 struct GridShape {
   Index<Dim> cells{};                     ///< number of cells in each direction
@@ -49,9 +49,9 @@ class Grid {
   double cell_count() const;
 
   DM cell_dm() const { return cell_dm_; }
-  /// One ghost layer: what divergence, Laplacian and central advection need.
+  /// Face DM with one ghost layer, as divergence, Laplacian and central advection need.
   DM face_dm() const { return face_dm_; }
-  /// `ghost_width` layers; its global vectors are those of `face_dm`.
+  /// Face DM with `ghost_width` layers; its global vectors are those of `face_dm`.
   DM wide_face_dm() const { return wide_face_dm_; }
   /// Cell DM with one ghost layer and a star stencil: for the pressure operator and its preconditioners;
   /// its application context is this grid.
@@ -64,13 +64,13 @@ class Grid {
   Box<Dim> cells_beside(int axis, End end) const;
   /// Owned faces normal to `axis` that are unknowns: all but the face in the lower boundary.
   Box<Dim> inner_faces(int axis) const;
-  /// Calls kernel(face, c) for all of them, row by row along x, in each component by component, so that what a row
-  /// needs of interleaved fields is read once; c is a compile-time constant.
+  /// Calls kernel(face, c) for all inner faces, row by row along x, in each row component by component, so that a row
+  /// of interleaved fields is read once; c is a compile-time constant.
   template <class Kernel>
   void for_each_inner_face(Kernel&& kernel) const {
     for_each_inner_face(owned_, kernel);
   }
-  /// The same for those of them that have numbers in a box.
+  /// Calls kernel(face, c) likewise for the inner faces with indices in a box.
   template <class Kernel>
   void for_each_inner_face(const Box<Dim>& box, Kernel&& kernel) const {
     std::array<Box<Dim>, Dim> inner;
@@ -103,7 +103,7 @@ class Grid {
   }
   /// A point, or its image in the box along periodic directions.
   Point<Dim> folded(Point<Dim> point) const;
-  /// The cell that holds a point; periodic images are folded into the box.
+  /// The cell that contains a point; periodic images are folded into the box.
   Index<Dim> cell_of(const Point<Dim>& point) const;
   /// The cell of the box for an index beyond it: its periodic image, or the nearest cell.
   Index<Dim> inside(Index<Dim> cell) const;

@@ -30,7 +30,7 @@ struct Box {
     for (int d = 0; d < Dim; ++d) count *= static_cast<std::size_t>(std::max<PetscInt>(upper[d] - lower[d], 0));
     return count;
   }
-  /// With a layer more all round.
+  /// The box with one more layer all round.
   Box widened() const {
     Box result = *this;
     for (int d = 0; d < Dim; ++d) {
@@ -39,7 +39,7 @@ struct Box {
     }
     return result;
   }
-  /// What lies in both.
+  /// The intersection of both boxes.
   Box common(const Box& other) const {
     Box result;
     for (int d = 0; d < Dim; ++d) {
@@ -69,7 +69,7 @@ inline void for_each(const Box<Dim>& box, Kernel&& kernel, Index<Dim> index = {}
 }
 
 /// Calls visit(row) for each row along x of a box, in the order of for_each: a box that is one index wide along the
-/// other axes. For several sweeps over interleaved fields: what they need of a row is read once.
+/// other axes. For several sweeps over interleaved fields, so that a row is read once.
 template <int Dim, class Visit>
 inline void for_each_row(const Box<Dim>& box, Visit&& visit) {
   Box<Dim> starts = box;

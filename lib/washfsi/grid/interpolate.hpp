@@ -33,7 +33,7 @@ double interpolate_linearly(const Grid<Dim>& grid, const Point<Dim>& place, cons
   return sum;
 }
 
-/// Velocity component c at a place, linearly between the faces round it; `u` has these, ghosts included.
+/// Velocity component c at a place, linearly between the faces round it, which `u` contains, ghosts included.
 template <int Dim>
 double interpolate_face(const Grid<Dim>& grid, const ConstFaceView<Dim>& u, const Point<Dim>& place, int c) {
   Point<Dim> offset = Point<Dim>::Constant(0.5);

@@ -27,7 +27,7 @@ OutflowLayer<Dim>::OutflowLayer(const Grid<Dim>& grid, int axis, End end)
     kept_.lower[d] = wraps ? grid.local().lower[d] : std::max(kept_.lower[d], grid.local().lower[d]);
     kept_.upper[d] = wraps ? grid.local().upper[d] : std::min(kept_.upper[d], grid.local().upper[d]);
   }
-  if (empty(owned_)) owned_ = kept_ = {all_cells().lower, all_cells().lower};  // its ghosts at most reach the side
+  if (empty(owned_)) owned_ = kept_ = {all_cells().lower, all_cells().lower};  // at most its ghosts reach the side
   now_.resize(Dim * kept_.count());
   next_ = now_;
 }

@@ -12,8 +12,8 @@ namespace washfsi {
 /// The velocities just beyond an open side of the box, carried out by the convective condition
 ///   du/dt + U du/dn = 0,   U = the mean outward velocity one cell inside, or 0 where it points inward
 /// (thesis 4.3.2; Kim, Kim and Choi, J. Comput. Phys. 171 (2001) 132), upwind in space and implicit in time, hence
-/// bounded for every step. The layer holds the side's own faces for the normal component and the first ghosts beyond
-/// the side for the others. It is kept on every rank that touches the side, ghosts along the side included.
+/// bounded for every step. The layer consists of the side's own faces for the normal component and the first ghosts
+/// beyond the side for the others. It exists on every rank that touches the side, ghosts along the side included.
 template <int Dim>
 class OutflowLayer {
  public:
@@ -22,22 +22,22 @@ class OutflowLayer {
   int axis() const { return axis_; }
   End end() const { return end_; }
 
-  /// Takes the nearest values inside. `local_velocity` has its ghosts filled along the side.
+  /// Starts with the nearest values inside. `local_velocity` has its ghosts filled along the side.
   void start(const ConstFaceView<Dim>& local_velocity);
   /// This rank's part of the outward flux one cell inside [m^Dim/s].
   double inner_flux(const ConstFaceView<Dim>& local_velocity) const;
-  /// The values a step later; `speed` is U.
+  /// Computes the values a step later; `speed` is U.
   void advance(const ConstFaceView<Dim>& local_velocity, double speed, double dt);
   /// This rank's part of the outward flux of the advanced values [m^Dim/s].
   double flux() const;
   /// Adds to the advanced values' outward velocity [m/s].
   void add_outward(double speed);
-  /// The advanced values become the present ones.
+  /// Makes the advanced values the present ones.
   void accept() { now_ = next_; }
 
   /// Area of the whole side [m^(Dim-1)].
   double area() const;
-  /// The value that holds at the layer's place nearest to a face.
+  /// The value at the layer's place nearest to a face.
   double operator()(const Index<Dim>& face, int component, bool advanced) const;
 
   /// Registers the present values: in a file those beside owned cells, x first, components together.
@@ -54,8 +54,8 @@ class OutflowLayer {
   int axis_;
   End end_;
   Box<Dim> owned_;                  ///< cells beside the side
-  Box<Dim> kept_;                   ///< the same with ghosts along the side, as far as the box has cells there
-  std::vector<double> now_, next_;  ///< of `kept_`
+  Box<Dim> kept_;                   ///< these cells with ghosts along the side, as far as the box has cells there
+  std::vector<double> now_, next_;  ///< present and advanced values in `kept_`
 };
 
 extern template class OutflowLayer<2>;

@@ -8,8 +8,8 @@
 
 namespace washfsi {
 
-/// How cells are shared out among ranks: each axis into ranges, of which ends(axis) gives the ends in ascending order;
-/// ranks go along x first. This is the range of a rank.
+/// The range of cells of a rank. Each axis is divided into ranges, of which ends(axis) gives the ends in ascending
+/// order; ranks are counted along x first.
 template <int Dim, class Ends>
 Box<Dim> cells_of_rank(int rank, const Ends& ends) {
   Box<Dim> box;

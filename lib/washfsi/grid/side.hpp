@@ -22,12 +22,12 @@ struct SideName {
 /// given velocity as its peak.
 enum class InflowProfile { uniform, parabolic };
 
-/// What holds on one side of the box.
+/// The boundary condition on one side of the box.
 template <int Dim>
 struct Side {
   BoundaryKind kind = BoundaryKind::wall;
-  Point<Dim> velocity = Point<Dim>::Zero();        ///< of wall or inflow [m/s]; slip uses the normal component only
-  InflowProfile profile = InflowProfile::uniform;  ///< of an inflow
+  Point<Dim> velocity = Point<Dim>::Zero();  ///< velocity of wall or inflow [m/s]; slip uses the normal component only
+  InflowProfile profile = InflowProfile::uniform;  ///< profile of an inflow
   /// If set, the velocity [m/s] at a place [m] and time [s], instead of `velocity` and `profile`.
   std::function<Point<Dim>(const Point<Dim>&, double)> motion;
 };

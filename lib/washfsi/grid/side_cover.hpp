@@ -9,25 +9,25 @@
 
 namespace washfsi {
 
-/// What bodies make of a place of a side on which they may stand.
+/// A place of a side as bodies that stand on it change it.
 template <int Dim>
 struct Covered {
-  Point<Dim> velocity;  ///< of the side there [m/s]
-  double share;         ///< of the bodies in it: 1 beneath one, 0 beside them
+  Point<Dim> velocity;  ///< velocity of the side there [m/s]
+  double share;         ///< share of the bodies in it: 1 beneath one, 0 beside them
 };
 
-/// A no-slip side of the box where bodies stand on it, at two moments: the ends of the step under way. Kept for the
-/// faces beside this rank's cells and ghosts. Bodies at rest are looked at once.
+/// The cover of a no-slip side of the box by bodies, at two moments: the ends of the current step. It is stored for the
+/// faces beside this rank's cells and ghosts. Bodies at rest are evaluated once.
 template <int Dim>
 class SideCover {
  public:
-  /// What bodies make of a side at a moment.
+  /// The cover of a side at a moment, as functions.
   struct Cover {
-    /// At a place of the side, whose own velocity is given.
+    /// Cover at a place of the side, whose own velocity is given.
     using At = std::function<Covered<Dim>(const Point<Dim>& place, const Point<Dim>& own)>;
     At by_all, by_resting;
-    std::function<double(const Point<Dim>& place)> to_moving;  ///< distance from the nearest that moves [m]
-    double reach;                                              ///< as far from a body nothing is covered [m]
+    std::function<double(const Point<Dim>& place)> to_moving;  ///< distance from the nearest moving body [m]
+    double reach;  ///< distance from a body beyond which nothing is covered [m]
   };
 
   SideCover(const Grid<Dim>& grid, int axis, End end, const Point<Dim>& own);
@@ -36,11 +36,11 @@ class SideCover {
   End end() const { return end_; }
   /// Whether a body stands on this rank's part at either moment.
   bool covers() const { return before_.covers || now_.covers; }
-  /// Whether a body moves it there.
+  /// Whether a moving body covers this rank's part at either moment.
   bool moves() const { return before_.moves || now_.moves; }
   /// Whether bodies cover all of this rank's part at both moments.
   bool covers_all() const { return before_.open_places == 0 && now_.open_places == 0; }
-  /// What was last set becomes the moment before; the first time both are the same.
+  /// Sets the later moment; the last one becomes the earlier. The first time both are the same.
   void set(double time, const Cover& cover);
   /// The velocity along the side, as a function of the face beside it.
   auto velocities(int component, double time) const {
@@ -48,7 +48,7 @@ class SideCover {
       return moment.velocities[number(face)][component];
     };
   }
-  /// The bodies' share beside a face, likewise.
+  /// The bodies' share as a function of the face beside it.
   auto shares(int component, double time) const {
     return [this, component, &moment = nearest(time)](const Index<Dim>& face) {
       return moment.shares[number(face)][component];
@@ -58,8 +58,8 @@ class SideCover {
  private:
   struct Moment {
     double time = 0;
-    Points<Dim> velocities, shares;  ///< of each place of the plane, by component at that component's faces
-    std::size_t open_places = 0;     ///< not covered wholly
+    Points<Dim> velocities, shares;  ///< at each place of the plane, by component at that component's faces
+    std::size_t open_places = 0;     ///< number of places not wholly covered
     bool covers = false, moves = false;
   };
   const Moment& nearest(double time) const {

@@ -6,8 +6,8 @@
 
 namespace washfsi {
 
-/// The grid's spacing as the stencils use it. Kernels keep a copy of their own: the compiler cannot know that what they
-/// write does not change the grid's, and would divide anew for every face.
+/// The grid's spacing as the stencils use it. Kernels have a local copy: the compiler cannot know that their stores do
+/// not change the grid's, and would divide again for every face.
 template <int Dim>
 struct Spacing {
   explicit Spacing(const Point<Dim>& h) : inverse(h.cwiseInverse()), inverse_square(inverse.cwiseProduct(inverse)) {}

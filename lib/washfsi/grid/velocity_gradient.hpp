@@ -11,8 +11,8 @@ namespace washfsi {
 template <int Dim>
 using Gradient = Eigen::Matrix<double, Dim, Dim>;
 
-/// du_c/dx_d in row c and column d [1/s]: across the cell along the diagonal, else central differences of what is in
-/// the middle of the cells on either side.
+/// du_c/dx_d in row c and column d [1/s]: differences across the cell on the diagonal, else central differences of the
+/// velocities in the middles of the cells on either side.
 template <int Dim, class Velocity>
 [[gnu::always_inline]] inline Gradient<Dim> velocity_gradient(const Velocity& u, const Index<Dim>& cell,
                                                               const Spacing<Dim>& h) {

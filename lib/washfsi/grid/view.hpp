@@ -46,7 +46,7 @@ class View {
     return base_[offset];
   }
 
-  /// From one point to the next along an axis, in numbers.
+  /// Distance in memory from one point to the next along an axis, in numbers.
   PetscInt stride(std::size_t axis) const noexcept { return stride_[axis]; }
 
  private:

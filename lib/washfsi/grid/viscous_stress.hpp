@@ -3,7 +3,7 @@
 // The viscous stress of water whose viscosity may vary,
 //   tau = mu (grad u + grad u^T),      tau_cc in cells, tau_cd on the edges where faces of the directions c and d meet,
 // and its force div tau on faces. The operator is symmetric and never positive: the discrete adjoint of the strain
-// rate. Where the viscosity is the same everywhere the force is mu lap u, which div tau is where div u = 0.
+// rate. For uniform viscosity the force is mu lap u, which equals div tau where div u = 0.
 #pragma once
 
 #include "washfsi/grid/boundary.hpp"
@@ -11,14 +11,14 @@
 
 namespace washfsi {
 
-/// Dynamic viscosity [Pa s]: one number, or what a `ViscosityField` has, which takes its place.
+/// Dynamic viscosity [Pa s]: one number, or the vectors of a `ViscosityField`, which replace it.
 struct Viscosity {
   double everywhere = 0;
-  Vec in_cells = nullptr;  ///< local, of cell_dm, its ghosts filled
-  Vec on_edges = nullptr;  ///< local, of face_dm: component `edge_axis(c, d)` has that of edge (index, c, d)
+  Vec in_cells = nullptr;  ///< viscosity in cells: local, of cell_dm, its ghosts filled
+  Vec on_edges = nullptr;  ///< on edges: local, of face_dm; component `edge_axis(c, d)` for edge (index, c, d)
 };
 
-/// The component that has edge (index, c, d): in space the axis along which it lies, in the plane the first.
+/// The component in which edge (index, c, d) is stored: in space the axis along which it lies, in the plane the first.
 template <int Dim>
 constexpr int edge_axis(int c, int d) noexcept {
   return Dim == 2 ? 0 : 3 - c - d;
@@ -31,7 +31,7 @@ class ViscosityField {
   explicit ViscosityField(const Grid<Dim>& grid);
 
   Vec in_cells() const { return cells_; }  ///< local, of cell_dm; to be filled with its ghosts [Pa s]
-  /// Lets the edges follow the cells: those round this rank's cells.
+  /// Computes the viscosity on the edges round this rank's cells from the cells.
   void find_edges();
   Viscosity viscosity() const { return {0, cells_, edges_}; }
 
@@ -43,7 +43,7 @@ class ViscosityField {
 extern template class ViscosityField<2>;
 extern template class ViscosityField<3>;
 
-/// A viscosity that is the same everywhere. What its members return is to be multiplied with `scale`.
+/// A uniform viscosity. Results of its members are to be multiplied with `scale`.
 template <int Dim>
 class UniformViscosity {
  public:
@@ -60,8 +60,8 @@ class UniformViscosity {
   [[gnu::always_inline]] inline double force(const Velocity& u, const Index<Dim>& face, int c) const {
     return laplacian<Dim>(u, face, c, h_);
   }
-  /// What a face has of its neighbours along d in its diagonal, times h_d^2; `below` and `above` tell how much more or
-  /// less where they lie beyond a side.
+  /// Contribution of a face's neighbours along d to its diagonal, times h_d^2; `below` and `above` are factors for
+  /// neighbours beyond a side.
   double diagonal_part(const Index<Dim>&, int, int, double below, double above) const { return below + above; }
 
  private:
@@ -82,7 +82,7 @@ class CellViscosity {
     return edges_(edge, edge_axis<Dim>(c, d));
   }
   double on_face(const Index<Dim>& face, int c) const { return 0.5 * (mu_(face) + mu_(shifted<Dim>(face, c, -1))); }
-  /// Half a cell from a c-face along an axis, upwards or downwards: on a side of the box beside it.
+  /// The viscosity half a cell from a c-face along an axis, upwards or downwards: on a side of the box beside it.
   double on_side(const Index<Dim>& face, int c, int axis, int upwards) const {
     if (c == axis) return in_cell(face);
     return on_edge(upwards > 0 ? shifted<Dim>(face, axis, 1) : face, c, axis);

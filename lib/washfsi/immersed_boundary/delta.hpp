@@ -100,7 +100,7 @@ inline double regularised_delta(DeltaKernel kernel, double distance, double widt
                                          : bao_delta(distance);
 }
 
-/// The grid points that one marker reaches along one axis, with their weights; so many at most.
+/// The grid points that one marker reaches along one axis, at most `Most` of them, with their weights.
 template <int Most>
 struct AxisStencilOf {
   static constexpr int most = Most;
@@ -108,10 +108,10 @@ struct AxisStencilOf {
   int count = 0;
   std::array<double, most> weight{};
 };
-using AxisStencil = AxisStencilOf<8>;        ///< of a half width of 4 cells
-using NarrowAxisStencil = AxisStencilOf<4>;  ///< of one of 2 cells
+using AxisStencil = AxisStencilOf<8>;        ///< for kernels of half width up to 4 cells
+using NarrowAxisStencil = AxisStencilOf<4>;  ///< for kernels of half width up to 2 cells
 
-/// Calls use(count) with what is the usual count of points as a constant, so that loops over them are unrolled.
+/// Calls use(count) with the usual count of points as a compile-time constant, so that loops over them are unrolled.
 template <class Use>
 void with_count(int count, const Use& use) {
   if (count == 4)
@@ -120,7 +120,7 @@ void with_count(int count, const Use& use) {
     use(count);
 }
 
-/// The delta along one axis, with what does not depend on the marker worked out once.
+/// The delta along one axis; computes once what does not depend on the marker.
 class AxisDelta {
  public:
   AxisDelta(DeltaKernel kernel, double width)
@@ -128,7 +128,7 @@ class AxisDelta {
 
   double width() const { return width_; }
 
-  /// `coordinate`: of the marker, in cells from the first grid point of the axis.
+  /// `coordinate` is the marker's, in cells from the first grid point of the axis.
   AxisStencil stencil(double coordinate) const {
     AxisStencil stencil;
     stencil.first = static_cast<PetscInt>(std::floor(coordinate - width_)) + 1;

@@ -6,7 +6,7 @@ namespace washfsi {
 template <int Dim>
 void find_edge_nearness(const Grid<Dim>& grid, const Transfer<Dim>& transfer, const std::vector<bool>& at_edges,
                         Vec nearness) {
-  constexpr double whole = 0.05;  // of the sum
+  constexpr double whole = 0.05;  // sum of the deltas from which on the nearness is 1
   Points<Dim> weights;
   for (const bool at_edge : at_edges) weights.push_back(Point<Dim>::Constant(at_edge ? grid.cell_volume() / whole : 0));
   WASH_PETSC(VecZeroEntries(nearness));

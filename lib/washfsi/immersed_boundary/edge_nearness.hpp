@@ -7,8 +7,9 @@
 
 namespace washfsi {
 
-/// Sets faces from 1 beside the markers at edges to 0 beyond the reach of their deltas: by the sum of the deltas of
-/// markers a cell and less apart, some 0.6 at a wall. `at_edges` is of the transfer's markers. Collective.
+/// Sets each face to its nearness to markers at edges, from 1 beside them to 0 beyond the reach of their deltas: from
+/// the sum of these, about 0.6 at a wall with markers a cell apart. `at_edges` says which of the transfer's markers are
+/// at edges. Collective.
 template <int Dim>
 void find_edge_nearness(const Grid<Dim>& grid, const Transfer<Dim>& transfer, const std::vector<bool>& at_edges,
                         Vec nearness);

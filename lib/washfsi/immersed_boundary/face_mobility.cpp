@@ -14,7 +14,7 @@ namespace washfsi {
 
 namespace {
 
-// A copy, which no face can be an alias of.
+// The scaled weights as a copy, which cannot alias the faces' values.
 template <int Most>
 std::array<double, Most> scaled(const AxisStencilOf<Most>& stencil, double factor) {
   std::array<double, Most> weights;
@@ -47,7 +47,7 @@ struct FaceMobility<Dim>::Faces {
   PetscInt stride(int axis) const { return strides[axis]; }
 };
 
-// Pairs with markers within reach, of those in the same or neighbouring bins as wide as that.
+// Estimates the pairs of markers within reach from those in the same or neighbouring bins, which are as wide.
 template <int Dim>
 double FaceMobility<Dim>::pairs_within_reach(const Points<Dim>& positions, std::size_t first, std::size_t count) const {
   const Point<Dim> reach = 2 * delta_.spread_width * grid_.spacing();
@@ -79,7 +79,7 @@ double FaceMobility<Dim>::pairs_within_reach(const Points<Dim>& positions, std::
 template <int Dim>
 bool FaceMobility<Dim>::is_faster(const Points<Dim>& positions, std::size_t first, std::size_t count) const {
   constexpr double pairs_per_point =
-      0.5;  // of equal cost, about: pairs are read from memory, faces mostly from the cache
+      0.5;  // at about equal cost: pairs are read from memory, faces mostly from the cache
   if (delta_.spread_width != delta_.interpolate_width) return false;
   double cells = 1;
   for (int d = 0; d < Dim; ++d) {
@@ -92,7 +92,7 @@ bool FaceMobility<Dim>::is_faster(const Points<Dim>& positions, std::size_t firs
   return sums[0] > pairs_per_point * (points + cells);
 }
 
-// All stencils; across periodic sides also the images of what is beyond them.
+// Sets the box that encloses all stencils and, with periodic sides, the images of what lies beyond these.
 template <int Dim>
 template <class Stencils>
 void FaceMobility<Dim>::enclose(const Stencils& stencils) {
@@ -154,7 +154,7 @@ void FaceMobility<Dim>::visit_images(const Visit& visit) const {
   }
 }
 
-// What markers of other ranks give to these faces, and what is given to images.
+// Adds what markers of other ranks have spread to these faces, and what was spread to periodic images.
 template <int Dim>
 void FaceMobility<Dim>::add_others() const {
   visit_images([](double& outside, double& image) { image += std::exchange(outside, 0.0); });
@@ -189,7 +189,7 @@ Points<Dim> FaceMobility<Dim>::interpolate(const Stencils& stencils) const {
     for (std::size_t m = 0; m < stencils.size(); ++m)
       with_count(stencils[m].along(0, c).count, [&](auto count) {
         const auto& x = stencils[m].along(0, c).weight;
-        std::decay_t<decltype(x)> sums{};  // of all rows, for each face along x
+        std::decay_t<decltype(x)> sums{};  // sums over all rows, for each face along x
         stencils[m].visit_rows(c, field, [&](const double* row, double weight) {
           for (int i = 0; i < count; ++i) sums[i] += weight * row[i];
         });

@@ -5,9 +5,9 @@
 
 namespace washfsi {
 
-/// The same mobility as that of `MobilityMatrix`, never formed: forces are spread to faces, and velocities interpolated
-/// from them. Where many markers are within each other's deltas, that costs much less than their pairs. A rank has the
-/// box of the faces that its own markers reach, and gets from others what theirs have in it.
+/// The mobility of `MobilityMatrix` without a matrix: forces are spread to faces, and velocities interpolated from
+/// them. Where many markers are within each other's deltas, this costs much less than visiting their pairs. Each rank
+/// stores the box of the faces that its own markers reach and receives what markers of other ranks spread into it.
 template <int Dim>
 class FaceMobility {
  public:
@@ -15,12 +15,13 @@ class FaceMobility {
   FaceMobility(const Grid<Dim>& grid, const DeltaOptions& delta)
       : grid_(grid), delta_(delta), stencils_(AxisDelta(delta.kernel, delta.spread_width)) {}
 
-  /// Whether the markers of all ranks have so many pairs within reach that the product is the faster one, by an
-  /// estimate. Given are all that are within twice the reach of this rank's, which are so many from `first` on.
+  /// Estimates whether the markers of all ranks have so many pairs within reach that this product is faster than the
+  /// matrix. `positions` are of all markers within twice the reach of this rank's, which are `count` from `first` on.
   /// Collective.
   bool is_faster(const Points<Dim>& positions, std::size_t first, std::size_t count) const;
 
-  /// Fixes it. `positions` and `row_sums` are those of this rank's markers; `own_share` as of the matrix. Collective.
+  /// Fixes the mobility. `positions` and `row_sums` are of this rank's markers; the diagonal is raised by `own_share`
+  /// of itself. Collective.
   void locate(const Points<Dim>& positions, const std::vector<double>& row_sums, double own_share);
   /// Collective.
   Points<Dim> times(const Points<Dim>& values) const;
@@ -44,12 +45,12 @@ class FaceMobility {
   const Grid<Dim>& grid_;
   DeltaOptions delta_;
   FaceStencils<Dim> stencils_;
-  std::vector<double> scales_;         ///< of each marker: by their roots the overlap of two becomes an entry
-  Points<Dim> own_;                    ///< what each marker has beside it
-  Box<Dim> box_{};                     ///< of all faces within the deltas of this rank's markers
-  mutable std::vector<double> faces_;  ///< their values during a product, component by component
+  std::vector<double> scales_;  ///< factors of the markers: the overlap of two times the roots of both is an entry
+  Points<Dim> own_;             ///< added diagonal entries of each marker
+  Box<Dim> box_{};              ///< box of all faces within the deltas of this rank's markers
+  mutable std::vector<double> faces_;  ///< values on the box's faces during a product, component by component
   petsc::StarForest others_;           ///< from the faces of other ranks to those that are this rank's too
-  std::vector<std::size_t> shared_;    ///< numbers of the latter
+  std::vector<std::size_t> shared_;    ///< numbers of the faces that other ranks have too
   mutable std::vector<double> values_of_others_;
 };
 

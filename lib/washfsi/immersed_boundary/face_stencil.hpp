@@ -14,7 +14,7 @@ namespace washfsi {
 template <int Dim, class Axis = AxisStencil>
 class FaceStencil {
  public:
-  /// Of no marker.
+  /// An empty stencil, of no marker.
   FaceStencil() = default;
   FaceStencil(const Grid<Dim>& grid, const AxisDelta& delta, const Point<Dim>& position) {
     for (int d = 0; d < Dim; ++d) {
@@ -26,7 +26,7 @@ class FaceStencil {
   /// Weights along an axis of the faces of a component: those normal to the axis or those between.
   const Axis& along(int axis, int component) const { return axes_[axis][axis == component ? 0 : 1]; }
 
-  /// Whether some of its faces lie in sides of a box of so many cells or beyond them; adds these sides, by axis and
+  /// Whether some of its faces lie in sides of a box of `cells` cells or beyond them; adds these sides, by axis and
   /// end, to `sides`.
   bool find_reached(const Index<Dim>& cells, std::array<std::array<bool, 2>, Dim>& sides) const {
     bool any = false;
@@ -46,7 +46,7 @@ class FaceStencil {
     for_each_component<Dim>([&](auto c) { means[c] = mean(c, field); });
     return means;
   }
-  /// That of one component's.
+  /// The mean of one component's faces by their weights.
   double mean(auto component, const ConstFaceView<Dim>& field) const {
     const Axis& x = along(0, component);
     double mean = 0;

@@ -13,7 +13,7 @@ template <int Dim>
 class FaceStencils {
  public:
   explicit FaceStencils(const AxisDelta& delta) : delta_(delta), are_narrow_(delta.width() <= 2) {}
-  /// Those of markers in these places, folded into the box.
+  /// Stencils of markers at these positions, folded into the box.
   FaceStencils(const AxisDelta& delta, const Grid<Dim>& grid, const Points<Dim>& positions) : FaceStencils(delta) {
     resize(positions.size());
     for (std::size_t m = 0; m < positions.size(); ++m) set(m, grid, grid.folded(positions[m]));

@@ -16,10 +16,10 @@ class MarkerExchange {
   /// Takes this rank's marker positions. Collective.
   void update(const Points<Dim>& positions);
 
-  /// From the markers' owners to the cells' owners. Collective.
+  /// Sends values from the markers' owners to the cells' owners. Collective.
   Points<Dim> to_cells(const Points<Dim>& values) const;
   std::vector<double> to_cells(const std::vector<double>& values) const;
-  /// And back. Collective.
+  /// Sends values back from the cells' owners to the markers' owners. Collective.
   Points<Dim> to_owners(const Points<Dim>& values) const;
 
  private:

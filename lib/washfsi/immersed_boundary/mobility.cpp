@@ -9,7 +9,7 @@
 
 namespace washfsi {
 
-// Calls use(spread, interpolate), which are the same if both deltas are.
+// Calls use(spread, interpolate), one and the same object if the two deltas are equal.
 template <int Dim>
 template <class Use>
 void MobilityMatrix<Dim>::with_stencils(const Points<Dim>& positions, const Use& use) const {
@@ -23,7 +23,7 @@ void MobilityMatrix<Dim>::with_stencils(const Points<Dim>& positions, const Use&
 }
 
 // The overlaps of this rank's markers with others, in ascending order, so that sums do not depend on how they are
-// found. Between two markers of this rank they are worked out once if both deltas are the same.
+// found. Between two markers of this rank they are computed once if both deltas are the same.
 template <int Dim>
 std::vector<std::vector<typename MobilityMatrix<Dim>::Entry>> MobilityMatrix<Dim>::overlaps(
     const Points<Dim>& positions, std::size_t first, std::size_t count) const {
@@ -56,7 +56,7 @@ template <int Dim>
 void MobilityMatrix<Dim>::assemble(const Points<Dim>& positions, const std::vector<std::size_t>& numbers,
                                    std::size_t first, const std::vector<double>& row_sums, double own_share) {
   const std::vector<std::vector<Entry>> rows = overlaps(positions, first, row_sums.size());
-  std::vector<double> scales;  // what the row sums of the overlaps must be multiplied with
+  std::vector<double> scales;  // factors by which the row sums of the overlaps are multiplied
   for (std::size_t m = 0; m < rows.size(); ++m) {
     Point<Dim> sum = Point<Dim>::Zero();
     for (const Entry& entry : rows[m]) sum += entry.value;

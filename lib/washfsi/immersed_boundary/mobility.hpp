@@ -13,9 +13,9 @@ class MobilityMatrix {
  public:
   MobilityMatrix(const Grid<Dim>& grid, const DeltaOptions& delta) : grid_(grid), delta_(delta) {}
 
-  /// Makes the matrix anew. `positions` are those of the markers with these numbers, in ascending order: all that are
-  /// within reach of this rank's, and these, from `first` on; `row_sums` are those of this rank's. The diagonal is
-  /// raised by a share of itself: where two markers are in one place, the matrix would be singular. Collective.
+  /// Assembles the matrix. `positions` are those of the markers with these numbers, in ascending order: this rank's,
+  /// from `first` on, and all within their reach; `row_sums` are of this rank's markers. The diagonal is raised by a
+  /// share of itself, since two markers at one position would make the matrix singular. Collective.
   void assemble(const Points<Dim>& positions, const std::vector<std::size_t>& numbers, std::size_t first,
                 const std::vector<double>& row_sums, double own_share = 0);
 
@@ -33,7 +33,7 @@ class MobilityMatrix {
   void with_stencils(const Points<Dim>& positions, const Use& use) const;
   /// A sparse matrix between this rank's markers and some others; by coordinate, as none is between two of them.
   struct Rows {
-    std::vector<std::size_t> starts{0};  ///< of the markers' entries, and their end
+    std::vector<std::size_t> starts{0};  ///< first entry of each marker, and the end
     std::vector<PetscInt> columns;
     Points<Dim> values;
 
@@ -43,7 +43,7 @@ class MobilityMatrix {
     }
     void end_row() { starts.push_back(columns.size()); }
   };
-  /// `column_of`: of each marker of another rank, among these.
+  /// `column_of` is the column of each marker of another rank, counted among these.
   void fill(const std::vector<std::vector<Entry>>& rows, std::size_t begin, const std::vector<std::size_t>& column_of,
             const std::vector<double>& scales, double own_share);
   static std::vector<std::size_t> others_in(const std::vector<std::vector<Entry>>& rows, std::size_t begin,
@@ -56,7 +56,7 @@ class MobilityMatrix {
   DeltaOptions delta_;
   PointType<Dim> point_type_;
   Rows own_;     ///< between this rank's markers; from each marker on if the matrix is symmetric
-  Rows others_;  ///< of markers of other ranks, in ascending order
+  Rows others_;  ///< between this rank's markers and those of other ranks, in ascending order
   petsc::StarForest from_others_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How much of the force on one marker reaches another through the faces of the grid, where walls do not matter.
+// How much of the force on one marker reaches another through the faces of the grid, away from the sides of the box.
 #pragma once
 
 #include <algorithm>

@@ -46,7 +46,7 @@ void Transfer<Dim>::locate(const Points<Dim>& positions) {
   find_beside_sides();
 }
 
-// Those of markers at rest, of which a drum may have most, are kept.
+// Reuses the stencils of markers at rest, which may be most of a drum's.
 template <int Dim>
 void Transfer<Dim>::find_stencils(const Points<Dim>& before) {
   const auto fill = [&](FaceStencils<Dim>& stencils) {
@@ -85,7 +85,7 @@ void Transfer<Dim>::add_to_local(const Points<Dim>& values, Vec local) const {
   });
 }
 
-// Returns the reaction of the walls of this rank.
+// Returns the reaction of the box's sides on this rank.
 template <int Dim>
 Point<Dim> Transfer<Dim>::spread_of_rank(const Points<Dim>& forces, Vec force) const {
   const petsc::LogPart part("spread");

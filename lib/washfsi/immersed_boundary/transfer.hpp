@@ -3,8 +3,8 @@
 // Spread and interpolate, thesis (3.2-11 .. 3.2-14), on the faces of the staggered grid:
 //   f(x) = sum_k F_k delta(x - X_k)                 spread S
 //   U_k  = sum_x u(x) delta(x - X_k) h^Dim          interpolate J
-// With equal widths each is the other's adjoint, at walls too: J reads ghosts that mirror the interior, S adds what
-// falls on ghosts back with the same signs; the rest is the wall's reaction.
+// With equal widths each is the other's adjoint, also at sides of the box: J reads ghosts that mirror the interior, S
+// adds what falls on ghosts back with the same signs; the rest is the side's reaction.
 #pragma once
 
 #include <array>
@@ -32,23 +32,24 @@ class Transfer {
 
   /// force += S F with nodal forces F [N; per unit depth in the plane]; a face vector [N/m3]. Collective.
   void spread(const Points<Dim>& forces, Vec force) const;
-  /// The same; returns the walls' reaction [N], summed over all ranks.
+  /// Spreads as above and returns the reaction of the box's sides [N], summed over all ranks.
   Point<Dim> spread_with_reaction(const Points<Dim>& forces, Vec force) const;
 
-  /// density += S m with nodal masses m [kg], for each component's faces; mass beyond walls is folded back. Collective.
+  /// density += S m with nodal masses m [kg], for each component's faces; mass beyond sides of the box is folded back.
+  /// Collective.
   void spread_mass(const std::vector<double>& masses, Vec density) const;
-  /// The same with an amount for each component.
+  /// Spreads amounts as masses are spread, with a separate amount for each component.
   void spread_amounts(const Points<Dim>& amounts, Vec density) const;
 
   /// Velocity at an offset of at most `sample_reach` cells from where each marker was located, linearly between faces
   /// and not with the delta; places beyond the box are moved to its surface. Collective.
   Points<Dim> sample(Vec local_velocity, const Points<Dim>& offsets) const;
-  static constexpr double sample_reach = 1.5;  ///< so that ghosts suffice
+  static constexpr double sample_reach = 1.5;  ///< largest offset of a sample for which the ghosts suffice [cells]
 
   /// U = J u for a local velocity whose ghosts are filled. Collective.
   Points<Dim> interpolate(Vec local_velocity) const;
-  /// The same for one that is zero but in the sides of the box and beyond them, or of one side if it is named: only
-  /// markers near them are looked at.
+  /// U = J u for a velocity that is zero except in and beyond the sides of the box, or one side if it is named:
+  /// interpolates only to markers near them.
   Points<Dim> interpolate_from_sides(Vec local_velocity, const std::optional<SideName>& side = {}) const;
   /// The sides that markers in this rank's cells reach.
   const typename Boundary<Dim>::SideSet& reached_sides() const { return reached_sides_; }
@@ -66,9 +67,9 @@ class Transfer {
   const Boundary<Dim>& boundary_;
   DeltaOptions delta_;
   MarkerExchange<Dim> exchange_;
-  Points<Dim> here_;                   ///< places of the markers in this rank's cells, folded into the box
-  FaceStencils<Dim> spread_stencils_;  ///< of the markers in this rank's cells
-  std::optional<FaceStencils<Dim>> interpolate_stencils_;  ///< if their delta is another
+  Points<Dim> here_;                   ///< positions of the markers in this rank's cells, folded into the box
+  FaceStencils<Dim> spread_stencils_;  ///< stencils of the markers in this rank's cells
+  std::optional<FaceStencils<Dim>> interpolate_stencils_;  ///< only if interpolation has another delta
   /// A marker whose stencil reaches sides.
   struct BesideSides {
     std::size_t number;

@@ -11,7 +11,7 @@ namespace washfsi {
 
 namespace {
 
-// Times at which the places of a motion are looked at.
+// Times at which a motion is sampled.
 template <int Dim>
 std::vector<double> sample_times(const RigidMotion<Dim>& motion, double size) {
   constexpr int count = 200;
@@ -70,7 +70,7 @@ void BodyMarkers<Dim>::follow_own(const MarkerLayout<Dim>& layout) {
   seen_.assign(sharp_.size() * bodies_.size(), {Point<Dim>::Zero(), -depth_});
 }
 
-// Where it repeats itself all of it is in the box; where it spans that, one period of it.
+// Along axes of periodicity all of the body is in the box; if it spans the box, one period of it.
 template <int Dim>
 Bounds<Dim> BodyMarkers<Dim>::region(const Body<Dim>& body) const {
   Bounds<Dim> region = region_of_one(body);
@@ -94,7 +94,7 @@ Bounds<Dim> BodyMarkers<Dim>::region(const Body<Dim>& body) const {
   return region;
 }
 
-// A body at rest keeps its angle.
+// The region for one body without images; a body at rest keeps its angle.
 template <int Dim>
 Bounds<Dim> BodyMarkers<Dim>::region_of_one(const Body<Dim>& body) const {
   const RigidMotion<Dim>& motion = body.motion;
@@ -115,7 +115,7 @@ Bounds<Dim> BodyMarkers<Dim>::region_of_one(const Body<Dim>& body) const {
   return region;
 }
 
-// A distance changes at most by the way gone, so that it need not be asked for again before it could change sides.
+// A distance changes at most by the way moved, so it is not recomputed before its sign could have changed.
 template <int Dim>
 bool BodyMarkers<Dim>::is_covered(const PosedBodies<Dim>& posed, std::size_t body, std::size_t marker,
                                   const Point<Dim>& place) {
@@ -136,7 +136,7 @@ bool BodyMarkers<Dim>::is_covered(const PosedBodies<Dim>& posed, std::size_t bod
   return false;
 }
 
-// A marker that moves along a wall at rest, nearer than the faces beside it, could not have its velocity.
+// A marker that moves along a side at rest, nearer than the faces beside the side, could not impose its velocity.
 template <int Dim>
 bool BodyMarkers<Dim>::touches_a_side(const Body<Dim>& body, const Point<Dim>& place) const {
   if (body.motion.at_rest()) return false;

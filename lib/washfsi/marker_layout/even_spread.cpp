@@ -14,7 +14,7 @@ namespace washfsi {
 
 namespace {
 
-// `reach`: of what is asked for [m].
+// `reach` is the largest distance of a search [m].
 template <int Dim>
 NearSearch<Dim> search_among(const std::vector<Candidate<Dim>>& candidates, const Point<Dim>& reach) {
   Points<Dim> places;
@@ -23,7 +23,7 @@ NearSearch<Dim> search_among(const std::vector<Candidate<Dim>>& candidates, cons
   return NearSearch<Dim>(bounds, reach, hull(bounds));
 }
 
-/// Takes the most crowded of some places away, one after the other (`spread_evenly`).
+/// Removes the most crowded of some places, one after the other (`spread_evenly`).
 template <int Dim>
 class Elimination {
  public:
@@ -37,7 +37,7 @@ class Elimination {
       });
   }
 
-  // Until all are a spacing from each other; takes back what has room again.
+  // Removes places until all are a spacing from each other; restores those that have room again.
   std::vector<Candidate<Dim>> thinned() {
     const std::vector<std::size_t> order = take_away([&](std::size_t place) { return too_near_[place] > 0; });
     fill_gaps(order);
@@ -54,7 +54,7 @@ class Elimination {
   static constexpr double influence = 2;  // farther than this many spacings places do not crowd each other
   using Number = std::uint32_t;           // of which there are hundreds for each place
 
-  // The most crowded of what is left, one after the other, where `goes(place)`; returns them in their order.
+  // Removes the most crowded remaining place, one after the other, where `goes(place)`; returns them in that order.
   template <class Goes>
   std::vector<std::size_t> take_away(Goes&& goes) {
     crowding_.assign(candidates_.size(), 0.0);
@@ -82,7 +82,7 @@ class Elimination {
     return order;
   }
 
-  // Takes back, the last first, what no other is too near any more.
+  // Restores, the last first, places to which no other is too near any more.
   void fill_gaps(std::vector<std::size_t> order) {
     std::ranges::reverse(order);
     for (const std::size_t place : order)
@@ -112,7 +112,7 @@ class Elimination {
 
   const std::vector<Candidate<Dim>>& candidates_;
   Point<Dim> scale_;
-  std::vector<std::vector<Number>> near_;  ///< of each place, in ascending order
+  std::vector<std::vector<Number>> near_;  ///< neighbours of each place, in ascending order
   std::vector<double> crowding_;
   std::vector<int> too_near_;
   std::vector<char> gone_;
@@ -186,7 +186,7 @@ std::vector<std::size_t> equal_cells(const std::vector<Candidate<Dim>>& markers,
   constexpr int sweeps = 40;
   std::vector<std::size_t> owners = nearest(markers, middles, spacing);
   for (int sweep = 0; sweep < sweeps; ++sweep) {
-    Points<Dim> sums(middles.size() + 1, Point<Dim>::Zero());  // the last of those that none is near
+    Points<Dim> sums(middles.size() + 1, Point<Dim>::Zero());  // the last sum is of those that are near to none
     std::vector<double> counts(middles.size() + 1, 0.0);
     for (std::size_t m = 0; m < markers.size(); ++m) {
       sums[owners[m]] += markers[m].place;
@@ -214,7 +214,7 @@ Cells<Dim> in_cells(const std::vector<Candidate<Dim>>& markers, std::size_t coun
   return cells;
 }
 
-// The one nearest to the middle of all.
+// Returns the place nearest to the middle of all.
 template <int Dim>
 Candidate<Dim> middlemost(const std::vector<Candidate<Dim>>& markers, const Point<Dim>& spacing) {
   Point<Dim> sum = Point<Dim>::Zero();

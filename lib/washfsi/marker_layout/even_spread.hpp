@@ -12,14 +12,14 @@ namespace washfsi {
 template <int Dim>
 struct Candidate {
   Point<Dim> place;  ///< [m]
-  Point<Dim> foot;   ///< on the surface that it would hold [m]
+  Point<Dim> foot;   ///< place on the surface that it stands for [m]
   int sharpness;     ///< 0 on a face, 1 on an edge, 2 in a corner
 };
 
 /// Markers in patches, within which they share one force.
 template <int Dim>
 struct MarkerPatches {
-  Points<Dim> markers, feet;           ///< patch by patch, and what of the surface they hold [m]
+  Points<Dim> markers, feet;           ///< markers patch by patch, and their feet on the surface [m]
   std::vector<std::size_t> starts{0};  ///< first marker of each patch, and the end
 
   std::size_t size() const { return starts.size() - 1; }
@@ -34,7 +34,7 @@ struct MarkerPatches {
                       markers.begin() + static_cast<std::ptrdiff_t>(starts[patch + 1]),
                       feet.begin() + static_cast<std::ptrdiff_t>(starts[patch]));
   }
-  /// Of what a patch holds of the surface.
+  /// The middle of a patch's part of the surface.
   Point<Dim> middle(std::size_t patch) const {
     Point<Dim> sum = Point<Dim>::Zero();
     for (std::size_t m = starts[patch]; m < starts[patch + 1]; ++m) sum += feet[m];
@@ -49,20 +49,20 @@ struct PatchRange {
   std::size_t size() const { return end - begin; }
 };
 
-/// Takes away the most crowded of some places, one after the other, until all are a spacing from each other: what is
-/// left lies more evenly than places taken in any order (Yuksel, Comput. Graph. Forum 34 (2015) 25). Then takes back
-/// what has room again, so that no gap is wider than two spacings. Corners are kept first, then edges.
+/// Removes the most crowded of some places, one after the other, until all are a spacing from each other: the rest lie
+/// more evenly than places chosen in any fixed order (Yuksel, Comput. Graph. Forum 34 (2015) 25). Then restores places
+/// that have room again, so that no gap is wider than two spacings. Prefers corners, then edges.
 template <int Dim>
 std::vector<Candidate<Dim>> thinned(const std::vector<Candidate<Dim>>& candidates, const Point<Dim>& spacing);
 
-/// The same, each then moved to the middle of the candidates of its sharpness that are nearest to it, some times over
-/// (Lloyd's method).
+/// Spreads places evenly as above, then moves each a few times to the middle of the candidates of its sharpness that
+/// are nearest to it (Lloyd's method).
 template <int Dim>
 std::vector<Candidate<Dim>> spread_evenly(const std::vector<Candidate<Dim>>& candidates, const Point<Dim>& spacing);
 
-/// Markers in so many cells of about equal size (Yuksel's method for their first middles, then Lloyd's), about a
-/// spacing across: each joins the nearest middle. Of more than the most in a cell those stay that are nearest to the
-/// middles of as many equal parts of it.
+/// Gathers markers in patches of about equal size, about a spacing across (Yuksel's method for their first middles,
+/// then Lloyd's): each joins the nearest middle. If a patch has more than the most allowed, those stay that are nearest
+/// to the middles of as many equal parts of it.
 template <int Dim>
 MarkerPatches<Dim> gathered(std::vector<Candidate<Dim>> markers, std::size_t count, const Point<Dim>& spacing,
                             std::size_t most);

@@ -9,8 +9,8 @@ namespace washfsi {
 namespace {
 
 constexpr int points_a_cell = 50;
-constexpr double fourth_powers = 2.0 / 3;       // of a normal's components, summed: mean over directions, 3/4 to 3/5
-constexpr int depths_a_cell = 20, deepest = 3;  // beyond which the two sides of a part do not feel each other
+constexpr double fourth_powers = 2.0 / 3;       // sum over a normal's components, mean over directions, 3/4 to 3/5
+constexpr int depths_a_cell = 20, deepest = 3;  // beyond it the sides of a part act independently [cells]
 
 }  // namespace
 

@@ -7,7 +7,7 @@
 
 namespace washfsi {
 
-/// What a wall of markers is to the water, which feels them smeared by the delta. Let s and t be spread as the delta
+/// How a wall of markers acts on water, which sees them smeared by the delta. Let s and t be distributed as the delta
 /// along the wall's normal, in cells. Water sheared on one side of a sheet of markers slips as if the wall lay
 /// <|s - t|>/2 before them; sheared alike on both sides of two sheets 2d apart, as if a plate of half thickness
 ///   b(d) = (<|s - t|> + <|2d + s - t|>)/2
@@ -17,7 +17,7 @@ class KernelMoments {
  public:
   KernelMoments(DeltaKernel kernel, double width);
 
-  double width() const { return width_; }  ///< half of the delta [cells]
+  double width() const { return width_; }  ///< half width of the delta [cells]
   /// The density of s - t: how much two deltas this far apart overlap [1/cells].
   double overlap(double shift) const;
   /// <s^2> [cells^2].
@@ -33,7 +33,7 @@ class KernelMoments {
   double acting_half_thickness(double d) const { return 0.5 * (sheet_reach_ + mean_difference(2 * d)); }
 
   double width_, spacing_, variance_ = 0, sheet_reach_ = 0;
-  std::vector<double> weights_;   ///< of the differences s - t, a spacing apart, from -2 width on
+  std::vector<double> weights_;   ///< distribution of s - t at equal spacing, from -2 width on
   std::vector<double> by_depth_;  ///< retraction at equal steps of half thickness
 };
 

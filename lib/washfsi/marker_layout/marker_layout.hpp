@@ -15,16 +15,16 @@ namespace washfsi {
 template <int Dim>
 constexpr double sheet_mean_spacing = Dim == 2 ? 0.65 : 0.38;
 
-/// How markers are laid on a surface.
+/// The parameters of a layout of markers on a surface.
 template <int Dim>
 struct MarkerLayout {
-  Point<Dim> cell;                         ///< the grid's spacing [m]
-  double spacing = 1.0;                    ///< width of patches: 1.2 times on sheets, 1.8 on solids [cells]
-  KernelMoments moments;                   ///< of the delta by which they act
-  bool inner_water_slides = false;         ///< that within bodies, and all at thin parts, along the walls
-  Point<Dim> period = Point<Dim>::Zero();  ///< along axes on which the surface repeats itself after the region, else 0
-  InnerWater inside = {false, std::numeric_limits<double>::infinity()};  ///< of the body
-  MPI_Comm comm = MPI_COMM_SELF;  ///< of the ranks that share the work, and all get all markers
+  Point<Dim> cell;                  ///< the grid's spacing [m]
+  double spacing = 1.0;             ///< width of patches: 1.2 times on sheets, 1.8 on solids [cells]
+  KernelMoments moments;            ///< moments of the markers' delta
+  bool inner_water_slides = false;  ///< whether water within bodies, and all at thin parts, slides along the walls
+  Point<Dim> period = Point<Dim>::Zero();  ///< surface's period where it repeats after the region, else 0
+  InnerWater inside = {false, std::numeric_limits<double>::infinity()};  ///< water inside the body
+  MPI_Comm comm = MPI_COMM_SELF;  ///< ranks that share the work; all get all markers
 };
 
 }  // namespace washfsi

@@ -14,14 +14,14 @@ namespace washfsi {
 
 namespace {
 
-constexpr double held_edges = 0.15;     // in cells, by which sheets act beyond the shares of their outermost markers
-constexpr double sliding_edges = 0.35;  // the same where water slides along them: by a turbine in water
-constexpr double held_from = 0.3;       // in cells, by which faces that are held lie deeper than they must, in the mean
-constexpr double smooth_bend = 0.25;    // in cells, above which a place belongs to an edge
-constexpr double eddies = 2.1;          // of a cylinder and of a sphere alike, by their drag in creeping flow
+constexpr double held_edges = 0.15;     // reach of no-slip sheets beyond the shares of their outermost markers [cells]
+constexpr double sliding_edges = 0.35;  // the same where water slides along them, calibrated by a turbine
+constexpr double held_from = 0.3;       // mean depth of constrained faces beyond the constrained depth [cells]
+constexpr double smooth_bend = 0.25;    // bend above which a place belongs to an edge [cells]
+constexpr double eddies = 2.1;          // factor of stirred stress, from drag in creeping flow (cylinder, sphere)
 constexpr double narrow = 1.5;          // radius in cells up to which eddies are left out
-constexpr double most_stress = 0.6;     // over that of the water before the markers
-constexpr double farthest = 2;          // cells: what is deeper does not matter
+constexpr double most_stress = 0.6;     // largest stress, over that of the water before the markers
+constexpr double farthest = 2;          // depth that is searched [cells]: deeper places do not matter
 
 template <int Dim>
 double largest_of(const Eigen::Matrix<double, Dim, Dim>& symmetric) {
@@ -48,7 +48,7 @@ std::optional<Candidate<Dim>> Sinker<Dim>::sink_behind_no_face(const Point<Dim>&
   return in_corner && in_corner->place == in_corner->foot ? in_corner : std::nullopt;
 }
 
-// Down to a depth in cells.
+// Searches down to a depth in cells.
 template <int Dim>
 std::optional<typename Sinker<Dim>::Behind> Sinker<Dim>::behind(const Point<Dim>& seed, double deepest) const {
   const double from_surface = shape_.distance(seed);
@@ -84,26 +84,26 @@ bool Sinker<Dim>::is_held_behind(const Point<Dim>& foot, const Point<Dim>& inwar
          layout_.inside.constrained_depth;
 }
 
-// Water behind markers slips at them as that before them does. The stress that this takes, mu times this much of the
-// slip, bends the velocity at the markers as the water before them does: they act from farther off by that part.
-// Behind it the water is sheared over the distance to what is held.
+// Water behind markers slips at them as that before them does. The stress that this takes, mu times this factor times
+// the slip, bends the velocity at the markers as the water before them does: they act from farther off by that part.
+// Here the inner water is sheared over the distance to the constrained water.
 template <int Dim>
 double Sinker<Dim>::held_stress(double flat, double bend) const {
   const double curvature = 2 * bend / (layout_.moments.variance() * cell_ * cell_);
   const double straight = layout_.inside.constrained_depth + held_from * cell_ - flat;
   const double bent = std::min(straight * curvature / (1 - flat * curvature), 0.9);
-  return (1 - bent) * (1 - bent) / (straight * (1 - 0.5 * bent));  // that of a layer of a plane as stiff
+  return (1 - bent) * (1 - bent) / (straight * (1 - 0.5 * bent));  // stiffness of the equivalent plane layer
 }
 
-// Or it is stirred within a bent surface by a slip that is not the same all round: mu 2/R times the slip if the water
-// goes round in a cylinder as two eddies, in creeping flow. Markers of narrow bodies act on each other's water.
+// Alternatively a slip that varies round a bent surface stirs the water within: mu 2/R times the slip for the two
+// eddies in a cylinder in creeping flow. Left out for narrow bodies, whose markers act on each other's water.
 template <int Dim>
 double Sinker<Dim>::stirred_stress(double curvature, double along) const {
   if (curvature <= 0) return 0;
   return eddies * curvature * std::clamp(1 / (curvature * along) - narrow, 0.0, 1.0);
 }
 
-// By Newton's method; nothing where the distance is no distance.
+// Finds the foot by Newton's method; nothing where the shape's distance is no true distance.
 template <int Dim>
 std::optional<Point<Dim>> Sinker<Dim>::foot_of(const Point<Dim>& seed) const {
   Point<Dim> place = seed;
@@ -118,12 +118,11 @@ std::optional<Point<Dim>> Sinker<Dim>::foot_of(const Point<Dim>& seed) const {
   return {};
 }
 
-// The place that is farthest from the surface on the way that leads from it fastest, and how far that is; or one at
-// least so many cells deep.
+// The deepest place on the way of steepest growth of the depth, and its depth; or a place at least so many cells deep.
 template <int Dim>
 std::pair<Point<Dim>, double> Sinker<Dim>::inmost_behind(const Point<Dim>& foot, const Point<Dim>& normal, double along,
                                                          double deepest) const {
-  constexpr double slowest = 0.3;  // growth of the depth on its way: slower it runs along the middle of a sheet
+  constexpr double slowest = 0.3;  // least growth of the depth; below, the way runs along a sheet's middle
   const double step = 0.1 * along;
   Point<Dim> inmost = foot, way = -normal;
   double depth = 0;
@@ -134,7 +133,7 @@ std::pair<Point<Dim>, double> Sinker<Dim>::inmost_behind(const Point<Dim>& foot,
     const bool slower = deeper <= depth + slowest * step;
     if (slow && slower) break;
     slow = slower;
-    inmost = slow ? refined(inmost, way, step) : next;  // at a ridge, from which the way may go on along it
+    inmost = slow ? refined(inmost, way, step) : next;  // at a ridge, along which the way may continue
     depth = std::max(depth, -shape_.distance(inmost));
     const Point<Dim> slope = distance_gradient<Dim>(shape_, inmost, coarse * cell_);
     if (slope.norm() > 0.1) way = -slope.normalized();
@@ -142,7 +141,7 @@ std::pair<Point<Dim>, double> Sinker<Dim>::inmost_behind(const Point<Dim>& foot,
   return {inmost, depth};
 }
 
-// Where between a place and the next step the depth is largest: the other side is as near there.
+// The place of largest depth between a place and the next step, where both sides are equally near.
 template <int Dim>
 Point<Dim> Sinker<Dim>::refined(const Point<Dim>& place, const Point<Dim>& way, double step) const {
   const double here = -shape_.distance(place), there = -shape_.distance(place + step * way);
@@ -153,11 +152,11 @@ Point<Dim> Sinker<Dim>::refined(const Point<Dim>& place, const Point<Dim>& way, 
 // from the edge's own face, is moved to the outline that the sheet may fill, or to the middle of a narrower sheet.
 template <int Dim>
 Candidate<Dim> Sinker<Dim>::in_sheet(Point<Dim> place, const Point<Dim>& out) const {
-  place = centred(place, sheet_normal<Dim>(shape_, place, layout_.cell));  // beside its middle it is not sure
+  place = centred(place, sheet_normal<Dim>(shape_, place, layout_.cell));  // off the middle the normal is uncertain
   const Point<Dim> normal = sheet_normal<Dim>(shape_, place, layout_.cell);
   place = centred(place, normal);
   const Point<Dim> along_sheet = out - out.dot(normal) * normal;
-  Points<Dim> edges;  // the ways to them
+  Points<Dim> edges;  // ways to the edges
   if (along_sheet.norm() > 0.7 && keep_within(place, along_sheet.normalized(), true))
     edges.push_back(along_sheet.normalized());
   for (int corner = 0; corner < 3; ++corner) {
@@ -169,7 +168,7 @@ Candidate<Dim> Sinker<Dim>::in_sheet(Point<Dim> place, const Point<Dim>& out) co
   return {place, place, sharpness(edges)};
 }
 
-// Of the ways along a sheet that in which it ends soonest.
+// Finds the direction along a sheet in which it ends soonest.
 template <int Dim>
 Point<Dim> Sinker<Dim>::to_nearest_edge(const Point<Dim>& place, const Point<Dim>& normal) const {
   Point<Dim> nearest = Point<Dim>::Zero();
@@ -203,14 +202,13 @@ int Sinker<Dim>::sharpness(const Points<Dim>& edges) {
   return edges.empty() ? 0 : 1;
 }
 
-// How far the outermost markers of a sheet act beyond themselves: over the half of their spacing for which they stand,
-// and farther.
+// Reach of the outermost markers of a sheet beyond themselves: half of their spacing, for which they stand, and more.
 template <int Dim>
 double Sinker<Dim>::beyond_edges(double along) const {
   return (0.5 * sheet_mean_spacing<Dim> + (layout_.inner_water_slides ? sliding_edges : held_edges)) * along;
 }
 
-// Moves a place back from an edge ahead, or from anywhere to it; whether it did.
+// Moves a place back from an edge ahead, or from anywhere to it; returns whether it did.
 template <int Dim>
 bool Sinker<Dim>::keep_within(Point<Dim>& place, const Point<Dim>& way, bool to_edge) const {
   const double along = way.cwiseProduct(layout_.cell).norm();
@@ -226,17 +224,17 @@ bool Sinker<Dim>::keep_within(Point<Dim>& place, const Point<Dim>& way, bool to_
   return true;
 }
 
-// Midway between the two faces of a sheet.
+// Moves a place midway between the two faces of a sheet.
 template <int Dim>
 Point<Dim> Sinker<Dim>::centred(const Point<Dim>& place, const Point<Dim>& normal) const {
   const double along = normal.cwiseProduct(layout_.cell).norm();
   return place + 0.5 * (extent(place, normal, along, along) - extent(place, -normal, along, along)) * normal;
 }
 
-// How far a sheet goes on from a place in it.
+// Distance from a place in a sheet to the sheet's end in a direction.
 template <int Dim>
 double Sinker<Dim>::extent(const Point<Dim>& place, const Point<Dim>& tangent, double most, double along) const {
-  const double aside = 0.1 * along;  // by which a sheet may bend
+  const double aside = 0.1 * along;  // allowance for a bent sheet
   double low = 0, high = most + aside;
   const auto beyond = [&](double way) { return shape_.distance(place + way * tangent) > aside; };
   for (int n = 1; n <= 8; ++n)

@@ -10,27 +10,28 @@
 
 namespace washfsi {
 
-/// Finds where markers belong: behind the surface of a shape, or in the middle of a part that is thinner than its
-/// markers act (`surface_markers`).
+/// Retracts markers: finds their places behind the surface of a shape, or in the middle of a part thinner than the
+/// reach of its markers (`surface_markers`).
 template <int Dim>
 class Sinker {
  public:
   Sinker(const Shape<Dim>& shape, const MarkerLayout<Dim>& layout)
       : shape_(shape), layout_(layout), cell_(layout.cell.minCoeff()) {}
-  /// The place that belongs to a seed outside the shape; none of seeds beyond reach, and where the distance is none.
+  /// The place that belongs to a seed outside the shape; none for seeds beyond reach, or where the shape's distance is
+  /// no true distance.
   std::optional<Candidate<Dim>> sink(const Point<Dim>& seed) const;
-  /// The same where that is its own foot: in the middle of a thin part, or in a corner between parts; else none.
+  /// The place as above if it is its own foot: in the middle of a thin part, or in a corner between parts; else none.
   std::optional<Candidate<Dim>> sink_behind_no_face(const Point<Dim>& seed) const;
 
-  static constexpr double reach = 0.75;  ///< of seeds from the surface [cells]
+  static constexpr double reach = 0.75;  ///< largest distance of seeds from the surface [cells]
 
  private:
-  static constexpr int directions = 8;                // along a sheet, in half a turn
-  static constexpr double fine = 0.05, coarse = 0.4;  // differences, in cells: of a surface, across ridges of the depth
-  /// What lies behind the surface before a seed.
+  static constexpr int directions = 8;                // directions tried along a sheet, in half a turn
+  static constexpr double fine = 0.05, coarse = 0.4;  // steps [cells] for surfaces; across ridges of the depth
+  /// The part of the shape behind the surface before a seed.
   struct Behind {
     Point<Dim> foot, normal, inmost;
-    double depth, along;  ///< of the inmost place; a cell's size in the normal's direction [m]
+    double depth, along;  ///< depth of the inmost place; a cell's size in the normal's direction [m]
   };
   std::optional<Behind> behind(const Point<Dim>& seed, double deepest) const;
   bool is_in_sheet(const Behind& behind) const { return behind.depth < behind.along * layout_.moments.sheet_reach(); }

@@ -12,10 +12,10 @@ namespace washfsi {
 
 namespace {
 
-// In cells.
+// Tolerances in cells.
 constexpr double in_plane = 0.06;    // less than the way from a plane to the first seeds beside it
-constexpr double exact = 1e-6;       // by which distances on both sides may differ
-constexpr double same_reach = 0.02;  // by which what is to be laid may reach farther to one side
+constexpr double exact = 1e-6;       // difference of the distances on both sides
+constexpr double same_reach = 0.02;  // difference of the extents on both sides
 
 template <int Dim>
 std::array<int, Dim> thinnest_first(const Extent<Dim>& extent) {

@@ -9,17 +9,17 @@ namespace washfsi {
 
 /// The plane across an axis in which a shape that is thin somewhere is its own mirror image; of several, that across
 /// the axis along which it is thinnest. Its markers are laid on one side and mirrored, so that what flows alike past
-/// both sides loads them alike: few markers hold thin parts, and where they lie matters. Solids have none: markers on
-/// faces a few cells apart hold the water best where they do not lie opposite each other.
+/// both sides loads them alike: thin parts have few markers, and where they lie matters. Solids have none: markers on
+/// faces a few cells apart enforce no slip best where they do not lie opposite each other.
 template <int Dim>
 class Mirror {
  public:
-  /// All ranks have all candidates, which are places of all of what is to be laid. Collective.
+  /// All ranks have all candidates, which cover all of the surface to be laid out. Collective.
   Mirror(const Shape<Dim>& shape, const MarkerLayout<Dim>& layout, const std::vector<Candidate<Dim>>& candidates);
 
-  /// Those on the upper side, and in the plane; all without a plane.
+  /// The candidates on the upper side and in the plane; all of them without a plane.
   std::vector<Candidate<Dim>> half(const std::vector<Candidate<Dim>>& candidates) const;
-  /// With the images of all patches; of one that has markers in the plane, with the images of the others in it.
+  /// Adds the images of all patches; a patch with markers in the plane gets the images of its other markers itself.
   MarkerPatches<Dim> whole(const MarkerPatches<Dim>& half) const;
 
  private:
@@ -33,7 +33,7 @@ class Mirror {
 
   int axis_ = 0;
   double middle_ = 0;  ///< where the plane is on the axis [m]
-  double near_ = 0;    ///< to it is in it [m]
+  double near_ = 0;    ///< distance up to which places count as in the plane [m]
   bool is_there_ = false;
 };
 

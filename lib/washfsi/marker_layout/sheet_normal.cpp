@@ -13,7 +13,7 @@ namespace {
 
 constexpr double step = 1.5;  // to either side [cells]
 
-// By the ways that lead out on both sides: on one alone they may lead over an edge.
+// Uses the ways out on both sides: on one side alone they may lead over an edge.
 template <int Dim>
 Point<Dim> main_way_out(const Shape<Dim>& shape, const Point<Dim>& place, const Point<Dim>& cell) {
   Eigen::Matrix<double, Dim, Dim> moments = Eigen::Matrix<double, Dim, Dim>::Zero();
@@ -40,7 +40,7 @@ Point<Dim> sheet_normal(const Shape<Dim>& shape, const Point<Dim>& place, const 
   const double fine = 0.01 * cell.minCoeff();
   const Point<Dim> normal =
       distance_gradient<Dim>(shape, place + out, fine) - distance_gradient<Dim>(shape, place - out, fine);
-  constexpr double opposite = 1.4;  // of 2, where both ends lie before opposite faces
+  constexpr double opposite = 1.4;  // 2 where both ends lie before opposite faces
   return normal.dot(way) > opposite ? normal.normalized() : way;
 }
 

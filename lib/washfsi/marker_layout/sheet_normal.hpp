@@ -5,9 +5,8 @@
 
 namespace washfsi {
 
-/// The direction in which one leaves a thin part of a shape soonest on both sides, from a place within it. `cell` is
-/// the grid's spacing [m]: thin is what is thinner than 3/2 cells in that direction, as wide or narrow as they may be
-/// in it.
+/// The direction in which a thin part of a shape is thinnest, from a place within it. `cell` is the grid's spacing [m]:
+/// thin parts are thinner than 3/2 cells, measured in that direction.
 template <int Dim>
 Point<Dim> sheet_normal(const Shape<Dim>& shape, const Point<Dim>& place, const Point<Dim>& cell);
 

@@ -18,21 +18,21 @@ namespace {
 template <int Dim>
 constexpr double seeds_a_cell = Dim == 2 ? 8 : 3;
 constexpr double marker_spacing = 0.54;    // least distance of markers on faces beside thin parts [cells]
-constexpr double spacing_on_solids = 0.7;  // in space what closes round a solid is held as well by fewer markers
-constexpr double wider_on_solids = 1.3;    // by wider patches in the plane too
+constexpr double spacing_on_solids = 0.7;  // in space fewer markers suffice round a solid
+constexpr double wider_on_solids = 1.3;    // wider patches suffice there, in the plane too
 
-// In thin parts. Those in space have few patches, which must be even: they are of finer seeds and places, some of which
-// stand for all.
+// For thin parts. In space these have few patches, which must be even: they come from finer seeds and places, of which
+// a selection stands for all.
 template <int Dim>
 constexpr double sheet_seeds_a_cell = Dim == 2 ? 8 : 6;
 template <int Dim>
 constexpr double sheet_spacing = Dim == 2 ? marker_spacing : 0.3;  // least distance of places [cells]
-constexpr double sheet_width = 1.2;                                // of patches, over that of the layout
-constexpr double least_sheet_width = 0.75;                         // where sheets meet [cells]
-constexpr std::size_t sheet_markers = 4;                           // most in a patch
+constexpr double sheet_width = 1.2;                                // width of patches over the layout's
+constexpr double least_sheet_width = 0.75;                         // least width where sheets meet [cells]
+constexpr std::size_t sheet_markers = 4;                           // most markers in a patch
 
-/// Cells of which each seeds one place of the surface; laid from the shape's origin, so that its markers do not depend
-/// on where it is.
+/// Cells that each seed one place of the surface, counted from the shape's origin, so that markers do not depend on
+/// where the shape is.
 template <int Dim>
 class SeedCells {
  public:
@@ -56,8 +56,8 @@ class SeedCells {
   Box<Dim> box_{};
 };
 
-// What sink(seed) finds, in an order that does not depend on the region, for what is equally crowded. Ranks take seeds
-// by turns: dear ones are near each other.
+// The candidates that sink(seed) finds, in an order independent of the region, which decides between equally crowded
+// ones. Ranks take seeds in turns, since expensive ones are near each other.
 template <int Dim, class Sink>
 std::vector<Candidate<Dim>> candidates_of(const Shape<Dim>& shape, const MarkerLayout<Dim>& layout,
                                           const SeedCells<Dim>& seeds, const Sink& sink) {
@@ -78,9 +78,9 @@ std::vector<Candidate<Dim>> candidates_of(const Shape<Dim>& shape, const MarkerL
   return candidates;
 }
 
-// Of those in the middle of a part that seeds above each other have in common the one nearest to a seed; rounded, so
-// that what is equally crowded is so along all axes. Neither seeds nor planes of symmetry lie on the sides of the
-// cells.
+// Keeps one of the candidates in the middle of a part that share a cell, the nearest to the cell's seed; rounds places,
+// so that equally crowded ones are exactly so along all axes. Neither seeds nor planes of symmetry lie on the sides of
+// the cells.
 template <int Dim>
 std::vector<Candidate<Dim>> distinct(const std::vector<Candidate<Dim>>& candidates, const Point<Dim>& spacing) {
   const Point<Dim> fine = 0.01 * spacing;
@@ -102,7 +102,7 @@ std::vector<Candidate<Dim>> distinct(const std::vector<Candidate<Dim>>& candidat
   return result;
 }
 
-// Of so many places a spacing apart, in patches of a width.
+// The number of patches of a width for so many markers a spacing apart.
 template <int Dim>
 std::size_t patch_count(std::size_t markers, double spacing, double width) {
   const double in_one = std::pow(std::max(1.0, width / spacing), Dim - 1);
@@ -110,7 +110,7 @@ std::size_t patch_count(std::size_t markers, double spacing, double width) {
   return std::min(markers, std::max<std::size_t>(count, 1));
 }
 
-// Whether it lies behind a face, and not in the middle of a thin part or in a corner.
+// Whether a candidate lies behind a face, and not in the middle of a thin part or in a corner.
 template <int Dim>
 bool is_behind_face(const Candidate<Dim>& candidate) {
   return candidate.place != candidate.foot;
@@ -129,13 +129,13 @@ bool is_solid(const std::vector<Candidate<Dim>>& of_part) {
   return std::all_of(of_part.begin(), of_part.end(), is_behind_face<Dim>);
 }
 
-// Of a part that has all these candidates or places [cells].
+// Spacing of the markers of a part with all these candidates or places [cells].
 template <int Dim>
 double spacing_in(const std::vector<Candidate<Dim>>& of_part) {
   return Dim == 3 && is_solid<Dim>(of_part) ? spacing_on_solids : marker_spacing;
 }
 
-// Markers of a part. On solids many candidates for one are as good as all.
+// The markers of a part. On solids a sample of the candidates serves as well as all.
 template <int Dim>
 std::vector<Candidate<Dim>> markers_among(const std::vector<Candidate<Dim>>& candidates, const Point<Dim>& cell) {
   const double spacing = spacing_in<Dim>(candidates);
@@ -159,14 +159,14 @@ MarkerPatches<Dim> patches_of_sheets(const Shape<Dim>& shape, const Bounds<Dim>&
   return mirror.whole(gathered<Dim>(places, count, width * layout.cell, sheet_markers));
 }
 
-/// Of a part, on faces, and in corners and thin parts; on one side of its mirror.
+/// The candidates of a part on one side of its mirror: on faces; in corners and thin parts.
 template <int Dim>
 struct Places {
   std::vector<Candidate<Dim>> half;
   Mirror<Dim> mirror;
 };
 
-// What is between places of one part cannot be shared out, so that ranks take parts by turns.
+// The work within one part cannot be divided, so ranks take parts in turns.
 template <int Dim>
 std::vector<Places<Dim>> places_of(const std::vector<Surface<Dim>>& parts) {
   std::vector<Places<Dim>> places;
@@ -211,12 +211,12 @@ Bounds<Dim> seen_from(const Pose<Dim>& pose, const Bounds<Dim>& region) {
   return Bounds<Dim>::round(pose.in_body_frame(middle), turned);
 }
 
-/// Puts the markers of a body's parts together. Each part is laid in its own frame, so that equal parts have equal
+/// Assembles the markers of a body's parts. Each part is laid out in its own frame, so that equal parts have equal
 /// markers however the body is turned.
 template <int Dim>
 class Assembly {
  public:
-  // Adds those of the parts that are no copies of each other to a list.
+  // Adds the parts that are not copies of others to a list.
   Assembly(const Surface<Dim>& surface, std::vector<Surface<Dim>>& distinct_parts)
       : layout_(surface.layout), region_(surface.region) {
     surface.shape->add_parts({}, parts_);
@@ -232,7 +232,7 @@ class Assembly {
     }
   }
 
-  // Of the markers of each of the list.
+  // Assembles the body's markers from those of each part in the list.
   MarkerPatches<Dim> of(const std::vector<MarkerPatches<Dim>>& laid) {
     for (std::size_t part = 0; part < parts_.size(); ++part) add(part, laid[number_of_[part]]);
     return distinct_patches();
@@ -250,8 +250,8 @@ class Assembly {
     }
   }
 
-  // Without those that hold what lies within another part or in the next period, and those too near to one of a part,
-  // or of a period, before.
+  // Omits markers whose feet lie within another part or in the next period, and those too near to a marker of an
+  // earlier part or period.
   MarkerPatches<Dim> distinct_patches() const {
     MarkerPatches<Dim> result;
     const std::vector<Bounds<Dim>> bounds = bounds_of(places_);
@@ -301,9 +301,9 @@ class Assembly {
   MarkerLayout<Dim> layout_;
   Bounds<Dim> region_;
   std::vector<typename Shape<Dim>::Part> parts_;
-  std::vector<std::size_t> number_of_;  ///< of each part in the list
+  std::vector<std::size_t> number_of_;  ///< number of each part in the list
   Points<Dim> places_, feet_;
-  std::vector<std::size_t> part_of_, ends_;  ///< of each marker; of each patch
+  std::vector<std::size_t> part_of_, ends_;  ///< part of each marker; end of each patch
 };
 
 }  // namespace

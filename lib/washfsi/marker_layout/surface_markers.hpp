@@ -8,7 +8,7 @@
 
 namespace washfsi {
 
-/// A shape, of which a region is asked for, in its frame.
+/// A region of a shape's surface, in the shape's frame.
 template <int Dim>
 struct Surface {
   const Shape<Dim>* shape;
@@ -18,14 +18,14 @@ struct Surface {
 
 /// Markers on surfaces, each in its shape's frame and within its region: evenly spread, half a patch's spacing apart,
 /// and gathered in patches about evenly spread middles. Fewer forces than markers keep the forces well determined,
-/// while their markers leave no gaps. They lie behind the surface by as much as their delta acts before them: by
+/// while their markers leave no gaps. They are retracted behind the surface by the reach of their delta: by
 /// `KernelMoments::retraction`, and by 1/2 sum_d sigma^2 h_d^2 d2Phi/dx_d2 more, since the delta of a marker on a
-/// convex surface lies outside for the most part. A part that is thinner than its markers act gets one sheet of them.
-/// The same on any number of ranks, of which all layouts name the same. Collective.
+/// convex surface lies mostly outside. A part thinner than the reach of its markers gets one sheet of them. The result
+/// is the same on any number of ranks, which all layouts must share. Collective.
 template <int Dim>
 std::vector<MarkerPatches<Dim>> surface_markers(const std::vector<Surface<Dim>>& surfaces);
 
-/// Those of one shape.
+/// Lays the markers of one shape.
 template <int Dim>
 MarkerPatches<Dim> surface_markers(const Shape<Dim>& shape, const Bounds<Dim>& region,
                                    const MarkerLayout<Dim>& layout) {

@@ -13,13 +13,13 @@ namespace {
 
 constexpr double width_in_cells = 16, least_width_in_cells = 4;
 
-/// From 1 for x <= 1/4 to 0 for x >= 3/4, with two continuous derivatives.
+/// Falls from 1 for x <= 1/4 to 0 for x >= 3/4, with two continuous derivatives.
 double smooth_step(double x) {
   const double y = std::clamp(2 * x - 0.5, 0.0, 1.0);
   return 1 - y * y * y * (10 - y * (15 - 6 * y));
 }
 
-/// Central difference in the middle of a cell of values in the middle of cells.
+/// Central difference at a cell's centre, of values at cell centres.
 template <int Dim, class Value>
 auto central_difference(const Value& value, const Index<Dim>& cell, int axis, double spacing) {
   const auto above = value(shifted<Dim>(cell, axis, 1)), below = value(shifted<Dim>(cell, axis, -1));
@@ -54,7 +54,7 @@ double ControlVolumes<Dim>::distance_to_sides(const Point<Dim>& place) const {
   return nearest;
 }
 
-// By the share of the way from the body to the next wall, or to the end of the layer.
+// The weight, from the share of the way from the body to the next wall or to the end of the layer.
 template <int Dim>
 double ControlVolumes<Dim>::weight_at(const PosedBodies<Dim>& posed, std::size_t body, const Point<Dim>& place) const {
   const double own = posed.distance(body, place);

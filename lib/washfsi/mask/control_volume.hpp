@@ -18,17 +18,17 @@ class ControlVolumes {
  public:
   ControlVolumes(const Grid<Dim>& grid, const Boundary<Dim>& boundary, const std::vector<Body<Dim>>& bodies);
 
-  /// What the balance over a step needs; fields on faces but for the pressure.
+  /// The fields for the balance over a step, on faces except for the pressure.
   struct Step {
     Vec velocity_before, velocity, pressure;  ///< u^n, u^(n+1) [m/s], p^(n+1/2) [Pa]
     Vec density, force;                       ///< rho [kg/m3], f [N/m3]
     Vec fluid_fraction;                       ///< H
     Viscosity viscosity;
     double time, dt;  ///< the step's end and length [s]
-    /// Of the pressure beyond `pressure`, whose force is not in `force` [Pa/m].
+    /// Gradient of the mean pressure, which is neither in `pressure` nor as a force in `force` [Pa/m].
     Point<Dim> mean_gradient = Point<Dim>::Zero();
   };
-  /// One load per body. Collective.
+  /// Returns one load per body. Collective.
   Loads<Dim> loads(const Step& step);
 
  private:
@@ -46,7 +46,7 @@ class ControlVolumes {
   bool all_at_rest_;
   /// The layer round each body in which its weight falls ends before the middle of the way to an image [m].
   std::vector<double> widths_;
-  std::vector<petsc::Vector> weights_;  ///< of each body, in cells, local
+  std::vector<petsc::Vector> weights_;  ///< weight w of each body, in cells, local
   petsc::Vector mean_velocity_;
 };
 

@@ -9,7 +9,7 @@ namespace washfsi {
 
 namespace {
 
-// Whether a body holds all of a pair of opposite sides of the box at the start, as a drum does.
+// Whether a body covers a pair of opposite sides of the box completely at the start, as a drum does.
 template <int Dim>
 bool fills_the_sides(const Body<Dim>& body, const GridShape<Dim>& shape, int axis) {
   const Point<Dim> extent = shape.upper - shape.lower;
@@ -37,7 +37,7 @@ std::vector<int> axes_moved_along(const RigidMotion<Dim>& motion) {
   return axes;
 }
 
-// A wall behind a body at rest would move unseen, and still drag at what lies within the reach of its ghosts.
+// A moving side behind a body at rest would be hidden, but still drag what lies within the reach of its ghosts.
 template <int Dim>
 void refuse_hidden_motion(const Body<Dim>& body, const typename Boundary<Dim>::Sides& sides,
                           const GridShape<Dim>& shape) {

@@ -6,8 +6,8 @@
 
 namespace washfsi {
 
-/// The sides of a box in which bodies move: one that fills the box up to its walls, as a turning drum does, takes them
-/// along, and they get its velocity. Errors: InputError if the user gave such a wall another one.
+/// Returns the sides of a box in which bodies move: a body that fills the box up to its sides, as a turning drum does,
+/// gives them its velocity. Errors: InputError if the user gave such a side another velocity.
 template <int Dim>
 typename Boundary<Dim>::Sides sides_with_drum(typename Boundary<Dim>::Sides sides, const GridShape<Dim>& shape,
                                               const std::vector<Body<Dim>>& bodies);

@@ -5,7 +5,8 @@ namespace washfsi {
 
 namespace {
 
-// In cells. Beyond the reach of the markers' deltas; and so deep that what is held does not hinder eddies behind walls.
+// Depths in cells: beyond the reach of the markers' deltas; and so deep that the constraint does not hinder eddies
+// behind the walls.
 constexpr double beyond_deltas = 2.5, beyond_eddies = 12;
 
 }  // namespace

@@ -6,14 +6,14 @@
 
 namespace washfsi {
 
-/// The water inside a body whose walls are held by markers. It slips behind the walls as that before them does.
+/// The water inside a body whose walls have markers. It slips behind the walls as the water before them does.
 struct InnerWater {
-  /// Whether the body only ever turns. Then it takes the water inside along, so that this has the body's inertia. Else
-  /// the water is free: it is stirred by its slip, and has to find its way back.
+  /// Whether the body only ever turns. Then the water inside turns with it and is part of its inertia. Else the water
+  /// is free: its slip drives eddies, in which it flows back.
   bool turns = false;
-  double constrained_depth = 0;  ///< behind the walls, from which on the body holds it [m]
+  double constrained_depth = 0;  ///< depth behind the walls beyond which the water has the body's velocity [m]
 
-  /// `slides`: it is taken along by the water before the walls, as a law of their friction has it.
+  /// `slides`: whether the inner water moves with the water before the walls, under a law of friction.
   template <int Dim>
   static InnerWater of(const Body<Dim>& body, const Grid<Dim>& grid, bool slides);
 };

@@ -16,7 +16,7 @@ namespace washfsi {
 namespace {
 
 constexpr double deep_inside = -std::numeric_limits<double>::max();
-constexpr double rounding = 1e-9;  // [cells], so that what lies on a surface does so wherever the body is
+constexpr double rounding = 1e-9;  // [cells], so that a face on a surface counts as on it wherever the body is
 
 double smoothing_of(const BodyTreatment& treatment, double cell) {
   if (treatment.method == BodyMethod::direct_forcing) return cell;
@@ -121,7 +121,8 @@ void Mask<Dim>::for_each_inside(const PosedBodies<Dim>& posed, std::size_t body,
     visit(near[n / Dim], static_cast<int>(n % Dim), places[n], distances[n]);
 }
 
-// Where bodies overlap, a face is held by the one that leaves the water least; among equals, by the one named first.
+// Where bodies overlap, a face belongs to the one with the smallest fluid fraction; among equals, to the one named
+// first.
 template <int Dim>
 void Mask<Dim>::place(const PosedBodies<Dim>& posed, std::size_t body) {
   const FaceView<Dim> share(grid_.face_dm(), fluid_share()), solid(grid_.face_dm(), solid_velocity_);
@@ -143,7 +144,7 @@ void Mask<Dim>::place(const PosedBodies<Dim>& posed, std::size_t body) {
     });
 }
 
-// By bodies at rest, and by those that move if asked for.
+// The cover by bodies at rest and, if `by_moving`, by moving ones.
 template <int Dim>
 Covered<Dim> Mask<Dim>::covered(const Point<Dim>& place, const Point<Dim>& own, const PosedBodies<Dim>& posed,
                                 bool by_moving) const {
@@ -198,7 +199,7 @@ void Mask<Dim>::find_cuts(const PosedBodies<Dim>& posed) {
     const Point<Dim> to = grid_.face_center(neighbour, cut.component);
     const double here = posed.distance(body, from), there = posed.distance(body, to);
     const double length = std::max(shortest, here / (here - there));
-    holder(cut.face, cut.component) = static_cast<double>(body);  // what holds this face back is the body's load
+    holder(cut.face, cut.component) = static_cast<double>(body);  // its constraint force loads the body
     return {true, length, posed[body].velocity(from + length * (to - from))[cut.component]};
   };
   grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {

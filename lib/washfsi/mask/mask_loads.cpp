@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the water does to the bodies on the faces of the grid.
+// Loads of the water on the bodies, from the faces of the grid.
 #include <array>
 #include <vector>
 
@@ -10,8 +10,8 @@ namespace washfsi {
 
 namespace {
 
-/// Sums forces on faces body by body. Arms are counted in cells from the grid's lower corner until all is summed, those
-/// beside an image of a body as if they were beside itself.
+/// Sums forces on faces body by body. Arms are in cells from the grid's lower corner until all is summed; faces beside
+/// a periodic image of a body count as if they were beside the body itself.
 template <int Dim>
 class FaceForces {
  public:
@@ -24,7 +24,7 @@ class FaceForces {
     for (int d = 0; d < Dim; ++d) sum.moments[d] += static_cast<double>(face[d] - image[d] * grid_.cells()[d]) * force;
   }
 
-  // Adds them about the bodies' centres.
+  // Adds the sums, with torques about the bodies' centres.
   void add_to(Loads<Dim>& loads) const {
     for (std::size_t b = 0; b < sums_.size(); ++b)
       for (int axis = 0; axis < Dim; ++axis) {
@@ -39,7 +39,7 @@ class FaceForces {
  private:
   struct Sum {
     double force = 0;
-    Point<Dim> moments = Point<Dim>::Zero();  ///< over cells' widths
+    Point<Dim> moments = Point<Dim>::Zero();  ///< moments, with arms in cells
   };
   const Grid<Dim>& grid_;
   const PosedBodies<Dim>& posed_;
@@ -85,7 +85,7 @@ Loads<Dim> Mask<Dim>::inner_momentum(Vec velocity, Vec density, double time) con
   return ordered_sum<Dim>(grid_.comm(), momenta);
 }
 
-// A drum reaches to the box, whose walls take a part of what the water does to it: the pressure of their cells.
+// A drum reaches to the sides of the box, which take a part of its load: the pressure of the cells beside them.
 template <int Dim>
 void Mask<Dim>::add_wall_pressure(Vec pressure, double time, Loads<Dim>& loads) const {
   const ConstCellView<Dim> p(grid_.cell_dm(), pressure);
@@ -160,7 +160,7 @@ void Mask<Dim>::add_hidden_shear(const Boundary<Dim>& boundary, int axis, End en
       const double share = share_ ? boundary.covered_share(axis, end, face, c, time) : 1 - fraction(face, c);
       const double mu = viscosity.scale * viscosity.on_side(face, c, axis, outwards);
       const double rate = (u(face, c) - u(shifted<Dim>(face, axis, outwards), c)) / spacing;
-      force[c] = share * area * mu * rate;  // on water beside the body it is the water's
+      force[c] = share * area * mu * rate;  // on water beside the body it is a force on the water
       loads[b].add(posed[b].arm(place), force);
     });
   }

@@ -8,8 +8,8 @@ namespace washfsi {
 
 namespace {
 
-// Whether a body holds a place at all times: it rests, or it turns about a place of its own and holds the whole circle.
-// A distance is the true one or less, so a step as long as the depth leaves nothing out.
+// Whether a body covers a place at all times: it rests, or turns about a fixed centre and covers the whole circle. A
+// distance never exceeds the true one, so a step along the circle as long as the depth skips nothing.
 template <int Dim>
 bool holds_always(const Body<Dim>& body, const Point<Dim>& place, double spacing) {
   if (body.distance(place, 0) > 0) return false;
@@ -50,7 +50,7 @@ std::vector<SideName> exposed_walls(const Grid<Dim>& grid, const Boundary<Dim>& 
 
 namespace {
 
-/// Force per area on a side beside a cell: the pressure continued linearly to the wall, and the friction.
+/// Force per area on a side beside a cell: the pressure extrapolated linearly to the side, and the friction.
 template <int Dim, class Form>
 Point<Dim> traction(const ConstFaceView<Dim>& u, const ConstCellView<Dim>& p, const Index<Dim>& cell, SideName side,
                     bool slips, const Form& viscosity, double spacing) {
@@ -61,7 +61,7 @@ Point<Dim> traction(const ConstFaceView<Dim>& u, const ConstCellView<Dim>& p, co
     result[c] =
         -(viscosity.scale * viscosity.on_side(cell, c, side.axis, outwards)) * (u(outer, c) - u(cell, c)) / spacing;
   const double pressure = 1.5 * p(cell) - 0.5 * p(inner);
-  // a rigid wall has no stretching along it, so none across; along a slip side the water may stretch
+  // along a rigid wall the water does not stretch, so nor does it across; along a slip side it may
   const Index<Dim> next = shifted<Dim>(cell, side.axis, 1);
   const double stretching = slips ? (u(next, side.axis) - u(cell, side.axis)) / spacing : 0;
   result[side.axis] = outwards * (pressure - 2 * viscosity.scale * viscosity.in_cell(cell) * stretching);

@@ -13,8 +13,8 @@ template <int Dim>
 std::vector<SideName> exposed_walls(const Grid<Dim>& grid, const Boundary<Dim>& boundary,
                                     const std::vector<Body<Dim>>& bodies);
 
-/// Load of the water on each of these sides where, or by the share by which, no body covers it, pressure and friction;
-/// torques about the middle of the box. The velocity [m/s], at `time`, is local, of face_dm, its ghosts filled; the
+/// Load of the water on the part of each of these sides that no body covers: pressure and friction; torques about the
+/// middle of the box. The velocity [m/s], at `time`, is local, of face_dm, its ghosts filled; the
 /// pressure [Pa] is global. Collective.
 template <int Dim>
 Loads<Dim> wall_loads(const Grid<Dim>& grid, const Boundary<Dim>& boundary, const std::vector<Body<Dim>>& bodies,

@@ -14,7 +14,7 @@ namespace washfsi {
 
 namespace {
 
-constexpr double least_part = 1e-3, part_inside = 0.1;  // of a face's size
+constexpr double least_part = 1e-3, part_inside = 0.1;  // tolerances over a face's size
 
 template <int Dim, std::size_t Count>
 Point<Dim> middle_of(const std::array<Point<Dim>, Count>& corners) {
@@ -30,7 +30,7 @@ double reach_from(const Point<Dim>& middle, const std::array<Point<Dim>, Count>&
   return reach;
 }
 
-// Across the longest side.
+// Halves a face across its longest side.
 template <int Dim, std::size_t Count>
 std::array<std::array<Point<Dim>, Count>, 2> halves(const std::array<Point<Dim>, Count>& corners) {
   std::size_t first = 0, second = 1;
@@ -117,7 +117,7 @@ void BodyDepths<Dim>::add(const std::array<Point<Dim>, Count>& corners, std::siz
   if (is_inside) total_ += 1;
 }
 
-// The ranks' deepest, in words; of equal ones that of the first rank.
+// Describes the deepest face of all ranks; of equal ones that of the first rank.
 template <int Dim>
 void BodyDepths<Dim>::share(const Deepest& mine) {
   Deepest deepest;

@@ -10,24 +10,24 @@
 
 namespace washfsi {
 
-/// How deep the faces of cloths reach into bodies as they lie, between their markers too; of a fibre in space its
-/// edges. It is there to check what keeps cloths out of bodies, and shares nothing with that but the markers and the
-/// bodies' signed distances. A face is halved, and its halves again, as long as a part of it may reach deeper than what
-/// was found: a signed distance changes by no more than the way. What reaches deeper than a thousandth of a face's size
-/// is found; its depth is told to within a tenth of that size.
+/// The depths to which the faces of cloths, and the edges of fibres in space, reach into bodies, between markers too.
+/// It checks the contact forces independently, from the markers and the bodies' signed distances only. A face is
+/// halved, and its halves again, as long as a part of it may reach deeper than what was found: a signed distance
+/// changes by no more than the distance between places. Depths of more than a thousandth of a face's size are found, to
+/// within a tenth of that size.
 template <int Dim>
 class BodyDepths {
  public:
   /// All must outlive it.
   BodyDepths(const Cloths<Dim>& cloths, const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies);
 
-  /// Takes the places of this rank's markers; where it has looked at these last, nothing is done. Collective.
+  /// Computes the depths for these places of this rank's markers, unless they are those of the last call. Collective.
   void look(const Points<Dim>& positions, double time);
-  /// Faces that reach into a body.
+  /// The number of faces that reach into a body.
   double total() const { return total_; }
-  /// How deep the deepest face of each group reaches [m]; 0 if none is inside.
+  /// The depth of the deepest face of each group [m]; 0 if none is inside.
   const std::vector<double>& of_groups() const { return of_groups_; }
-  /// The deepest, in words. Empty if there is none.
+  /// Describes the deepest face; empty if there is none.
   const std::string& example() const { return example_; }
 
  private:
@@ -44,7 +44,7 @@ class BodyDepths {
   const Grid<Dim>& grid_;
   const std::vector<Body<Dim>>& bodies_;
   ClothMesh<Dim> mesh_;
-  Points<Dim> seen_;  ///< at which it looked last, and when
+  Points<Dim> seen_;  ///< places and time of the last `look`
   double time_ = 0;
   double total_ = 0;
   std::vector<double> of_groups_;

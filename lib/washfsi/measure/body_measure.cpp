@@ -9,7 +9,7 @@ namespace washfsi {
 
 namespace {
 
-// None of a body that never moves.
+// 0 for a body that never moves.
 template <int Dim>
 std::vector<CycleFigure> power_figures(const Body<Dim>& body) {
   if (body.motion.at_rest()) return {};
@@ -72,7 +72,7 @@ void BodyMeasure<Dim>::prepare() {
   if (system_.model.bodies.wall_forces()) inner_momenta_ = inner_momenta();
 }
 
-// What loads have not got, as the momentum of the water inside has it.
+// The part missing in the loads: the growth of the momentum of the water inside.
 template <int Dim>
 Loads<Dim> BodyMeasure<Dim>::inner_inertia(double dt) {
   Loads<Dim> inertia(loads_.size());
@@ -88,7 +88,7 @@ void BodyMeasure<Dim>::observe_markers(const WallForces<Dim>& walls, double dt) 
   const FractionalStep<Dim>& fluid = system_.model.fluid;
   const double time = system_.state.clock.time;
   const Points<Dim> after =
-      walls.markers().water_velocities(fluid.velocity(), time);  // as no slip was enforced: it is known
+      walls.markers().water_velocities(fluid.velocity(), time);  // known already from enforcing no slip
   const Points<Dim> before = walls.markers().water_velocities(fluid.velocity_before(), time - dt);
   mask_dissipation_ = lost_power(walls, before, after, dt);
   slips_ = slip_of_bodies(walls.markers(), after);

@@ -8,7 +8,7 @@
 
 namespace washfsi {
 
-/// What moving a body against its load costs [W; W/m in the plane]: positive if the body drives the water.
+/// The power of moving a body against its load [W; W/m in the plane]: positive if the body drives the water.
 template <int Dim>
 double power(const RigidMotion<Dim>& motion, const Load<Dim>& load, double time) {
   return -load.torque[rotation_components<Dim> - 1] * motion.angular_velocity(time) -
@@ -19,7 +19,7 @@ double power(const RigidMotion<Dim>& motion, const Load<Dim>& load, double time)
 template <int Dim>
 class BodyMeasure : public Measure<Dim> {
  public:
-  /// `balance`: measures the loads by the balance of momentum round each body too.
+  /// `balance`: whether to measure the loads also by the balance of momentum round each body.
   BodyMeasure(const System<Dim>& system, bool balance);
 
   void declare(QuantityList& quantities) override;
@@ -35,9 +35,9 @@ class BodyMeasure : public Measure<Dim> {
   const System<Dim>& system_;
   std::optional<ControlVolumes<Dim>> control_volumes_;
   Loads<Dim> loads_, balance_loads_;
-  Loads<Dim> inner_momenta_;     ///< of the water inside bodies that markers hold, after the step before
-  std::vector<double> powers_;   ///< that each body puts into the water [W; W/m in the plane]
-  std::vector<double> slips_;    ///< of the water at markers [m/s]
+  Loads<Dim> inner_momenta_;     ///< momenta of the water inside bodies in direct forcing, after the previous step
+  std::vector<double> powers_;   ///< power of each body on the water [W; W/m in the plane]
+  std::vector<double> slips_;    ///< rms slip of the water at each body's markers [m/s]
   double mask_dissipation_ = 0;  ///< [W; W/m in the plane]
 };
 

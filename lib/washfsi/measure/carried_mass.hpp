@@ -5,7 +5,7 @@
 
 namespace washfsi {
 
-/// Motion of the mass that the cloths carry themselves; zero where the water carries it. Without fluid they do.
+/// Motion of the mass that the cloths carry themselves, as they do without fluid; zero where the water carries it.
 struct CarriedMass {
   double kinetic_energy = 0;    ///< 1/2 sum m |V|^2 [J; J/m in the plane]
   double angular_momentum = 0;  ///< sum m (x v - y u), about the vertical through the middle of the box [J s; J s/m]

@@ -23,7 +23,7 @@ void ClothForceMeasure<Dim>::declare(QuantityList& quantities) {
           {name + "_force_" + "xyz"[d], Units<Dim>::force, meaning, [&forces, g, d] { return forces[g][d]; }});
   };
   for (std::size_t g = 0; g < groups.size(); ++g) {
-    if (groups[g].held_markers().empty()) continue;  // what is left of a free cloth's forces in sum is round-off
+    if (groups[g].held_markers().empty()) continue;  // the sum of a free cloth's forces is round-off
     if (system_.model.has_fluid)
       declare_force(groups[g].name + "_water", by_water_, g, "force of the water on the group's cloths");
     declare_force(groups[g].name + "_hold", by_springs_, g, "force of the holding springs on the group's cloths");

@@ -5,7 +5,7 @@
 
 namespace washfsi {
 
-/// What pushes on each group of held cloths as a whole: the water, and the springs that hold it. Drag and lift of a
+/// The total forces on each group of held cloths, of the water and of the springs that hold it: drag and lift of a
 /// flag.
 template <int Dim>
 class ClothForceMeasure : public Measure<Dim> {
@@ -20,7 +20,7 @@ class ClothForceMeasure : public Measure<Dim> {
 
   const System<Dim>& system_;
   const MarkerForce<Dim>* springs_ = nullptr;
-  Points<Dim> by_water_, by_springs_;  ///< on each group [N; N/m in the plane]
+  Points<Dim> by_water_, by_springs_;  ///< forces on each group [N; N/m in the plane]
 };
 
 extern template class ClothForceMeasure<2>;

@@ -118,7 +118,7 @@ double ClothMeasure<Dim>::elastic_energy() const {
   return energy;
 }
 
-// Sums over the markers, each by its share, by the number that each has, of its group or cloth.
+// Sums over the markers, each by its share, for each group or cloth by the number that markers have.
 template <int Dim>
 std::vector<double> ClothMeasure<Dim>::sums_by(const std::vector<std::size_t>& number_of, std::size_t count,
                                                const std::vector<double>& marker_values) const {
@@ -128,7 +128,7 @@ std::vector<double> ClothMeasure<Dim>::sums_by(const std::vector<std::size_t>& n
   return ordered_sum(system_.model.grid.comm(), sums);
 }
 
-// Means over the markers of each group of each of the values that every marker has.
+// Means of each value of the markers over each group.
 template <int Dim>
 std::vector<std::vector<double>> ClothMeasure<Dim>::means_of(const std::vector<double>& values) const {
   const std::size_t each = marker_quantities<Dim>().size();
@@ -224,7 +224,7 @@ void ClothMeasure<Dim>::measure_laundry() {
   }
 }
 
-// All cloths of a group are equal. `sum` is the zero to begin with.
+// Mean over the cloths of a group, which are equal. `sum` is the initial zero.
 template <int Dim>
 template <class Value>
 Value ClothMeasure<Dim>::mean_over_cloths(std::size_t group, const std::vector<Value>& values, Value sum) const {

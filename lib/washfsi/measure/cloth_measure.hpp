@@ -17,21 +17,21 @@ namespace washfsi {
 /// Numbers of one group of cloths. The vectors have a value for each of `marker_quantities`.
 template <int Dim>
 struct GroupMeasures {
-  double elastic_energy = 0;      ///< now [J; per unit depth in the plane]
-  std::vector<double> now;        ///< means over the markers
-  std::vector<double> mean;       ///< (5.2-5): means over the markers of the averages over the run so far
-  std::vector<double> deviation;  ///< standard deviations of these over the markers
-  double stretch = 0;             ///< largest |X_s| - 1 now
-  double depth = 0;               ///< how deep the deepest face reaches into a body now [m]; 0 if none is inside
-  double tumbles = 0;             ///< mean turns of its cloths in the (r, z) plane so far; in space
-  Point<Dim> center = Point<Dim>::Zero();  ///< mean of its cloths' [m]
+  double elastic_energy = 0;               ///< now [J; per unit depth in the plane]
+  std::vector<double> now;                 ///< means over the markers
+  std::vector<double> mean;                ///< (5.2-5): means over the markers of the averages over the run so far
+  std::vector<double> deviation;           ///< standard deviations of these over the markers
+  double stretch = 0;                      ///< largest |X_s| - 1 now
+  double depth = 0;                        ///< depth of the deepest face in a body now [m]; 0 if none is inside
+  double tumbles = 0;                      ///< mean turns of its cloths in the (r, z) plane so far; in space
+  Point<Dim> center = Point<Dim>::Zero();  ///< mean of its cloths' centres [m]
 };
 
 /// Stress, deformation and place of the cloths.
 template <int Dim>
 class ClothMeasure : public Measure<Dim> {
  public:
-  /// What is given must outlive it.
+  /// All arguments must outlive it.
   ClothMeasure(const System<Dim>& system, const MachineAxis& machine, BodyDepths<Dim>& depths);
 
   void declare(QuantityList& quantities) override;
@@ -39,7 +39,7 @@ class ClothMeasure : public Measure<Dim> {
   void observe_start(const Observation<Dim>& seen) override { observe(seen); }
 
   const std::vector<GroupMeasures<Dim>>& groups() const { return groups_; }
-  double elastic_energy() const;  ///< of all [J; per unit depth in the plane]
+  double elastic_energy() const;  ///< energy of all cloths [J; per unit depth in the plane]
 
   /// The columns of tracks.csv, the centre of each cloth, and their present values.
   std::vector<Column> track_columns() const;
@@ -55,7 +55,7 @@ class ClothMeasure : public Measure<Dim> {
   void declare_group(QuantityList& quantities, std::size_t group);
   void declare_markers(QuantityList& quantities, std::size_t group);
   void measure_markers(double interval);
-  double path(std::size_t group) const;  ///< mean over its cloths [m]
+  double path(std::size_t group) const;  ///< mean path of its cloths [m]
   void measure_places();
   void measure_depths();
   void measure_laundry();
@@ -68,14 +68,14 @@ class ClothMeasure : public Measure<Dim> {
 
   const System<Dim>& system_;
   std::vector<GroupMeasures<Dim>> groups_;
-  std::vector<std::size_t> group_of_;   ///< of each of this rank's markers
-  std::vector<double> of_groups_;       ///< markers of each group, each by its share of a whole one's area
-  std::vector<double> of_cloths_;       ///< the same of each cloth
-  std::vector<Point<Dim>> centers_;     ///< of each cloth [m]
-  Paths<Dim> paths_;                    ///< of the centres
-  std::vector<double> time_integrals_;  ///< of the quantities of each marker
-  double averaged_time_ = 0;            ///< [s]
-  double step_error_ = 0;               ///< [m/s]
+  std::vector<std::size_t> group_of_;   ///< group of each of this rank's markers
+  std::vector<double> of_groups_;       ///< number of markers of each group, each by its share of a whole one's area
+  std::vector<double> of_cloths_;       ///< number of markers of each cloth, counted likewise
+  std::vector<Point<Dim>> centers_;     ///< centre of each cloth [m]
+  Paths<Dim> paths_;                    ///< paths of the centres
+  std::vector<double> time_integrals_;  ///< integrals over time of the quantities of each marker
+  double averaged_time_ = 0;            ///< time over which they are integrated [s]
+  double step_error_ = 0;               ///< error of the last step [m/s]
   BodyDepths<Dim>& depths_;
   std::optional<TumbleCounter> tumbles_;
   std::optional<ClothCrossings> crossings_;

@@ -9,13 +9,13 @@
 namespace washfsi {
 
 /// The edges and the faces of all cloths: each cell of a lattice is two triangles, split along the diagonal from its
-/// first marker; in the plane faces are the edges. A rank holds those that begin at its markers. Corners are where
-/// these are seen in an array with halo (`Cloths::with_halo`).
+/// first marker; in the plane faces are the edges. A rank has those that begin at its markers. Corners are indices in
+/// an array with halo (`Cloths::with_halo`).
 template <int Dim>
 struct ClothMesh {
   explicit ClothMesh(const Cloths<Dim>& cloths);
 
-  std::vector<PetscInt> numbers;  ///< of the markers that this rank sees
+  std::vector<PetscInt> numbers;  ///< numbers of the markers that this rank sees
   std::vector<std::array<std::size_t, 2>> edges;
   std::vector<std::array<std::size_t, Dim>> faces;
   std::vector<std::size_t> piece_of_edge, piece_of_face;

@@ -9,7 +9,7 @@
 
 namespace washfsi {
 
-/// How hard cloths press each other, bodies and walls, and the power of their friction.
+/// The normal forces between cloths and on bodies and sides of the box, and the power of friction.
 template <int Dim>
 class ContactMeasure : public Measure<Dim> {
  public:
@@ -22,14 +22,14 @@ class ContactMeasure : public Measure<Dim> {
 
  private:
   struct Group {
-    double of_cloths = 0, of_bodies = 0, friction_power = 0;  ///< [N, N, W; per unit depth in the plane]
+    double of_cloths = 0, of_bodies = 0, friction_power = 0;  ///< normal forces [N], power [W; per depth in the plane]
   };
   void declare_group(QuantityList& quantities, std::size_t group);
   MarkerContact contact(bool with_bodies) const;
   bool present(bool with_bodies) const { return !forces_[with_bodies].empty(); }
 
   const System<Dim>& system_;
-  std::array<std::vector<const ContactForce<Dim>*>, 2> forces_;  ///< between cloths; with bodies and walls
+  std::array<std::vector<const ContactForce<Dim>*>, 2> forces_;  ///< between cloths; with bodies, sides
   std::vector<Group> groups_;
 };
 

@@ -5,8 +5,8 @@
 
 namespace washfsi {
 
-/// The energy that cloth and coupling take out: what the cloths got (from bodies that push them, weight, loads, and out
-/// of their elastic energy) and did not give to the water.
+/// The energy that cloth and coupling dissipate: the cloths' gain (from bodies that push them, weight, loads, and their
+/// elastic energy) less what they give to the water.
 template <int Dim>
 class CouplingMeasure : public Measure<Dim> {
  public:
@@ -23,10 +23,10 @@ class CouplingMeasure : public Measure<Dim> {
 
   const System<Dim>& system_;
   const ClothMeasure<Dim>& cloth_;
-  bool is_loaded_ = false;  ///< by weight or other constant forces
-  double load_power_ = 0;   ///< [W; W/m in the plane]
-  double dissipation_ = 0;  ///< [W; W/m in the plane]
-  double energy_ = 0;       ///< elastic and kinetic, of all cloths before the step [J; J/m in the plane]
+  bool is_loaded_ = false;  ///< whether weight or other constant forces act
+  double load_power_ = 0;   ///< power of these [W; W/m in the plane]
+  double dissipation_ = 0;  ///< dissipated power [W; W/m in the plane]
+  double energy_ = 0;       ///< elastic and kinetic energy of all cloths before the step [J; J/m in the plane]
 };
 
 extern template class CouplingMeasure<2>;

@@ -37,7 +37,7 @@ Bounds<3> ClothCrossings::Ways::bounds(std::size_t marker) const {
   return hull<3>({{now[marker], now[marker]}, {before[marker], before[marker]}});
 }
 
-// Of what may have met this rank's markers, or be within their reach.
+// The places of the markers that may have met this rank's, or be within their reach.
 ClothCrossings::Ways ClothCrossings::ways_to(const Points<3>& positions) {
   const Points<3>& before = is_first_ ? positions : before_;
   std::vector<double> lengths;

@@ -9,19 +9,19 @@
 
 namespace washfsi {
 
-/// Watches how close sheets come to each other, and counts markers that go through others. Water between them keeps
-/// cloths apart as long as the grid resolves it; what it does not, these numbers tell.
+/// Measures how close sheets come to each other, and counts markers that go through others. Water between them keeps
+/// cloths apart as long as the grid resolves it; these numbers show where it does not.
 class ClothCrossings {
  public:
   /// Collective.
   explicit ClothCrossings(const Cloths<3>& cloths);
 
-  /// Takes the places of this rank's markers after a step; the first ones only begin. Collective.
+  /// Compares the places of this rank's markers after a step with the previous ones, if there are any. Collective.
   void observe(const Points<3>& positions);
 
-  /// Markers that went through a triangle of another cloth, so far.
+  /// The number of times that a marker went through a triangle of another cloth, so far.
   double crossings() const { return crossings_; }
-  /// The same, for a restart to read and to set.
+  /// This number, for a restart to read and to set.
   std::span<double> state() { return {&crossings_, 1}; }
   /// Least distance of a marker from another cloth now [m]; at most `reach()`, beyond which it is not known.
   double least_distance() const { return least_distance_; }
@@ -29,7 +29,7 @@ class ClothCrossings {
 
  private:
   using Corners = Facets<3>::Face;
-  /// Where the markers that this rank knows were, and are.
+  /// Previous and present places of the markers that this rank knows.
   struct Ways {
     Points<3> before, now;
 
@@ -44,7 +44,7 @@ class ClothCrossings {
   Facets<3> facets_;
   double reach_ = 0;
   bool is_first_ = true;
-  Points<3> before_;  ///< of this rank's markers
+  Points<3> before_;  ///< previous places of this rank's markers
   double crossings_ = 0, least_distance_ = 0;
 };
 

@@ -10,7 +10,7 @@ namespace washfsi {
 
 namespace {
 
-constexpr double rounding = 1e-6;  // of a step
+constexpr double rounding = 1e-6;  // tolerance in steps
 
 const CycleFigure* first_with_balance(const std::vector<CycleFigure>& figures, int balance) {
   const auto found = std::ranges::find(figures, balance, &CycleFigure::balance);

@@ -7,8 +7,8 @@
 
 namespace washfsi {
 
-/// Figures of each cycle of a machine, and their means and spread over the cycles from the second on: in the first the
-/// load is thrown from where it was laid.
+/// Figures of each cycle of a machine, and their means and spread over the cycles from the second on: the first depends
+/// on the initial placement of the load.
 ///
 /// A row of the history counts for the cycle in which the middle of its interval lies, so that sums over rows give the
 /// figures again.
@@ -19,8 +19,8 @@ class Cycles {
 
   static constexpr double whole_run = 1e100;  ///< a period that makes it one cycle [s]
 
-  /// `period` [s]: of a cycle; 0: there are none. The list must be whole and outlive it; it keeps under this name what
-  /// a checkpoint needs.
+  /// `period` is that of a cycle [s]; 0: no cycles. The list must be complete and outlive it; under `name` it keeps the
+  /// numbers for checkpoints.
   Cycles(QuantityList& quantities, double period, const std::string& name);
   Cycles(const Cycles&) = delete;
   Cycles& operator=(const Cycles&) = delete;
@@ -30,9 +30,9 @@ class Cycles {
   /// Number of the last cycle that was completed.
   long completed() const { return static_cast<long>(told_); }
 
-  /// Begins at a time [s] with the values taken last, unless a checkpoint has told of the same cycles.
+  /// Begins at a time [s] with the values taken last, unless a checkpoint has restored the same cycles.
   void begin(double time);
-  /// Lets the means begin anew, with the next whole cycle: what is simulated has changed.
+  /// Restarts the means with the next whole cycle, since the case has changed.
   void forget_means();
   /// Adds the values taken last, at the end of an interval [s].
   void observe(double time, double interval);
@@ -40,24 +40,24 @@ class Cycles {
   /// A cycle that has been completed.
   struct Row {
     long number = 1;             ///< counted from one at t = 0
-    double start = 0, end = 0;   ///< [s]
-    std::vector<double> values;  ///< of each figure
+    double start = 0, end = 0;   ///< start and end [s]
+    std::vector<double> values;  ///< value of each figure
   };
-  /// Those completed since they were asked for last.
+  /// The cycles completed since the last call.
   std::vector<Row> take_completed();
 
-  /// What a row has: the figures of the quantities, and what the balance of energy leaves open.
+  /// The figures in a row: those of the quantities, and the residual of the balance of energy.
   const std::vector<CycleFigure>& figures() const { return figures_; }
 
-  /// The figures of the cycle under way.
+  /// The figures of the current cycle.
   std::vector<double> so_far() const;
-  /// What their quantities were when it began.
+  /// The values of their quantities at its start.
   const std::vector<double>& at_start() const { return before_; }
 
   /// A table of the figures in Markdown.
   std::string document() const;
 
-  /// Over the cycles from the second on.
+  /// Mean and spread over the cycles from the second on.
   struct Mean {
     double mean = 0, deviation = 0;  ///< standard deviation of a cycle; 0 of one
   };
@@ -78,13 +78,13 @@ class Cycles {
   std::vector<CycleFigure> figures_;
   std::vector<Row> completed_;
 
-  // What a checkpoint keeps, in vectors that stay where they are: of the cycle under way, and of all so far.
-  double kept_period_ = 0, kept_figures_ = 0;  ///< which the numbers below are of [s], [-]
-  double number_ = 0;                          ///< of cycles before this one
-  double is_whole_ = 0;                        ///< whether it was seen from its start
-  double elapsed_ = 0;                         ///< [s]
+  // The state for checkpoints, in vectors that are never reallocated: of the current cycle, and of all so far.
+  double kept_period_ = 0, kept_figures_ = 0;  ///< period and number of figures of the numbers below [s], [-]
+  double number_ = 0;                          ///< number of cycles before this one
+  double is_whole_ = 0;                        ///< whether it was observed from its start
+  double elapsed_ = 0;                         ///< observed time of the cycle [s]
   double told_ = 0, counted_ = 0;
-  std::vector<double> sums_, before_, last_;  ///< of each figure: integral or peak; value at the start; value now
+  std::vector<double> sums_, before_, last_;  ///< for each figure: integral or peak; value at the start; value now
   std::vector<double> means_, squares_;       ///< over the cycles counted: mean, sum of squares of deviations
 };
 

@@ -18,8 +18,8 @@ class DrivingMeasure : public Measure<Dim> {
 
  private:
   const System<Dim>& system_;
-  Point<Dim> bulk_velocity_ = Point<Dim>::Zero();  ///< [m/s]
-  double power_ = 0;                               ///< [W; W/m in the plane]
+  Point<Dim> bulk_velocity_ = Point<Dim>::Zero();  ///< bulk velocity [m/s]
+  double power_ = 0;                               ///< driving power [W; W/m in the plane]
 };
 
 extern template class DrivingMeasure<2>;

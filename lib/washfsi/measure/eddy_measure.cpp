@@ -7,7 +7,7 @@
 
 namespace washfsi {
 
-// Whether walls are worth a look, which eddies are too.
+// Whether y+ at walls is measured, as it is with eddies too.
 template <int Dim>
 bool EddyMeasure<Dim>::models_walls() const {
   const Liquid<Dim>& liquid = system_.model.liquid;

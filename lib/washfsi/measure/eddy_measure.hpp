@@ -5,7 +5,7 @@
 
 namespace washfsi {
 
-/// The viscosity that models of the liquid add, and how thick the cells beside walls are, where either is modelled.
+/// The viscosity of the liquid's models, and the y+ of the cells beside walls, where either is modelled.
 template <int Dim>
 class EddyMeasure : public Measure<Dim> {
  public:
@@ -19,9 +19,9 @@ class EddyMeasure : public Measure<Dim> {
   const System<Dim>& system_;
   bool models_walls() const;
 
-  double mean_ = 0, largest_ = 0;  ///< [Pa s]
+  double mean_ = 0, largest_ = 0;  ///< mean and largest viscosity of models [Pa s]
   double y_plus_ = 0;
-  std::vector<double> body_y_plus_;  ///< of each body, if they have a law
+  std::vector<double> body_y_plus_;  ///< largest y+ of each body, if they have a law
 };
 
 extern template class EddyMeasure<2>;

@@ -39,7 +39,7 @@ template <int Dim>
 void FlowMeasure<Dim>::observe(const Observation<Dim>& seen) {
   const Model<Dim>& model = system_.model;
   dt_ = seen.dt;
-  // Behind walls that markers hold there is water too: that of the first half of a cell belongs to the friction.
+  // In direct forcing there is water behind walls too: that in the first half cell counts for dissipation.
   const double dry_fraction = model.bodies.dry_fraction();
   flow_ = FlowDiagnostics<Dim>::of(
       model.grid, {seen.velocity, model.liquid.fields(), model.bodies.fluid_share(), dry_fraction}, dt_);

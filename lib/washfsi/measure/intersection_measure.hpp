@@ -10,26 +10,26 @@
 
 namespace washfsi {
 
-/// Counts how often cloths go through each other and reach into bodies, after each step or in intervals
-/// (-contact_verify_interval). Where contact limits the cloths' motion there must be none; else they are only counted,
-/// if an interval is given.
+/// Counts intersections of cloths with each other and with bodies, after each step or in intervals
+/// (-contact_verify_interval). If contact has a step limit there must be none; else they are only counted, if an
+/// interval is given.
 template <int Dim>
 class IntersectionMeasure {
  public:
-  /// What is given must outlive it.
+  /// All arguments must outlive it.
   IntersectionMeasure(const System<Dim>& system, BodyDepths<Dim>& depths);
 
   void declare(QuantityList& quantities);
-  /// Before the first step, of a restarted run too. Collective. Errors: InputError if there is one that must not be.
+  /// Counts before the first step, also of a restarted run. Collective. Errors: InputError if one is forbidden.
   void verify_start();
-  /// After a step of length dt. Collective. Errors: DivergedError if there is one that must not be.
+  /// Counts after a step of length dt, if due. Collective. Errors: DivergedError if one is forbidden.
   void verify(double dt);
 
  private:
   bool is_forbidden() const { return system_.model.forces.have_step_limit(); }
   bool counts() const;
   void count();
-  /// The first that must not be, in words; empty if there is none.
+  /// Describes the first forbidden intersection; empty if there is none.
   std::string forbidden() const;
 
   const System<Dim>& system_;

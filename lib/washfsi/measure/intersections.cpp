@@ -10,7 +10,7 @@ namespace washfsi {
 
 namespace {
 
-constexpr double flat = 1e-12;  // of the lengths' product: less is round-off
+constexpr double flat = 1e-12;  // relative to the product of lengths: less is round-off
 
 int sign_of(double volume, double scale) {
   return volume > flat * scale ? 1 : volume < -flat * scale ? -1 : 0;
@@ -43,8 +43,8 @@ bool cross(const std::array<Point<3>, 2>& e, const std::array<Point<3>, 3>& t) {
   return a != 0 && a == b && b == c;
 }
 
-/// An edge or a face as it lies, and its ends along all axes: where space repeats itself, folded along the axis by
-/// which things are sorted, an image of it before its start too.
+/// An edge or a face at its present place, and its bounds along all axes: in periodic space folded along the axis by
+/// which they are sorted, perhaps an image of it before the start of the period.
 template <int Dim, std::size_t Count>
 struct Thing {
   std::array<Point<Dim>, Count> corners;
@@ -94,8 +94,8 @@ class EqualSlabs {
     return static_cast<int>(std::clamp(slab, 0.0, static_cast<double>(ranks_ - 1)));
   }
 
-  /// Of the things of all ranks those that reach into this rank's slab, in ascending order along the axis. This rank
-  /// has `count` of them, of which thing(n) is made when it is needed. Collective.
+  /// Returns those edges or faces of all ranks that reach into this rank's slab, in ascending order along the axis.
+  /// This rank contributes `count` of them, created by make(n) when needed. Collective.
   template <class Make>
   auto shared_out(std::size_t count, const Make& make) const {
     std::vector<int> counts(static_cast<std::size_t>(ranks_), 0), next(counts.size(), 0);
@@ -113,7 +113,8 @@ class EqualSlabs {
   }
 
  private:
-  // visit(thing, slab) for all slabs that it reaches into, folded, and as an image before the period's start.
+  // Calls visit(item, slab) for all slabs into which an item reaches, folded, and as an image before the period's
+  // start.
   template <class Item, class Visit>
   void visit_slabs(Item item, const Visit& visit) const {
     const auto visit_shifted = [&](double shift) {
@@ -130,10 +131,10 @@ class EqualSlabs {
   MPI_Comm comm_;
   int ranks_, axis_ = 0;
   Point<Dim> lower_;
-  double extent_ = 0, length_ = 0;  ///< along the axis; of its period, 0 without one
+  double extent_ = 0, length_ = 0;  ///< extent along the axis; length of its period, 0 without one
 };
 
-// Along an axis that repeats itself all may meet.
+// Whether two may meet; along periodic axes, except the sorted one, all may.
 template <class First, class Second, int Dim>
 bool may_meet(const First& a, const Second& b, const Point<Dim>& lengths, int sorted_along) {
   for (int d = 0; d < Dim; ++d)
@@ -167,7 +168,7 @@ void IntersectionCount<Dim>::count(const Points<Dim>& positions) {
   share_example();
 }
 
-// What meets does so in the slab where the later one begins, and counts there.
+// A pair that meets is counted in the slab where the later one begins.
 template <int Dim>
 template <class Slabs, class Edges, class Faces>
 void IntersectionCount<Dim>::count_among(const Slabs& slabs, const Edges& edges, const Faces& faces) {
@@ -183,7 +184,7 @@ void IntersectionCount<Dim>::count_among(const Slabs& slabs, const Edges& edges,
   }
 }
 
-// With the image of the face that is nearest to the edge. In the plane both are edges, of which each pair counts once.
+// Tests an edge with the nearest image of a face. In the plane both are edges, of which each pair counts once.
 template <int Dim>
 template <class Edge, class Face>
 void IntersectionCount<Dim>::test(const Edge& edge, Face face) {
@@ -206,7 +207,7 @@ Point<Dim> IntersectionCount<Dim>::image_shift(const Point<Dim>& from, const Poi
   return shift;
 }
 
-// That of the first rank that has one.
+// Shares the example of the first rank that has one.
 template <int Dim>
 void IntersectionCount<Dim>::share_example() {
   const MPI_Comm comm = cloths_.comm();

@@ -8,7 +8,7 @@
 
 namespace washfsi {
 
-/// Where two cloths, or two parts of one, go through each other.
+/// A place where two cloths, or two parts of one, go through each other.
 template <int Dim>
 struct Intersection {
   std::size_t first, second;  ///< pieces
@@ -16,20 +16,20 @@ struct Intersection {
 };
 
 /// Counts the intersections of cloths as they lie: edges that go through triangles, in the plane edges that go through
-/// edges. It is there to check what keeps cloths apart, and shares nothing with that but the markers. An intersection
-/// is one if it is deeper than round-off: what only touches, or lies in one plane, is none.
+/// edges. It checks the contact forces independently, from the markers only. An intersection counts if it is deeper
+/// than round-off: touching or coplanar parts do not.
 template <int Dim>
 class IntersectionCount {
  public:
-  /// `lengths`: periods of space [m]; 0 where it does not repeat itself. The cloths must outlive it.
+  /// `lengths` are the periods of space [m]; 0 where it is not periodic. The cloths must outlive it.
   IntersectionCount(const Cloths<Dim>& cloths, const Point<Dim>& lengths);
 
-  /// Takes the places of this rank's markers. Each rank tests what lies in one slab of space. Collective.
+  /// Counts for these places of this rank's markers. Each rank tests one slab of space. Collective.
   void count(const Points<Dim>& positions);
   double total() const { return total_; }
   /// One of them; the same on all ranks.
   const std::optional<Intersection<Dim>>& example() const { return example_; }
-  /// Which cloths the example is of, and where, in words.
+  /// Describes the example: which cloths, and where.
   std::string describe() const;
 
  private:

@@ -11,7 +11,7 @@ struct MachineAxis {
   Point<2> axis = Point<2>::Zero();          ///< x and y [m]
   Point<2> orbit_center = Point<2>::Zero();  ///< r and z [m]
 
-  /// In a box with these corners [m].
+  /// Reads it for a box with these corners [m].
   static MachineAxis from_options(Options& options, const Point<3>& lower, const Point<3>& upper);
 };
 

@@ -7,16 +7,16 @@
 
 namespace washfsi {
 
-/// What measures are given after a step, beside the system.
+/// The data for measures after a step, beside the system.
 template <int Dim>
 struct Observation {
-  double dt = 0;              ///< of the step [s]
-  double interval = 0;        ///< since all was measured last [s]; 0 at the start
-  Vec velocity = nullptr;     ///< of the water, local, of face_dm, its ghosts filled [m/s]
-  ContactLoads<Dim> contact;  ///< of all ranks' markers
+  double dt = 0;              ///< length of the step [s]
+  double interval = 0;        ///< time since all was measured last [s]; 0 at the start
+  Vec velocity = nullptr;     ///< velocity of the water, local, of face_dm, its ghosts filled [m/s]
+  ContactLoads<Dim> contact;  ///< contact loads of all ranks' markers
 };
 
-/// Something that measures a few numbers that belong together.
+/// A measure of a few related numbers.
 template <int Dim>
 class Measure {
  public:
@@ -25,19 +25,19 @@ class Measure {
   Measure& operator=(const Measure&) = delete;
   virtual ~Measure() = default;
 
-  /// Names the numbers, with how each is had after `observe`. Called once.
+  /// Declares the numbers, and how each is obtained after `observe`. Called once.
   virtual void declare(QuantityList& quantities) = 0;
-  /// Before a step after which it will observe, if it did not observe after the one before. Collective.
+  /// Called before a step after which it will observe, if it did not observe after the previous one. Collective.
   virtual void prepare() {}
-  /// After a step. Collective.
+  /// Called after a step. Collective.
   virtual void observe(const Observation<Dim>& seen) = 0;
-  /// At the start, or at that of a restarted run. Collective.
+  /// Called at the start of a run, a restarted one included. Collective.
   virtual void observe_start(const Observation<Dim>&) {}
-  /// What cloth.h5 has of each of this rank's markers, now. Collective.
+  /// The present values of this rank's markers for cloth.h5. Collective.
   virtual std::vector<MarkerField> marker_fields() const { return {}; }
 };
 
-/// What is extensive has these units, per unit depth in the plane.
+/// The units of extensive quantities, per unit depth in the plane.
 template <int Dim>
 struct Units {
   static constexpr const char* force = Dim == 2 ? "N/m" : "N";
@@ -47,7 +47,7 @@ struct Units {
   static constexpr const char* angular_momentum = Dim == 2 ? "J s/m" : "J s";
 };
 
-/// What most numbers give for a cycle: their mean, their peak and their root mean square.
+/// The figures of most numbers for a cycle: mean, peak and root mean square.
 inline std::vector<CycleFigure> mean_peak_rms(const std::string& name, const std::string& unit,
                                               const std::string& meaning, bool is_headline = false) {
   return {{name + "_mean", unit, OverCycle::mean, "mean " + meaning},

@@ -14,7 +14,7 @@ namespace washfsi {
 
 namespace {
 
-// Every further measure that there is. Their columns come last.
+// All further measures. Their columns come last.
 template <int Dim>
 std::vector<std::unique_ptr<Measure<Dim>>> further_measures(const System<Dim>& system) {
   std::vector<std::unique_ptr<Measure<Dim>>> measures;
@@ -26,7 +26,7 @@ std::vector<std::unique_ptr<Measure<Dim>>> further_measures(const System<Dim>& s
   return measures;
 }
 
-// Of the first body that has one; 0 if none has.
+// The period of the first body that has one; 0 if none has.
 template <int Dim>
 double first_period(const std::vector<Body<Dim>>& bodies) {
   for (const auto& body : bodies)
@@ -34,7 +34,7 @@ double first_period(const std::vector<Body<Dim>>& bodies) {
   return 0;
 }
 
-// With what the user leaves to the bodies.
+// The options, completed from the bodies where the user gives none.
 PhaseOptions completed(PhaseOptions phases, double cycle_time, const Model<3>& model, const MachineAxis& machine) {
   if (phases.period == 0) phases.period = cycle_time;
   if (phases.center) return phases;
@@ -129,7 +129,7 @@ void Measures<Dim>::observe_start(double dt) {
   cloth_.observe_start(seen);
   coupling_.observe_start(seen);
   for (const auto& measure : further_) measure->observe_start(seen);
-  if (system_.state.clock.step == 0) quantities_.accumulate();  // else as the checkpoint has them
+  if (system_.state.clock.step == 0) quantities_.accumulate();  // else restored from the checkpoint
   for (auto* cycles : {&cycles_, &whole_run_}) (*cycles)->begin(system_.state.clock.time);
   if (statistics_) statistics_->begin();
   if (phases_) phases_->begin();

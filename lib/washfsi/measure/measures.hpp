@@ -16,20 +16,20 @@
 
 namespace washfsi {
 
-/// What is measured that is a choice.
+/// The options of measures.
 struct MeasureOptions {
-  bool balance_loads = false;  ///< loads on bodies by the balance of momentum too
-  double cycle_time = 0;       ///< [s]; 0: the period of the first body that moves periodically
+  bool balance_loads = false;  ///< whether to measure loads on bodies by the balance of momentum too
+  double cycle_time = 0;       ///< length of a cycle [s]; 0: the period of the first body that moves periodically
   MachineAxis machine;         ///< in space
   StatisticsOptions statistics;
   PhaseOptions phases;  ///< in space
 
-  /// In a box with these corners [m].
+  /// Reads them for a box with these corners [m].
   template <int Dim>
   static MeasureOptions from_options(Options& options, const Point<Dim>& lower, const Point<Dim>& upper);
 };
 
-/// All that is measured after each step, or after some.
+/// All measures, taken after each step or after some.
 template <int Dim>
 class Measures {
  public:
@@ -39,18 +39,18 @@ class Measures {
   Measures& operator=(const Measures&) = delete;
 
   /// Counts the intersections of cloths: before the first step, and after each before it is observed. Collective.
-  /// Errors: InputError, DivergedError if there is one that must not be.
+  /// Errors: InputError, DivergedError if one is forbidden.
   void verify_start() { intersections_.verify_start(); }
   void verify(double dt) { intersections_.verify(dt); }
-  /// Before a step of which `observe` will take all. Collective.
+  /// Call it before a step after which `observe` takes all. Collective.
   void prepare();
-  /// Takes the state after a step: all of it, or only the flow's. Averages weigh it with the time since all was taken
-  /// last. Collective.
+  /// Measures the state after a step: all of it, or only the flow. Averages are weighted with the time since all was
+  /// measured last. Collective.
   void observe(double dt, bool all);
-  /// Takes the state without adding it to the averages. Collective.
+  /// Measures the state without adding it to the averages. Collective.
   void observe_start(double dt);
 
-  /// Registers what goes on from step to step: averages and the like.
+  /// Registers the state carried from step to step: averages and the like.
   void register_state(StateList& state);
 
   QuantityList& quantities() { return quantities_; }
@@ -60,11 +60,11 @@ class Measures {
   Cycles& cycles() { return *cycles_; }
   const Cycles& cycles() const { return *cycles_; }
   const FlowDiagnostics<Dim>& flow() const { return flow_.flow(); }
-  /// Of the flow; null if none are taken.
+  /// Statistics of the flow; null if none are taken.
   const FlowStatistics<Dim>* statistics() const { return statistics_.get(); }
-  /// Over cycles of the machine; null if none are taken.
+  /// Statistics over cycles of the machine; null if none are taken.
   const PhaseStatistics* phases() const { return phases_.get(); }
-  /// What cloth.h5 has of each of this rank's markers, now. Collective.
+  /// The present values of this rank's markers for cloth.h5. Collective.
   std::vector<MarkerField> marker_fields() const;
   ClothMeasure<Dim>& cloth() { return cloth_; }
   const ClothMeasure<Dim>& cloth() const { return cloth_; }
@@ -77,7 +77,7 @@ class Measures {
   FlowMeasure<Dim> flow_;
   BodyMeasure<Dim> bodies_;
   WallMeasure<Dim> walls_;
-  BodyDepths<Dim> depths_;  ///< that counts and figures of cloths share
+  BodyDepths<Dim> depths_;  ///< shared by the counts and the figures of cloths
   ClothMeasure<Dim> cloth_;
   CouplingMeasure<Dim> coupling_;
   IntersectionMeasure<Dim> intersections_;
@@ -86,7 +86,7 @@ class Measures {
   std::unique_ptr<PhaseStatistics> phases_;
   QuantityList quantities_;
   std::optional<Cycles> cycles_, whole_run_;
-  double unmeasured_time_ = 0;  ///< since all was taken last [s]
+  double unmeasured_time_ = 0;  ///< time since all was measured last [s]
 };
 
 extern template class Measures<2>;

@@ -9,13 +9,13 @@
 
 namespace washfsi {
 
-/// How far points have come, from observation to observation.
+/// The lengths of points' paths, from observation to observation.
 template <int Dim>
 class Paths {
  public:
   explicit Paths(std::size_t points) : totals_(points, 0.0), ends_(Dim * points, std::numeric_limits<double>::max()) {}
 
-  /// Takes the places [m] of all points. The first ones only begin.
+  /// Adds the ways to these places [m] of all points; the first call sets their start.
   void observe(const std::vector<Point<Dim>>& places) {
     for (std::size_t p = 0; p < places.size(); ++p) {
       Eigen::Map<Point<Dim>> end(&ends_[Dim * p]);

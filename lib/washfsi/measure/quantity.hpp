@@ -12,20 +12,20 @@
 
 namespace washfsi {
 
-/// What becomes of a number over a run.
+/// How a number is accumulated over a run.
 enum class Accumulation {
-  none,            ///< nothing: it is as it was measured last
-  largest,         ///< the largest of all is in the summary
-  largest_so_far,  ///< the largest of all is in the summary and, as far as it has come, in the history
+  none,            ///< not at all: it is as measured last
+  largest,         ///< the summary has the largest value
+  largest_so_far,  ///< the summary has the largest value, and the history the largest so far
 };
 
-/// What is made of a number over a cycle of the machine.
+/// How a number is reduced over a cycle of the machine.
 enum class OverCycle {
-  mean,      ///< over time
-  rms,       ///< over time
-  peak,      ///< largest size
-  integral,  ///< over time
-  change,    ///< from the cycle's start to its end
+  mean,      ///< mean over time
+  rms,       ///< root mean square over time
+  peak,      ///< largest absolute value
+  integral,  ///< integral over time
+  change,    ///< change from the cycle's start to its end
 };
 
 /// A figure of a cycle, a column of cycles.csv.
@@ -33,34 +33,34 @@ struct CycleFigure {
   std::string name, unit;
   OverCycle over;
   std::string meaning;
-  int balance = 0;           ///< how it enters the balance of energy: 1 if it is put in, -1 if it is kept or lost
-  bool is_headline = false;  ///< whether the terminal tells it
+  int balance = 0;           ///< sign in the balance of energy: 1 for input, -1 for stored or lost energy
+  bool is_headline = false;  ///< whether the terminal shows it
 };
 
-/// One number that is measured.
+/// A measured number.
 struct Quantity {
-  std::string name;               ///< of its column in history.csv; empty: it has none
+  std::string name;               ///< name of its column in history.csv; empty: none
   std::string unit;               ///< SI, "-" for none
-  std::string meaning;            ///< for the documents
-  std::function<double()> value;  ///< as measured last
+  std::string meaning;            ///< description for the documents
+  std::function<double()> value;  ///< gives the value measured last
   Accumulation accumulation = Accumulation::none;
-  std::string summary = {};  ///< where it stands in summary.json, as a JSON pointer; empty: nowhere
-  bool is_count = false;     ///< a whole number
+  std::string summary = {};  ///< its place in summary.json, as a JSON pointer; empty: none
+  bool is_count = false;     ///< whether it is a whole number
 };
 
-/// All numbers that are measured, each said once: the history, the summary, the checkpoint and the documents are made
-/// from this list.
+/// All measured numbers, each declared once: the history, the summary, the checkpoint and the documents are made from
+/// this list.
 class QuantityList {
  public:
-  /// Adds a quantity, and what it gives for a cycle.
+  /// Adds a quantity, and its figures for a cycle.
   void add(Quantity quantity, std::vector<CycleFigure> of_cycle = {});
   using IfOther = StateEntry::IfOther;
-  /// Numbers that go on from step to step and that a checkpoint must keep. They must outlive the list.
+  /// Adds numbers carried from step to step, which a checkpoint must store. They must outlive the list.
   void keep(const std::string& name, std::span<double> numbers, IfOther if_other = IfOther::refuse);
 
-  /// Takes the present values, and them into the largest ones.
+  /// Takes the present values, and updates the largest ones.
   void accumulate();
-  /// Registers what is kept, and the values taken last, for a run that has no step left to take.
+  /// Registers the numbers of `keep`, and the values taken last, for a restart without further steps.
   void register_state(StateList& state);
 
   /// All figures of a cycle, each with the present value of its quantity.
@@ -71,14 +71,14 @@ class QuantityList {
   std::vector<Column> columns() const;
   std::vector<double> row() const;
 
-  /// What stands in the summary.
+  /// An entry of the summary.
   struct SummaryEntry {
     std::string pointer;
     double value;
     bool is_count;
   };
   std::vector<SummaryEntry> summary() const;
-  /// What the summary has at a pointer; 0 if it has nothing there.
+  /// The summary's value at a pointer; 0 if there is none.
   double summary_value(const std::string& pointer) const;
 
   /// A table of the history's columns in Markdown.
@@ -88,9 +88,9 @@ class QuantityList {
   double shown(std::size_t n) const;
 
   std::vector<Quantity> quantities_;
-  std::vector<std::vector<CycleFigure>> of_cycle_;  ///< of each quantity
+  std::vector<std::vector<CycleFigure>> of_cycle_;  ///< figures of each quantity
   std::vector<double> taken_;
-  std::deque<double> largest_;  ///< of each quantity; does not move as it grows
+  std::deque<double> largest_;  ///< largest value of each quantity; does not move as it grows
   std::vector<StateEntry> kept_;
 };
 

@@ -6,7 +6,7 @@
 
 namespace washfsi {
 
-/// The power that water which goes through permeable cloth leaves there, where there is such cloth.
+/// The power that seepage dissipates in permeable cloth, where there is such cloth.
 template <int Dim>
 class SeepageMeasure : public Measure<Dim> {
  public:

@@ -12,21 +12,21 @@ namespace washfsi {
 /// the plane (r, z), r the distance from the axis. Up outside and down at the axis is positive (thesis Fig. 5.5-6).
 class TumbleCounter {
  public:
-  /// `axis`: its x and y [m]; `orbit_center`: r and z [m] of what is gone round.
+  /// `axis` is x and y of the axis [m]; `orbit_center` is r and z of the point that cloths go round [m].
   TumbleCounter(const Point<2>& axis, const Point<2>& orbit_center, std::size_t cloths);
 
-  /// Takes the centres of all cloths after a step. The first ones count nothing.
+  /// Counts from the centres of all cloths after a step; the first call sets the start.
   void observe(const std::vector<Point<3>>& centers);
   /// Turns of each cloth so far.
   std::vector<double> turns() const;
 
-  /// Numbers that a restart needs, to read and to set: where each cloth is on its way round, and what it has gone.
+  /// Numbers that a restart needs, to read and to set: the present angle of each cloth, and the angle turned so far.
   std::span<double> angles() { return angles_; }
   std::span<double> turned() { return turned_; }
 
  private:
   Point<2> axis_, orbit_center_;
-  std::vector<double> angles_;  ///< where each cloth is now on its way round, -pi to pi; not a number before the first
+  std::vector<double> angles_;  ///< present angle of each cloth on its way round, -pi to pi; NaN before the first
   std::vector<double> turned_;  ///< angles gone through so far [rad]
 };
 

@@ -6,7 +6,7 @@
 
 namespace washfsi {
 
-/// Loads on the sides of the box that are walls.
+/// Loads on the sides of the box that are walls or slip.
 template <int Dim>
 class WallMeasure : public Measure<Dim> {
  public:

@@ -76,7 +76,7 @@ std::vector<Body<Dim>> bodies_from_options(Options& options, double cell) {
 
 namespace {
 
-constexpr double fewest_steps = 10;  // in a period, a ramp, a stroke
+constexpr double fewest_steps = 10;  // steps in a period, a ramp, a stroke
 
 }  // namespace
 

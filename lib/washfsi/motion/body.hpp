@@ -10,9 +10,9 @@
 
 namespace washfsi {
 
-/// How bodies hold the water: by the mask (4.2-6) with the plain projection (4.2-12) or with the variable one (4.2-9);
-/// by velocities extrapolated through the wall (Yokoi); by the mask with viscous stencils that end at the walls; by
-/// forces of markers on the walls.
+/// How bodies constrain the water: by the mask (4.2-6) with the plain projection (4.2-12) or with the variable one
+/// (4.2-9); by velocities extrapolated through the wall (Yokoi); by the mask with viscous stencils that end at the
+/// walls; by forces of markers on the walls.
 enum class BodyMethod { mapping, mapping_variable, ghost, cut_stencil, direct_forcing };
 const ChoiceNames<BodyMethod>& names_of(BodyMethod);
 
@@ -24,10 +24,10 @@ const ChoiceNames<MaskEdge>& names_of(MaskEdge);
 struct BodyTreatment {
   BodyMethod method = BodyMethod::mapping;
   MaskEdge edge = MaskEdge::sharp;  ///< smooth: the mapping methods only
-  double marker_spacing = 1.0;      ///< of direct forcing: width of a patch [cells]
-  double slip_tolerance = 0.005;    ///< of direct forcing: rms slip left at each body over the largest speed
-  bool limits_advection = true;     ///< of direct forcing: beside edges central advection gives way to upwind
-  bool inner_water_slides = false;  ///< of direct forcing: behind walls with a law of friction
+  double marker_spacing = 1.0;      ///< direct forcing: width of a patch [cells]
+  double slip_tolerance = 0.005;    ///< direct forcing: rms slip left at each body over the largest speed
+  bool limits_advection = true;     ///< direct forcing: whether advection becomes upwind beside edges
+  bool inner_water_slides = false;  ///< direct forcing: whether water slides behind walls with a law of friction
 
   /// Errors: InputError.
   static BodyTreatment from_options(Options& options);
@@ -42,14 +42,14 @@ struct Body {
   std::string name;
   ShapePtr<Dim> shape;
   RigidMotion<Dim> motion;
-  Repeats<Dim> repeats = {};  ///< along periodic sides, see `repeat_bodies`
+  Repeats<Dim> repeats = {};  ///< images along periodic axes, see `repeat_bodies`
 
-  /// As it is at one moment. The body must outlive it.
+  /// The body at one moment. The body must outlive it.
   PosedBody<Dim> at(double time) const { return {*this, time}; }
   /// Signed distance Phi from the nearest image [m]: negative in the solid.
   double distance(const Point<Dim>& place, double time) const { return at(time).distance(place); }
 
-  /// `sample_spacing` [m]: default for shapes that are kept on a lattice. Errors: InputError. Collective.
+  /// `sample_spacing` [m] is the default for shapes sampled on a lattice. Errors: InputError. Collective.
   static Body from_options(Options& options, const std::string& name, double sample_spacing);
 };
 
@@ -79,15 +79,15 @@ class PosedBody {
   double distance(const Point<Dim>& place) const { return nearest(place).distance; }
   /// Which image is nearest: how many periods from the body itself.
   Index<Dim> image(const Point<Dim>& place) const { return images_.any() ? nearest(place).image : Index<Dim>{}; }
-  /// How far it is to its next image, about [m]; infinite without one.
+  /// Approximate distance to its next image [m]; infinite without one.
   double gap() const { return images_.gap(); }
-  /// Where the body itself has what its nearest image has at a place.
+  /// The place in the body itself that corresponds to a place in its nearest image.
   Point<Dim> beside(const Point<Dim>& place) const {
     return images_.any() ? Point<Dim>(place - images_.shift(nearest(place).image)) : place;
   }
-  /// From the centre of the nearest image [m].
+  /// The arm from the centre of the nearest image to a place [m].
   Point<Dim> arm(const Point<Dim>& place) const { return beside(place) - motion_.center; }
-  /// The body's material at a place moves so [m/s, m/s2].
+  /// Velocity and acceleration of the body's material at a place [m/s, m/s2].
   Point<Dim> velocity(const Point<Dim>& place) const { return motion_.velocity_at(turns() ? beside(place) : place); }
   Point<Dim> acceleration(const Point<Dim>& place) const {
     return motion_.acceleration_at(turns() ? beside(place) : place);
@@ -147,10 +147,10 @@ class PosedBodies {
 template <int Dim>
 std::vector<Body<Dim>> bodies_from_options(Options& options, double cell);
 
-/// Stops if steps of at most `time_step` [s] would see a motion as another, or as rest: InputError.
+/// Refuses steps of at most `time_step` [s] that cannot resolve a motion: InputError.
 template <int Dim>
 void refuse_unseen_motion(const std::vector<Body<Dim>>& bodies, double time_step);
-/// The longest step that sees all motions [s]; infinite if they are steady.
+/// The longest step that resolves all motions [s]; infinite if they are steady.
 template <int Dim>
 double longest_step_of_motion(const std::vector<Body<Dim>>& bodies);
 

@@ -5,7 +5,7 @@
 
 namespace washfsi {
 
-// With the middle of the bounds in the first image's half periods, one beyond these is farther than the one before it.
+// Finds which images may be nearer than the first, whose middle is within half a period of a place.
 template <int Dim>
 void Images<Dim>::find(const Pose<Dim>& pose) {
   const Extent<Dim> extent = repeats_.extent.in_space(pose);
@@ -21,7 +21,7 @@ void Images<Dim>::find(const Pose<Dim>& pose) {
   }
 }
 
-// In the image whose middle is nearest along each axis.
+// A place relative to the image whose middle is nearest along each axis.
 template <int Dim>
 typename Images<Dim>::Aside Images<Dim>::first(const Point<Dim>& place) const {
   Aside aside{place, {}};
@@ -34,7 +34,7 @@ typename Images<Dim>::Aside Images<Dim>::first(const Point<Dim>& place) const {
   return aside;
 }
 
-// Nearer no other image can be.
+// A lower bound of the distance from all other images.
 template <int Dim>
 double Images<Dim>::next_image(const Aside& from) const {
   double least = std::numeric_limits<double>::max();

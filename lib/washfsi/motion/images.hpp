@@ -10,14 +10,14 @@
 
 namespace washfsi {
 
-/// How a body repeats itself along the periodic axes of a box.
+/// The repetition of a body along the periodic axes of a box.
 template <int Dim>
 struct Repeats {
-  Point<Dim> period = Point<Dim>::Zero();        ///< of its images along each axis; 0 where it has none [m]
-  Extent<Dim> extent = Extent<Dim>::infinite();  ///< in its frame
+  Point<Dim> period = Point<Dim>::Zero();        ///< period of its images along each axis; 0 where it has none [m]
+  Extent<Dim> extent = Extent<Dim>::infinite();  ///< extent in its frame
 
   bool any() const { return !period.isZero(0); }
-  /// Whether it is the same all along an axis and goes on through the sides: all its images are one.
+  /// Whether it is uniform along an axis and continues through the sides: all its images are one.
   bool spans(int axis) const { return period[axis] > 0 && !extent.is_finite(axis); }
 };
 
@@ -34,7 +34,7 @@ class Images {
     double distance;
     Index<Dim> image;
   };
-  /// `distance(place)`: that of the body itself.
+  /// Finds it; `distance(place)` is that of the body itself.
   template <class Distance>
   Nearest nearest(const Point<Dim>& place, const Distance& distance) const {
     if (!any_) return {distance(place), {}};
@@ -44,9 +44,9 @@ class Images {
     return best;
   }
 
-  /// How far it is to the next one, about [m]; infinite without one.
+  /// Approximate distance to the next image [m]; infinite without one.
   double gap() const;
-  /// Whether it has any but itself.
+  /// Whether there are images other than the body itself.
   bool any() const { return any_; }
   /// How far an image lies from the body itself [m].
   Point<Dim> shift(const Index<Dim>& image) const {
@@ -85,9 +85,9 @@ class Images {
 
   const Repeats<Dim>& repeats_;
   bool any_;
-  double sign_ = 1;           ///< -1 where the bounds are of the opening: what is open in an image is open
-  Point<Dim> middle_, half_;  ///< of the bounds in space [m]; half of them infinite where there are none
-  Box<Dim> others_{};         ///< that may be nearer than the first, counted from it
+  double sign_ = 1;           ///< -1 where the bounds are of the opening: a place open in one image is open
+  Point<Dim> middle_, half_;  ///< middle and half size of the bounds in space [m]; infinite without bounds
+  Box<Dim> others_{};         ///< images that may be nearer than the first, counted from it
 };
 
 extern template class Images<2>;

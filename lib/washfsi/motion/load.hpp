@@ -8,18 +8,18 @@
 
 namespace washfsi {
 
-/// Force and torque of the water and cloth ON a body or wall [N, N m; per unit depth in the plane].
+/// Force and torque of water and cloth ON a body or side of the box [N, N m; per unit depth in the plane].
 template <int Dim>
 struct Load {
   Point<Dim> force = Point<Dim>::Zero();
-  Rotation<Dim> torque = Rotation<Dim>::Zero();  ///< about where the body's centre is
+  Rotation<Dim> torque = Rotation<Dim>::Zero();  ///< torque about the body's centre
 
-  /// A force at the end of an arm from the centre.
+  /// Adds a force at the end of an arm from the centre.
   void add(const Point<Dim>& arm, const Point<Dim>& part) {
     force += part;
     torque += cross<Dim>(arm, part);
   }
-  /// A force along an axis alone.
+  /// Adds a force along an axis alone.
   void add(const Point<Dim>& arm, int axis, double part) {
     force[axis] += part;
     if constexpr (Dim == 2) {

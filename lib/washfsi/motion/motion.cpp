@@ -10,7 +10,7 @@ namespace washfsi {
 
 namespace {
 
-/// How far a motion of unit speed has come, and its rates.
+/// The displacement of a motion of unit speed, and its rates.
 struct Progress {
   double value, rate, acceleration;
 };
@@ -97,7 +97,7 @@ typename RigidMotion<Dim>::Pose RigidMotion<Dim>::pose(double time) const {
 
 namespace {
 
-// What the user may say of a motion; `motion` holds what it takes as it is.
+// The options of a motion; `motion` contains those that are used as they are.
 template <int Dim>
 struct MotionOptions {
   std::string prefix;  ///< -NAME_

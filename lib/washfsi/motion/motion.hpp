@@ -17,11 +17,11 @@ template <int Dim>
 struct RigidMotion {
   using Pose = washfsi::Pose<Dim>;
 
-  Point<Dim> center = Point<Dim>::Zero();                   ///< at t = 0; what the table's displacements start from [m]
-  double angular_speed = 0;                                 ///< Omega, or Omega_max [rad/s]
-  double frequency = 0;                                     ///< f [Hz]; 0: steady
-  Point<Dim> translation = Point<Dim>::Zero();              ///< V, or V_max [m/s]
-  std::shared_ptr<const MotionTable<Dim>> table = nullptr;  ///< instead of the speeds and f
+  Point<Dim> center = Point<Dim>::Zero();       ///< centre at t = 0, from which the table's displacements count [m]
+  double angular_speed = 0;                     ///< Omega, or Omega_max [rad/s]
+  double frequency = 0;                         ///< f [Hz]; 0: steady
+  Point<Dim> translation = Point<Dim>::Zero();  ///< V, or V_max [m/s]
+  std::shared_ptr<const MotionTable<Dim>> table = nullptr;    ///< instead of the speeds and f
   std::shared_ptr<const SpeedProgramme> programme = nullptr;  ///< instead of both
 
   /// The options of one body. Errors: InputError. Collective.
@@ -29,10 +29,10 @@ struct RigidMotion {
 
   /// Position and rates of the frame at one moment.
   struct State {
-    Point<Dim> center, velocity, acceleration;             ///< of the centre [m, m/s, m/s2]
+    Point<Dim> center, velocity, acceleration;             ///< centre, its velocity and acceleration [m, m/s, m/s2]
     double angle, angular_velocity, angular_acceleration;  ///< [rad, rad/s, rad/s2]
 
-    /// Of the body's material at a place; for many places at one moment.
+    /// Velocity and acceleration of the body's material at a place; for many places at one moment.
     Point<Dim> velocity_at(const Point<Dim>& place) const;
     Point<Dim> acceleration_at(const Point<Dim>& place) const;
   };
@@ -46,9 +46,9 @@ struct RigidMotion {
   bool only_turns() const { return table ? table->only_turns() : programme || translation.isZero(0); }
   /// Whether it ever turns.
   bool turns() const { return largest_speed(1) > largest_speed(0); }
-  /// Time after which the motion repeats [s]; 0 if it does not, as a steady one.
+  /// Period of the motion [s]; 0 if it does not repeat, as a steady one.
   double period() const;
-  /// The shortest time that steps have to see, and the option that gives it; infinite for a steady motion.
+  /// The shortest time that steps have to resolve, and the option that gives it; infinite for a steady motion.
   SpeedProgramme::Span shortest_span() const;
   Point<Dim> center_at(double time) const { return state(time).center; }  ///< [m]
   double angle(double time) const { return state(time).angle; }           ///< since t = 0, or as the table says [rad]

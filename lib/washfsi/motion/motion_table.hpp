@@ -10,7 +10,7 @@
 
 namespace washfsi {
 
-/// Of the angles in a table.
+/// The unit of the angles in a table.
 enum class AngleUnit { rad, deg };
 const ChoiceNames<AngleUnit>& names_of(AngleUnit);
 

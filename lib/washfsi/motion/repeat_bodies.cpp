@@ -16,7 +16,7 @@ namespace washfsi {
 namespace {
 
 constexpr double same = 0.02;      // distances and ends that differ by less are the same [cells]
-constexpr double beside = 2;       // distance up to which it counts [cells]
+constexpr double beside = 2;       // distance from the surface up to which differences count [cells]
 constexpr double overlap = 0.5;    // depth in two images from which on they overlap [cells]
 constexpr double mismatch = 0.75;  // depth on one side of the box, and distance on the other, from which on they differ
 
@@ -57,11 +57,11 @@ class RepeatFinder {
     body_.shape = std::make_unique<Endless<Dim>>(std::move(body_.shape), axis, middle(axis) - pose_.center[axis]);
     extent_ = body_.shape->extent().in_space(pose_);
   }
-  // From it, or from its opening.
+  // Distance from the body, or from its opening.
   double distance(const Point<Dim>& place) const { return sign_ * body_.shape->distance(pose_.in_body_frame(place)); }
 
-  // Whether it is the same all along an axis: half a period to either side of its middle, or, without end, in the box.
-  // How deep it is, is no matter.
+  // Whether it is uniform along an axis: half a period to either side of its middle or, if endless, in the box. Depths
+  // inside do not matter.
   bool spans(int axis) const {
     if (axis < 2 && (body_.motion.turns() || pose_.sine != 0 || pose_.cosine != 1)) return false;
     const Bounds<Dim> looked_at = surroundings(axis);
@@ -140,11 +140,11 @@ class RepeatFinder {
   const Grid<Dim>& grid_;
   Body<Dim>& body_;
   Pose<Dim> pose_;
-  Extent<Dim> extent_;  ///< in space
+  Extent<Dim> extent_;  ///< extent in space
   double sign_, cell_;
 };
 
-// Whether what passes one end of an axis has no body to meet at the other.
+// Whether a body passes one end of an axis without meeting a body at the other.
 template <int Dim>
 bool is_cut_off(const Grid<Dim>& grid, const PosedBodies<Dim>& posed, std::size_t body, int axis) {
   const double near = mismatch * grid.spacing().minCoeff();

@@ -6,9 +6,9 @@
 
 namespace washfsi {
 
-/// Makes bodies repeat themselves along the periodic axes of a grid. One that is as long as a period or longer must be
-/// the same all along it; then it goes on through the sides. A shape without end, such as a half space, that is not so
-/// stays as it lies, and must meet a body where it passes a side. Collective. Errors: InputError.
+/// Repeats bodies along the periodic axes of a grid. A body at least as long as a period must be uniform along it; then
+/// it continues through the sides. An endless shape, such as a half space, that is not uniform is not repeated, and
+/// must meet a body where it passes a side. Collective. Errors: InputError.
 template <int Dim>
 std::vector<Body<Dim>> repeat_bodies(const Grid<Dim>& grid, std::vector<Body<Dim>> bodies);
 

@@ -7,7 +7,7 @@
 
 namespace washfsi {
 
-/// Vectors of bodies between their frames and space, as the bodies are turned at `time`; body_of(n) is that of the nth.
+/// Turns vectors from bodies' frames into space, or back, as the bodies are at `time`; body_of(n) is the nth's body.
 template <int Dim, class BodyOf>
 Points<Dim> turned(Points<Dim> values, const std::vector<Body<Dim>>& bodies, double time, bool into_space,
                    BodyOf&& body_of) {

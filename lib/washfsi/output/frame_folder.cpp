@@ -65,7 +65,7 @@ FrameFolder::FrameFolder(MPI_Comm comm, std::string folder, std::string name, lo
   if (!is_new()) write_index();
 }
 
-// Keeps a frame of an earlier run that is not later than a step. A damaged one is put aside.
+// Keeps a frame of an earlier run that is not later than a step. Renames a damaged one.
 void FrameFolder::keep_or_remove(long number, long restart_step) {
   const std::string file = path(file_of(number));
   try {
@@ -104,7 +104,7 @@ void FrameFolder::add(double time, long step, const std::function<void(Hdf5File&
   describe_all(describe, parts);
 }
 
-// Under another name until it is complete and on disk.
+// Writes under another name until the file is complete and on disk.
 void FrameFolder::write_whole(const std::string& file, const std::function<void(Hdf5File&)>& write) const {
   const std::string temporary = file + ".part";
   Hdf5File part(comm_, temporary, Hdf5File::Mode::create);

@@ -13,12 +13,11 @@ namespace washfsi {
 /// One moment of a series.
 struct Frame {
   long number = 0;
-  double time = 0;  ///< [s]
+  double time = 0;  ///< time of the frame [s]
 };
 
-/// A time series that ParaView opens. Each frame is a file of its own, NAME/000012.h5, which is there whole or not at
-/// all; NAME.h5 links to them as `/frames/000012`, NAME.xdmf describes them. All members are collective. Errors:
-/// FileError.
+/// A time series for ParaView. Each frame is a file of its own, NAME/000012.h5, which exists completely or not at all;
+/// NAME.h5 links to them as `/frames/000012`, NAME.xdmf describes them. All members are collective. Errors: FileError.
 class FrameFolder {
  public:
   /// Attributes of NAME.h5.
@@ -29,20 +28,20 @@ class FrameFolder {
   FrameFolder(MPI_Comm comm, std::string folder, std::string name, long restart_step, Attributes attributes,
               std::vector<std::string> constants);
 
-  /// Whether the series holds no frame yet.
+  /// Whether the series has no frame yet.
   bool is_new() const { return frames_.empty(); }
 
-  /// Writes what does not change in time, into NAME/constants.h5.
+  /// Writes the data that do not change in time into NAME/constants.h5.
   void write_constants(const std::function<void(Hdf5File&)>& write) const;
 
-  /// Whether a frame's XDMF describes one grid, or is made of several elements `Grid`.
+  /// Whether a frame's XDMF describes one grid, or consists of several elements `Grid`.
   enum class Parts { one, several };
 
-  /// Adds a frame: `write(file)` writes its datasets, `describe(frame)` gives what its XDMF grid element holds.
+  /// Adds a frame: `write(file)` writes its datasets, `describe(frame)` returns the content of its XDMF grid element.
   void add(double time, long step, const std::function<void(Hdf5File&)>& write,
            const std::function<std::string(const Frame&)>& describe, Parts parts = Parts::one);
 
-  /// XDMF text of a dataset of a frame, or of what does not change.
+  /// XDMF text of a dataset of a frame, or of a constant one.
   std::string frame_item(const Frame& frame, const std::string& dataset, const std::vector<hsize_t>& shape) const;
   std::string constant_item(const std::string& dataset, const std::vector<hsize_t>& shape,
                             const std::string& type = float_type) const;

@@ -15,7 +15,7 @@ struct Column {
   std::string name, unit;
 };
 
-/// history.csv: a row of names, a row of units behind '#', then one row per step, each on disk at once.
+/// history.csv: a row of names, a row of units after '#', then one row per step, each on disk at once.
 class History {
  public:
   /// Starts a new file, or continues one after `restart_step`. Collective. Errors: FileError.
@@ -33,7 +33,7 @@ class History {
   std::unique_ptr<std::FILE, Close> file_;
 };
 
-/// A text table with names and units in its first two rows, from rank 0's rows. Collective. Errors: FileError.
+/// Writes a text table with names and units in its first two rows, from rank 0's rows. Collective. Errors: FileError.
 void write_table(MPI_Comm comm, const std::string& path, const std::vector<Column>& columns,
                  const std::vector<std::vector<double>>& rows);
 

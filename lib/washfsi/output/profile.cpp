@@ -32,7 +32,7 @@ void Profile<Dim>::write(const Grid<Dim>& grid, const Boundary<Dim>& boundary, V
     }
     samples[i * (Dim + 1) + Dim] =
         interpolate_linearly<Dim>(grid, place, Point<Dim>::Constant(0.5), [&](Index<Dim> index) {
-          for (int d = 0; d < Dim; ++d)  // no pressure beyond walls: the nearest cell's
+          for (int d = 0; d < Dim; ++d)  // beyond walls there is no pressure: takes the nearest cell's
             if (!grid.periodic(d)) index[d] = std::clamp<PetscInt>(index[d], 0, grid.cells()[d] - 1);
           return p(index);
         });

@@ -41,7 +41,7 @@ void Pace::advance(double wall, long step, double time) {
   dt_ = (time - now_.time) / static_cast<double>(std::max(1L, step - now_.step));
   if (now_.step == first_ + 1) from_ = next_ = now_;
   now_ = {wall, step, time};
-  constexpr double seconds = 20;  // and as many steps: frames and checkpoints are part of the pace
+  constexpr double seconds = 20;  // and at least as many steps: frames and checkpoints are part of the pace
   constexpr long steps = 20;
   if (now_.wall - next_.wall < seconds || now_.step - next_.step < steps) return;
   from_ = next_;

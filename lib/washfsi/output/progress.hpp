@@ -8,7 +8,7 @@
 
 namespace washfsi {
 
-/// Where a run stands after a step.
+/// The progress of a run after a step.
 struct ProgressState {
   long step = 0;
   double time = 0, end = 0;  ///< [s]
@@ -16,19 +16,19 @@ struct ProgressState {
   double momentum_iterations = 0, pressure_iterations = 0;  ///< means over the run
 };
 
-/// How fast a run advances, by its latest steps: setting up is none, and steps change in length and cost. The first
-/// one, whose solvers have nothing to begin with, counts only as long as it is alone.
+/// The pace of a run, from its latest steps: set-up does not count, and steps change in length and cost. The first
+/// step, whose solvers start without guesses, counts only as long as there is no other.
 class Pace {
  public:
-  /// Where the steps begin; `wall`: seconds of any clock.
+  /// Call it before the first step; `wall` are seconds of any clock.
   void begin(double wall, long step, double time);
-  /// After each step.
+  /// Call it after each step.
   void advance(double wall, long step, double time);
 
   double seconds_per_step() const;
-  /// Whether enough steps are done to tell what is left.
+  /// Whether enough steps are done to estimate the remaining time.
   bool is_known() const { return now_.step - first_ > 5; }
-  /// Until the end, in steps as long as the last one [s].
+  /// Estimated time until the end, in steps as long as the last one [s].
   double seconds_left(double end) const;
 
  private:
@@ -39,7 +39,7 @@ class Pace {
   };
   Place from_, next_, now_;  ///< the pace is that since `from_`, which `next_` becomes when it is old enough
   long first_ = 0;           ///< the step before the first
-  double dt_ = 0;            ///< of the last step
+  double dt_ = 0;            ///< length of the last step [s]
 };
 
 /// The progress on rank 0's terminal: one line that renews itself, or a plain line every few seconds when piped.
@@ -47,13 +47,13 @@ class Progress {
  public:
   explicit Progress(MPI_Comm comm);
 
-  /// Before the first step, which goes on from a time.
+  /// Call it before the first step, with step and time at the start.
   void begin(long step, double time) { pace_.begin(wall_seconds(), step, time); }
-  /// After each step; prints if it is time to.
+  /// Call it after each step; prints if it is due.
   void show(const ProgressState& state);
-  /// Ends the line that renews itself.
+  /// Ends the renewing line.
   void finish();
-  /// Prints a line of its own without spoiling the other.
+  /// Prints a line of its own without spoiling the renewing one.
   void note(const std::string& line);
 
   double wall_seconds() const;

@@ -35,7 +35,7 @@ void write_nodes(const Grid<Dim>& grid, const FrameFolder& frames) {
       for (int d = 0; d < Dim; ++d) {
         std::vector<double> nodes;
         for (PetscInt n = 0; n <= grid.cells()[d]; ++n) nodes.push_back(grid.lower()[d] + n * grid.spacing()[d]);
-        const bool writes = rank_of(grid.comm()) == 0;  // for all
+        const bool writes = rank_of(grid.comm()) == 0;  // for all ranks
         file.write(d == 0 ? "/x" : "/y", {{nodes.size()}, {0}, {writes ? nodes.size() : 0}}, nodes);
       }
     });
@@ -69,13 +69,13 @@ class CentredVelocity {
   CentredVelocity(const Grid<Dim>& grid, const Boundary<Dim>& boundary, Vec face_velocity, double time)
       : grid_(grid), local_(boundary, grid.face_dm(), face_velocity, time), u_(grid.face_dm(), local_) {}
 
-  /// With three components.
+  /// The velocity with three components.
   CellField field() const {
     return of_cells({"velocity", "m/s", 3, {}}, [&](const Index<Dim>& cell, std::vector<double>& values) {
       for (int c = 0; c < 3; ++c) values.push_back(c < Dim ? at(cell, c) : 0.0);
     });
   }
-  /// By central differences.
+  /// The vorticity by central differences.
   CellField vorticity() const {
     return of_cells({"vorticity", "1/s", Dim == 2 ? 1 : 3, {}},
                     [&](const Index<Dim>& cell, std::vector<double>& values) {
@@ -219,7 +219,7 @@ typename ClothSeries<Dim>::Topology ClothSeries<Dim>::topology() const {
 template <int Dim>
 void ClothSeries<Dim>::write_constants(Hdf5File& file) const {
   const hsize_t size = topology_.entries.size();
-  const bool writes = rank_of(comm_) == 0;  // for all
+  const bool writes = rank_of(comm_) == 0;  // for all ranks
   file.write("/topology", {{size}, {0}, {writes ? size : 0}}, topology_.entries);
   std::vector<double> group, cloth;
   for (const std::size_t piece : cloths_.piece_of_marker()) {

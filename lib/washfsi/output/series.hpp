@@ -11,13 +11,13 @@
 
 namespace washfsi {
 
-/// flow.h5, flow.xdmf: velocity, pressure and vorticity at cell centres; in space the slices of them too.
+/// flow.h5, flow.xdmf: velocity, pressure and vorticity at cell centres; in space also their slices.
 template <int Dim>
 class FlowSeries {
  public:
   FlowSeries(const Grid<Dim>& grid, const Boundary<Dim>& boundary, const std::string& folder, long restart_step);
   bool is_new() const { return frames_.is_new(); }
-  /// With further fields of cells, the same in each frame. Collective.
+  /// Writes a frame, with further fields of cells, the same in each frame. Collective.
   void write(double time, long step, Vec velocity, Vec pressure, const std::vector<CellField>& further = {});
 
  private:
@@ -47,7 +47,8 @@ struct MarkerField {
   std::vector<double> values;
 };
 
-/// cloth.h5, cloth.xdmf: markers joined to cloths, with velocity, group and cloth numbers, and fields such as stress.
+/// cloth.h5, cloth.xdmf: markers connected to cloths, with velocity, group and cloth numbers, and fields such as
+/// stress.
 template <int Dim>
 class ClothSeries {
  public:

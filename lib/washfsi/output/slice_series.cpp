@@ -10,7 +10,7 @@ namespace washfsi {
 
 namespace {
 
-constexpr std::array names{"yz", "xz", "xy"};  // of the planes across x, y and z
+constexpr std::array names{"yz", "xz", "xy"};  // names of the planes across x, y and z
 
 }  // namespace
 
@@ -43,7 +43,7 @@ std::vector<hsize_t> SliceSeries::node_shape(const Plane& plane) const {
   return shape;
 }
 
-// Where the corners of its cells are, in the middle of the layer; by rank 0.
+// Writes the corners of a plane's cells, in the middle of the layer, on rank 0.
 void SliceSeries::write_nodes(Hdf5File& file, const Plane& plane) const {
   Box<3> nodes{{}, shifted<3>(shifted<3>(shifted<3>(grid_.cells(), 0, 1), 1, 1), 2, 1)};
   nodes.lower[plane.axis] = plane.layer;

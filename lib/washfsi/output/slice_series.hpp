@@ -17,22 +17,22 @@ struct CellField {
   std::vector<double> values;
 };
 
-/// slices.h5, slices.xdmf: the flow in the layers of cells in the middle of the box, as surfaces: of a grid in space
-/// ParaView shows no more than the outline until it is told to.
+/// slices.h5, slices.xdmf: the flow in the layers of cells in the middle of the box, as surfaces: for a grid in space
+/// ParaView shows only the outline by default.
 class SliceSeries {
  public:
   /// Collective.
   SliceSeries(const Grid<3>& grid, const std::string& folder, long restart_step);
-  /// Keeps of a field what the next frame shows.
+  /// Stores the part of a field for the next frame.
   void take(const CellField& field);
-  /// A frame of the fields taken since the last. Collective.
+  /// Writes a frame of the fields taken since the last one. Collective.
   void write(double time, long step);
 
  private:
   /// The layer across an axis.
   struct Plane {
     int axis;
-    std::string name;  ///< of the axes along it, "xy"
+    std::string name;  ///< names of the axes along it, "xy"
     PetscInt layer;    ///< the cells' index along `axis`
     Box<3> part;       ///< this rank's cells; none if `is_here` is false
     bool is_here;

@@ -45,7 +45,7 @@ typename SurfaceSeries<Dim>::Surfaces SurfaceSeries<Dim>::find(const Grid<Dim>& 
   return found;
 }
 
-// Shows the image that lies in the box, if only by its middle.
+// Moves a body's vertices to the image whose middle lies in the box.
 template <int Dim>
 Pose<Dim> SurfaceSeries<Dim>::shown(const Body<Dim>& body, double time) const {
   Pose<Dim> pose = body.motion.pose(time);
@@ -62,7 +62,7 @@ Pose<Dim> SurfaceSeries<Dim>::shown(const Body<Dim>& body, double time) const {
   return pose;
 }
 
-// Of a dataset of which rank 0 has all rows.
+// The slab of a dataset of which rank 0 has all rows.
 template <int Dim>
 Slab SurfaceSeries<Dim>::slab(hsize_t rows, hsize_t columns) const {
   const auto all = static_cast<hsize_t>(ordered_sum(grid_.comm(), static_cast<double>(rows)));
@@ -70,7 +70,7 @@ Slab SurfaceSeries<Dim>::slab(hsize_t rows, hsize_t columns) const {
   return {{all, columns}, {0, 0}, {rows, rows == 0 ? 0 : columns}};
 }
 
-// Whether the frames that a folder holds are of these facets: their places may be others.
+// Whether the frames in a folder have these facets; their places may differ.
 template <int Dim>
 bool SurfaceSeries<Dim>::are_joined_as_in(const std::string& folder) const {
   const auto same = [&] {
@@ -79,7 +79,7 @@ bool SurfaceSeries<Dim>::are_joined_as_in(const std::string& folder) const {
       return constants.read("/topology", topology_) ==
                  std::vector<double>(surfaces_.facets.begin(), surfaces_.facets.end()) &&
              constants.read("/body", scalar_) == surfaces_.owner;
-    } catch (const InputError&) {  // there are none, or of another shape
+    } catch (const InputError&) {  // there are no facets, or they have another shape
       return false;
     }
   };

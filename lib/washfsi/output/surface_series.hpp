@@ -11,8 +11,8 @@
 namespace washfsi {
 
 /// surfaces.h5, surfaces.xdmf: the bodies' surfaces as triangles, in the plane lines, with the number of the body.
-/// Found once, where the bodies are at t = 0, within the box; then they move. Of a body that repeats itself the image
-/// is shown whose middle lies in the box, all of it. A restart goes on with the series if they are joined as before.
+/// Found once within the box, with the bodies as at t = 0; then they move. A periodic body is shown as the image whose
+/// middle lies in the box, completely. A restart continues the series if the connectivity is unchanged.
 template <int Dim>
 class SurfaceSeries {
  public:
@@ -23,10 +23,10 @@ class SurfaceSeries {
   void write(double time, long step);
 
  private:
-  /// Of all bodies, on rank 0; others have none of it.
+  /// The surfaces of all bodies on rank 0; empty on other ranks.
   struct Surfaces {
-    Points<Dim> vertices;           ///< in the frame of their body [m]
-    std::vector<double> owner;      ///< the number of the body of each
+    Points<Dim> vertices;           ///< vertices in the frame of their body [m]
+    std::vector<double> owner;      ///< number of the body of each vertex
     std::vector<long long> facets;  ///< their vertices, `Dim` each
   };
   static Surfaces find(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies);

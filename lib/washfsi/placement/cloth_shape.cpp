@@ -113,7 +113,7 @@ Points<3> bending_mode(const ClothGroup<3>& group, const ShapeOptions<3>& shape,
     most = std::max(most, std::abs(mode(place[0], place[1])));
     return Point<3>::Zero();
   });
-  if (!(most > 1e-6))  // of modes whose rms is 1
+  if (!(most > 1e-6))  // modes have the rms 1
     throw InputError("-" + group.name + "_mode " + std::to_string(shape.mode) +
                      ": moves no marker of this cloth; a single row cannot twist");
   return displaced(group, flat, [&](const auto& place) -> Point<3> {

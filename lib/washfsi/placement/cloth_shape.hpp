@@ -21,15 +21,15 @@ class Uniform {
 /// Dimensions of the shapes that a cloth may start with (-..._shape).
 template <int Dim>
 struct ShapeOptions {
-  double semi_axes[2] = {0.1, 0.05};  ///< of an ellipse, along and across the cloth's direction [m]
-  PetscInt mode = 1;                  ///< of bending of a free cloth, in the order of frequency
-  double amplitude = 0.01;            ///< of the mode, where it is largest [m]
+  double semi_axes[2] = {0.1, 0.05};  ///< semi-axes of an ellipse, along and across the cloth's direction [m]
+  PetscInt mode = 1;                  ///< number of a bending mode of a free cloth, in the order of frequency
+  double amplitude = 0.01;            ///< largest deflection of the mode [m]
   double crumpling = 0.5;             ///< largest turn from edge to edge of a crumpled cloth [rad]
 
   static ShapeOptions from_options(Options& options, const std::string& group);
 };
 
-/// Markers of one cloth that would lie flat, with the shape of its group:
+/// Gives the markers of one flat cloth the shape of its group:
 ///   flat      as it is
 ///   ellipse   (in the plane) round its middle, closed, equally spaced; stretched if that is longer than the cloth
 ///   mode      displaced along the normal by a bending mode of a free beam or plate

@@ -5,7 +5,7 @@
 
 namespace washfsi {
 
-/// Where a cloth would lie flat, whole, from edge to edge: a segment in the plane, a rectangle in space.
+/// The place of a flat cloth, from edge to edge: a segment in the plane, a rectangle in space.
 template <int Dim>
 struct FlatCloth {
   static constexpr int directions = Dim - 1;

@@ -30,7 +30,7 @@ Point<Dim> unit(double angle) {
   return result;
 }
 
-// Orthonormal axes of a cloth from the direction of its s and, in space, something like that of its r.
+// Orthonormal axes of a cloth from the direction of its s and, in space, an approximate direction of its r.
 Eigen::Matrix2d axes_from(const Point<2>& along, const Point<2>&) {
   Eigen::Matrix2d axes;
   axes << along.normalized(), turned_left<2>(along.normalized());
@@ -129,7 +129,7 @@ class Placer {
     return clear_of_cloths && is_clear_of_bodies(cloth, options.clearance);
   }
 
-  // Of those of the other one.
+  // Distance of a cloth from the images of another.
   double distance_of_images(const FlatCloth<Dim>& cloth, const FlatCloth<Dim>& other) const {
     Box<Dim> images{};
     FlatCloth<Dim> nearest = other;
@@ -161,7 +161,7 @@ class Placer {
     return true;
   }
 
-  // Along lines no farther apart than half the clearance.
+  // Tests along lines no farther apart than half the clearance.
   bool is_clear_of_bodies(const FlatCloth<Dim>& cloth, double clearance) const {
     typename FlatCloth<Dim>::Coordinates place;
     if constexpr (Dim == 2) return is_line_clear(cloth, place, clearance);
@@ -212,7 +212,7 @@ void check_start(const ClothGroup<Dim>& group, const std::vector<Body<Dim>>& bod
 
 namespace {
 
-// What the rule of placement does not use.
+// Marks the options that the rule of placement does not use.
 template <int Dim>
 void mark_unused(Options& options, const std::string& group, const PlacementOptions<Dim>& placement) {
   const auto unless = [&](const std::vector<PlacementRule>& rules, const std::vector<std::string>& names) {

@@ -15,18 +15,18 @@ template <int Dim>
 struct PlacementOptions {
   PlacementRule rule = PlacementRule::line;
   Point<Dim> center =
-      Point<Dim>::Zero();  ///< of the first cloth (line, stack), of the fan (radial), of the disc (random)
-  Point<Dim> direction = Point<Dim>::UnitX();  ///< of the cloths' s (line, stack)
-  Point<Dim> across = Point<Dim>::UnitY();     ///< of their r, in space (line, stack)
-  double distance = 0.02;                      ///< between neighbours (line: along the cloth; stack: along its normal)
-  double inner_radius = 0.1;                   ///< where the cloths begin (radial)
-  double shift = 0;                            ///< at most, of each cloth, along each axis (radial)
-  double tilt = 0;                             ///< at most, of each cloth, about each axis [rad] (radial)
-  double radius = 0.3;                         ///< of the disc that holds the cloths (random)
-  double height = 0.2;                         ///< of that disc, in space (random)
+      Point<Dim>::Zero();  ///< centre of the first cloth (line, stack), of the fan (radial), of the disc (random)
+  Point<Dim> direction = Point<Dim>::UnitX();  ///< direction of the cloths' s (line, stack)
+  Point<Dim> across = Point<Dim>::UnitY();     ///< direction of their r, in space (line, stack)
+  double distance = 0.02;                      ///< gap of neighbours (line: along the cloth; stack: along its normal)
+  double inner_radius = 0.1;                   ///< radius where the cloths begin (radial)
+  double shift = 0;                            ///< largest shift of each cloth along each axis (radial)
+  double tilt = 0;                             ///< largest tilt of each cloth about each axis [rad] (radial)
+  double radius = 0.3;                         ///< radius of the disc that contains the cloths (random)
+  double height = 0.2;                         ///< height of that disc, in space (random)
   double clearance = 0.01;                     ///< least distance from bodies and other cloths (random)
   PetscInt seed = 1;
-  ShapeOptions<Dim> shape;  ///< of the cloth, whatever its place
+  ShapeOptions<Dim> shape;  ///< shape of the cloth, whatever its place
 
   static PlacementOptions from_options(Options& options, const std::string& group);
 };

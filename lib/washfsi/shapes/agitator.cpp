@@ -37,7 +37,7 @@ class Ribbon : public Shape<3> {
   double height_, radius_;
 };
 
-// From the axis to where the distance from it, with half the thickness, is the tip's radius.
+// The vane's line from the axis to where the radius plus half the thickness is the tip's radius.
 Points<2> plan_of_vane(const AgitatorDimensions& dimensions) {
   constexpr int parts = 40;
   const double reach = dimensions.tip_radius - 0.5 * dimensions.vane_thickness;

@@ -9,7 +9,7 @@
 
 namespace washfsi {
 
-/// What is in any of the parts.
+/// The union of its parts.
 template <int Dim>
 class Union : public Shape<Dim> {
  public:
@@ -24,7 +24,7 @@ class Union : public Shape<Dim> {
   ShapeList<Dim> parts_;  ///< at least one
 };
 
-/// What is in all of the parts.
+/// The intersection of its parts.
 template <int Dim>
 class Intersection : public Shape<Dim> {
  public:
@@ -94,7 +94,7 @@ class Repeated : public Shape<Dim> {
   std::vector<Pose<Dim>> poses_;
 };
 
-/// What is in the first part and in none of the others.
+/// The difference: the first part without all others.
 template <int Dim>
 ShapePtr<Dim> difference(ShapeList<Dim> parts);
 

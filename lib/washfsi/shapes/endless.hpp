@@ -5,7 +5,7 @@
 
 namespace washfsi {
 
-/// The shape that another one has at one place of an axis, all along it.
+/// The endless shape along an axis with the cross section of another shape at one place.
 template <int Dim>
 class Endless : public Shape<Dim> {
  public:
@@ -29,7 +29,7 @@ class Endless : public Shape<Dim> {
     ShapePtr<Dim> shape;
     Pose<Dim> pose;
   };
-  std::vector<Part> parts_;  ///< of the inner shape, each endless
+  std::vector<Part> parts_;  ///< parts of the inner shape, each endless
 };
 
 extern template class Endless<2>;

@@ -13,7 +13,7 @@ constexpr double unbounded = std::numeric_limits<double>::infinity();
 template <int Dim>
 Bounds<Dim> common(const Bounds<Dim>& a, const Bounds<Dim>& b) {
   Bounds<Dim> both{a.lower.cwiseMax(b.lower), a.upper.cwiseMin(b.upper)};
-  both.upper = both.upper.cwiseMax(both.lower);  // of none, a point
+  both.upper = both.upper.cwiseMax(both.lower);  // a point if they are disjoint
   return both;
 }
 
@@ -38,7 +38,7 @@ Extent<Dim> Extent<Dim>::grown(double radius) const {
   return result;
 }
 
-// Turned about z: the box round the turned box. Without bounds along x or y there are none along either.
+// The box round a box turned about z. Without bounds along x or y there are none along either.
 template <int Dim>
 Extent<Dim> Extent<Dim>::in_space(const Pose<Dim>& pose) const {
   Extent result = *this;
@@ -64,7 +64,7 @@ Extent<Dim> Extent<Dim>::in_space(const Pose<Dim>& pose) const {
   return result;
 }
 
-// What is open of a union is open of each part.
+// The opening of a union is the intersection of the parts' openings.
 template <int Dim>
 Extent<Dim> Extent<Dim>::of_union(const std::vector<Extent>& parts) {
   Extent result = parts.front();
@@ -79,7 +79,7 @@ Extent<Dim> Extent<Dim>::of_union(const std::vector<Extent>& parts) {
   return result;
 }
 
-// It is open where any part is.
+// The opening of an intersection is the union of the parts' openings.
 template <int Dim>
 Extent<Dim> Extent<Dim>::of_intersection(std::vector<Extent> parts) {
   for (Extent& part : parts) part = part.inverted();

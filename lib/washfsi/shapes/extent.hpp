@@ -9,23 +9,23 @@
 
 namespace washfsi {
 
-/// A box that holds all of a solid; or, of one that goes on without end, all that it leaves open, as of a drum. Both
-/// may be larger than they must. Without bounds along an axis they are infinite there.
+/// A box that contains all of a solid or, for an endless one such as a drum, its whole opening. Both may be larger than
+/// necessary, and are infinite along an axis without bounds.
 template <int Dim>
 struct Extent {
   Bounds<Dim> bounds;       ///< [m]
-  bool of_opening = false;  ///< they hold what is not in the solid
+  bool of_opening = false;  ///< whether they contain what is not in the solid
 
   static Extent infinite();
   /// Whether there are bounds along an axis.
   bool is_finite(int axis) const;
 
-  /// The same of the complement; of a solid that is grown by a radius; of one that is in this place.
+  /// The extents of the complement; of the solid grown by a radius; of the solid in this place.
   Extent inverted() const { return {bounds, !of_opening}; }
   Extent grown(double radius) const;
   Extent in_space(const Pose<Dim>& pose) const;
 
-  /// Of what is in any of some solids, at least one; in all of them.
+  /// The extents of the union of at least one solid; of their intersection.
   static Extent of_union(const std::vector<Extent>& parts);
   static Extent of_intersection(std::vector<Extent> parts);
 };

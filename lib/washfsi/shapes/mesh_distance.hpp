@@ -25,8 +25,8 @@ class MeshDistance : public Shape<3> {
 
   TriangleMesh mesh_;
   double extent_ = 0;                                  ///< largest coordinate [m]
-  Points<3> facet_normals_, vertex_normals_;           ///< of any length
-  std::vector<std::array<Point<3>, 3>> edge_normals_;  ///< of the edge from each corner of a facet to the next
+  Points<3> facet_normals_, vertex_normals_;           ///< normals of any length
+  std::vector<std::array<Point<3>, 3>> edge_normals_;  ///< normals of the edges from each corner of a facet to the next
   std::unique_ptr<Tree> tree_;
 };
 

@@ -13,7 +13,7 @@ namespace washfsi {
 
 namespace {
 
-/// Which vertices hang together: each points towards the first of its shell.
+/// The connected vertices: each points towards the first of its shell.
 class Joined {
  public:
   explicit Joined(std::size_t vertices) : towards_(vertices) { std::iota(towards_.begin(), towards_.end(), 0U); }

@@ -5,12 +5,12 @@
 
 namespace washfsi {
 
-/// The parts of a surface that hang together, each closed: two shells share no vertex.
+/// The connected parts of a surface, each closed: two shells share no vertex.
 std::vector<TriangleMesh> shells_of(const TriangleMesh& mesh);
 
-/// The solid of several closed surfaces: of each that faces outwards, its inside without the cavities in it, which face
-/// inwards; together their union, whether they lie apart, in each other or overlap. Where they overlap the distance is
-/// that of the one in which a place lies deepest: a bound, never beyond the true one.
+/// The solid of several closed surfaces: the union, for each that faces outwards, of its inside without the cavities in
+/// it, which face inwards. They may lie apart, in each other or overlap. Where they overlap the distance is that of the
+/// one in which a place lies deepest: a bound, never beyond the true one.
 class MeshShells : public Shape<3> {
  public:
   /// Errors: InputError, which begins with `start`, if a cavity lies in no solid.

@@ -17,7 +17,7 @@ class Polygon : public Shape<2> {
   double distance(const Point<2>& place) const override;
   Extent<2> extent() const override;
 
-  /// What makes these corners no polygon, in words; empty if nothing does.
+  /// Describes why these corners form no polygon; empty if they do.
   static std::string flaw(const Points<2>& vertices);
 
  private:

@@ -13,7 +13,7 @@ double Cuboid<Dim>::distance(const Point<Dim>& place) const {
   return beyond.cwiseMax(0.0).norm() + std::min(beyond.maxCoeff(), 0.0);
 }
 
-// Along the axis that the normal may lie along.
+// The extent is finite only if the normal lies along an axis.
 template <int Dim>
 Extent<Dim> HalfSpace<Dim>::extent() const {
   Extent<Dim> result = Extent<Dim>::infinite();

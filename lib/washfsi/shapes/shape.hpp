@@ -20,7 +20,7 @@ class Shape {
   Shape& operator=(const Shape&) = delete;
   virtual ~Shape() = default;
   virtual double distance(const Point<Dim>& place) const = 0;
-  /// Where it lies in its frame.
+  /// Its extent in its frame.
   virtual Extent<Dim> extent() const { return Extent<Dim>::infinite(); }
   /// Whether the solid is what lies outside a surface.
   virtual bool is_inverted() const { return false; }
@@ -32,7 +32,7 @@ class Shape {
     const Shape* shape;
     Pose<Dim> pose;
   };
-  /// Adds the shapes whose union this one is, which is in this place: itself, if it is none.
+  /// Adds the shapes whose union this one is, with this place; the shape itself if it is no union.
   virtual void add_parts(const Pose<Dim>& pose, std::vector<Part>& parts) const { parts.push_back({this, pose}); }
 };
 

@@ -234,7 +234,7 @@ class ShapeReader {
     return shape;
   }
 
-  // All, but in the plane only those that can be there.
+  // All kinds; in the plane only those possible there.
   static std::vector<ShapeKind> kinds() {
     using enum ShapeKind;
     if (Dim == 3) return {};
@@ -281,7 +281,7 @@ class ShapeReader {
 
 namespace {
 
-// What the user gave for a shape that the body has no more, and for parts that it has no more.
+// Ignores options of a shape and of parts that the body no longer has.
 template <int Dim>
 void leave_out_others(Options& options, const std::string& name, double sample_spacing, const std::string& fallback,
                       const std::vector<std::string>& parts) {

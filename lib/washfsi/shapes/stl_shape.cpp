@@ -14,7 +14,7 @@ namespace {
 
 constexpr double margin_in_points = 8;  // with the default spacing, four cells of the grid
 
-// Refuses a lattice that no machine would hold, with a spacing that one would.
+// Refuses a lattice too large for any machine, and suggests a spacing that fits.
 void check_size(const Lattice<3>& lattice, double length, const StlOptions& options, const std::string& name) {
   constexpr double most_points = Lattice<3>::most_points;
   if (lattice.size() <= most_points) return;

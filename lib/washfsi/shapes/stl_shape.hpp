@@ -10,7 +10,7 @@ namespace washfsi {
 struct StlOptions {
   std::string file;
   double scale = 1;           ///< [m] per unit of the file
-  double sample_spacing = 0;  ///< of the lattice on which the distance is kept [m]
+  double sample_spacing = 0;  ///< spacing of the lattice on which the distance is sampled [m]
 
   void read(OptionBlock& block);
 };

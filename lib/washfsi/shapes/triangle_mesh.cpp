@@ -37,7 +37,7 @@ bool is_degenerate(const Triangle& t) {
   return (t[1] - t[0]).cross(t[2] - t[0]).norm() <= thinnest * longest2;
 }
 
-/// How often an edge is passed from its lower to its higher vertex, and back.
+/// How often facets pass an edge from its lower to its higher vertex, and back.
 struct Passes {
   int up = 0, down = 0;
 };

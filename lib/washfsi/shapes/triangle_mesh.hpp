@@ -21,11 +21,11 @@ struct TriangleMesh {
 
   Triangle triangle(const Facet& facet) const { return {vertices[facet[0]], vertices[facet[1]], vertices[facet[2]]}; }
 
-  /// That it holds, if it is closed; negative if it faces inwards [m3].
+  /// The enclosed volume, if it is closed; negative if it faces inwards [m3].
   double volume() const;
 
-  /// What makes this no closed surface that faces outwards everywhere, in words; empty if nothing does. Facets that
-  /// cross each other are not looked for.
+  /// Describes why this is no closed surface that faces outwards everywhere; empty if it is. Does not check for facets
+  /// that cross each other.
   std::string flaw() const;
 };
 

@@ -12,7 +12,7 @@ namespace washfsi {
 
 namespace {
 
-constexpr PetscInt fewest_nodes = 2, most_nodes = 16;  // of a cell along each axis
+constexpr PetscInt fewest_nodes = 2, most_nodes = 16;  // per cell along each axis
 
 /// Marches through cells and collects what it finds.
 template <int Dim>
@@ -37,7 +37,7 @@ class Marcher {
   SimplexMesh<Dim> mesh;
 
  private:
-  using Node = Index<Dim>;  ///< of the finest lattice
+  using Node = Index<Dim>;  ///< index in the finest lattice
   using Corners = std::array<Node, Dim + 1>;
 
   Point<Dim> place(const Node& node) const {
@@ -93,7 +93,7 @@ class Marcher {
     mesh.facets.push_back(facet);
   }
 
-  // Where the distance is zero between two nodes.
+  // The vertex where the distance is zero between two nodes.
   std::size_t vertex(const Node& inside, const Node& outside) {
     const auto [entry, is_new] = cuts_.try_emplace({inside, outside}, mesh.vertices.size());
     if (is_new) {
@@ -106,7 +106,7 @@ class Marcher {
 
   const Grid<Dim>& grid_;
   Point<Dim> spacing_;
-  PetscInt step_ = 1;  ///< between the nodes of the cell under way
+  PetscInt step_ = 1;  ///< between the nodes of the current cell
   const std::function<double(const Point<Dim>&)>& distance_;
   std::map<Node, double> values_;
   std::map<std::pair<Node, Node>, std::size_t> cuts_;
@@ -126,8 +126,8 @@ std::vector<long long> gathered(MPI_Comm comm, const std::vector<long long>& min
   return all;
 }
 
-// How many nodes a cell wants for none of what is thin to slip between them: so many that the way through the body from
-// the surface nearest to a place is longer than their spacing.
+// The number of nodes that a cell needs so that no thin part slips between them: the way through the body from the
+// surface nearest to a place must be longer than their spacing.
 template <int Dim>
 PetscInt nodes_wanted(const Point<Dim>& place, const Point<Dim>& spacing,
                       const std::function<double(const Point<Dim>&)>& distance) {
@@ -145,7 +145,7 @@ PetscInt nodes_wanted(const Point<Dim>& place, const Point<Dim>& spacing,
   return nodes;
 }
 
-// As its parts want it.
+// The number of nodes that the parts of a shape need.
 template <int Dim>
 PetscInt nodes_in(const Grid<Dim>& grid, const Index<Dim>& cell,
                   const std::function<double(const Point<Dim>&)>& distance) {
@@ -158,8 +158,8 @@ PetscInt nodes_in(const Grid<Dim>& grid, const Index<Dim>& cell,
   return nodes;
 }
 
-// The cells of the box in which a surface may lie, x fastest, by their numbers, and how many nodes each wants: the
-// number times more than the most of them, and this. On rank 0.
+// The cells of the box in which a surface may lie, x fastest, and how many nodes each needs, packed in one integer: the
+// cell's number times a factor above the most nodes, plus the nodes. On rank 0.
 template <int Dim>
 std::vector<long long> cells_of_surface(const Grid<Dim>& grid,
                                         const std::function<double(const Point<Dim>&)>& distance) {

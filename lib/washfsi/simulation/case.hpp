@@ -8,11 +8,11 @@
 
 namespace washfsi {
 
-/// What is simulated, how it starts, how it is advanced and what is measured.
+/// The options of a case: model, initial state, coupling and measures.
 template <int Dim>
 struct CaseOptions {
   ModelOptions<Dim> model;
-  std::vector<PlacementOptions<Dim>> placements;  ///< of each group of cloths
+  std::vector<PlacementOptions<Dim>> placements;  ///< placement of each group of cloths
   InitialFlowOptions<Dim> initial_flow;
   CouplingOptions coupling;
   MeasureOptions measure;
@@ -20,7 +20,7 @@ struct CaseOptions {
   static CaseOptions from_options(Options& options);
 };
 
-/// The system of a case at t = 0. Collective. Errors: InputError.
+/// Creates the system of a case at t = 0. Collective. Errors: InputError.
 template <int Dim>
 std::unique_ptr<System<Dim>> start_system(MPI_Comm comm, const CaseOptions<Dim>& options,
                                           std::vector<Body<Dim>> bodies);

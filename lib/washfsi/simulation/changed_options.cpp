@@ -17,7 +17,7 @@ std::map<std::string, std::string> options_in(const std::string& text) {
     std::istringstream words(line);
     name = value = "";
     words >> name >> std::ws;
-    std::getline(words, value);  // one in quotes may have blanks
+    std::getline(words, value);  // a quoted value may contain blanks
     if (name.starts_with('-')) options[name.substr(1)] = value;
   }
   return options;

@@ -6,14 +6,15 @@
 
 namespace washfsi {
 
-/// The lines of a text of resolved options that make up the case: how long a run takes and what it writes is no part of
-/// it.
+/// The lines of a text of resolved options that define the case, without those on the run's length and output.
 std::string case_options(const std::string& resolved);
 
-/// Such a text without the checkpoint that the run went on from, which later ones replace: so that it repeats the run.
+/// A text of resolved options that repeats a run: without the checkpoint from which it continued, which later ones
+/// replace.
 std::string repeatable(const std::string& resolved);
 
-/// What a restart changes of a case, from two such texts: a line for each option. Nothing if the first is empty.
+/// The options of a case that a restart changes, from two such texts: a line for each. Empty if the first text is
+/// empty.
 std::vector<std::string> changed_options(const std::string& before, const std::string& now);
 
 }  // namespace washfsi

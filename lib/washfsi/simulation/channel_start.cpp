@@ -35,9 +35,9 @@ using Vector3 = Eigen::Vector3d;
 
 /// One wave of the disturbance's vector potential.
 struct Wave {
-  Vector3 number;     ///< along the periodic axes [1/m]
-  Vector3 potential;  ///< times the mean speed and the half height: its size and direction
-  double across;      ///< half waves from wall to wall
+  Vector3 number;     ///< wave numbers along the periodic axes [1/m]
+  Vector3 potential;  ///< amplitude over the mean speed and the half height
+  double across;      ///< number of half waves from wall to wall
   double phase, phase_across;
 };
 

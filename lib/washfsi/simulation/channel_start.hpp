@@ -18,7 +18,7 @@ const ChoiceNames<ChannelProfile>& names_of(ChannelProfile);
 
 struct ChannelStartOptions {
   ChannelProfile profile = ChannelProfile::turbulent;
-  double disturbance = 0.1;  ///< rms over the mean velocity, about
+  double disturbance = 0.1;  ///< approximate rms over the mean velocity
   PetscInt seed = 1;
 
   static ChannelStartOptions from_options(Options& options);

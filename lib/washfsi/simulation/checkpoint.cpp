@@ -13,7 +13,7 @@ namespace washfsi {
 
 namespace {
 
-constexpr double format = 10;  ///< of the file; another number for any other content
+constexpr double format = 10;  ///< number of the file's format; changes with its content
 
 using Spread = StateEntry::Spread;
 
@@ -51,7 +51,8 @@ void read_entry(Hdf5File& file, const StateEntry& entry) {
       file.read_sealed(entry.name, {shape, std::vector<hsize_t>(shape.size(), 0), shape}, Hdf5File::Readers::whole));
 }
 
-// What a checkpoint must share with the run that goes on from it: the box, and every cloth's markers and spacings.
+// The numbers that a checkpoint must share with the run that continues it: the box, and every cloth's markers and
+// spacings.
 template <int Dim>
 std::vector<double> identity(const System<Dim>& system) {
   std::vector<double> numbers;
@@ -76,7 +77,7 @@ void register_run(RunState& run, StateList& list) {
             .spread = Spread::shared});
 }
 
-// Read first, so that a file of something else is refused before anything is taken from it.
+// Checks the file first, so that a wrong one is refused before anything is read from it.
 template <int Dim>
 StateEntry identity_entry(const System<Dim>& system, const std::string& path) {
   return {.name = "/identity",

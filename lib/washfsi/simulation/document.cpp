@@ -32,8 +32,8 @@ const DeclaredOption& any_of(const DocumentedOption& option) {
   return option[1] ? *option[1] : *option[0];
 }
 
-// Those of space alone stand behind the option that they follow there. Laws of fabric have options of the same name,
-// each in its block.
+// Merges both lists; options in space only are placed after the option that they follow there. Laws of fabric have
+// options of the same name, each in its block.
 std::vector<DocumentedOption> merge(const std::array<std::vector<DeclaredOption>, 2>& declared) {
   std::vector<DocumentedOption> merged;
   for (std::size_t dimension = 0; dimension < 2; ++dimension) {
@@ -50,7 +50,7 @@ std::vector<DocumentedOption> merge(const std::array<std::vector<DeclaredOption>
   return merged;
 }
 
-// What is the same in the plane and in space, or both.
+// The text common to plane and space, or both texts.
 std::string both_texts(const DocumentedOption& option, const std::function<std::string(const DeclaredOption&)>& text) {
   if (!option[0] || !option[1]) return text(any_of(option));
   const std::string plane = text(*option[0]), space = text(*option[1]);
@@ -75,7 +75,7 @@ std::string row(const DocumentedOption& option) {
          both_texts(option, default_text) + " | " + only + any.meaning + " |\n";
 }
 
-// All that is read for runs in so many dimensions, with its defaults.
+// All options that are read for runs in Dim dimensions, with their defaults.
 template <int Dim>
 Options declare_all(MPI_Comm comm) {
   WASH_PETSC(PetscOptionsClear(nullptr));

@@ -7,10 +7,10 @@
 
 namespace washfsi {
 
-/// What the program can tell of itself instead of running.
+/// The documents that the program can print instead of running.
 enum class Document {
   none,
-  options,     ///< every option that there is
+  options,     ///< all options
   quantities,  ///< the columns of the case's history.csv
 };
 const ChoiceNames<Document>& names_of(Document);
@@ -18,11 +18,11 @@ const ChoiceNames<Document>& names_of(Document);
 /// -document. Collective. Errors: InputError.
 Document document_from_options(Options& options);
 
-/// Every option that there is in two and in three dimensions, in tables in Markdown. CLOTH, BODY and LINE stand for
-/// names that users choose. Collective.
+/// All options in two and in three dimensions, in tables in Markdown. CLOTH, BODY and LINE stand for names that users
+/// choose. Collective.
 std::string document_options(MPI_Comm comm);
 
-/// What is measured of the case, in a table in Markdown. Collective. Errors: InputError.
+/// The measured quantities of the case, in a table in Markdown. Collective. Errors: InputError.
 template <int Dim>
 std::string document_quantities(Options& options);
 

@@ -5,7 +5,7 @@
 
 namespace washfsi {
 
-/// Warns of what no machine with water has, most likely given in another unit or along another axis.
+/// Warns of values that no machine with water has, most likely given in another unit or along another axis.
 template <int Dim>
 void warn_of_doubtful_options(Options& options, const CaseOptions<Dim>& chosen, const std::vector<Body<Dim>>& bodies);
 

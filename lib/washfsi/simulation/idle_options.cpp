@@ -51,7 +51,7 @@ void mark_without_cloths(Options& options) {
                "rest_speed", "time_tolerance", "machine_orbit_center", "delta_*"});
 }
 
-// By the couplings, of which each needs some of the options only.
+// Marks options of couplings, each of which uses only some of them.
 template <int Dim>
 void mark_of_coupling(Options& options, const CaseOptions<Dim>& chosen) {
   const std::string& scheme = chosen.coupling.scheme;

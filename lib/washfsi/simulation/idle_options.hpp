@@ -5,8 +5,8 @@
 
 namespace washfsi {
 
-/// Marks the options that have no effect as options of other parts stand: without water, cloths or bodies, and with the
-/// chosen coupling. What depends on options of one part alone is marked there.
+/// Marks the options that have no effect because of options of other parts: without water, cloths or bodies, and with
+/// the chosen coupling. Those that depend on options of their own part only are marked there.
 template <int Dim>
 void mark_idle_options(Options& options, const CaseOptions<Dim>& chosen, const std::vector<Body<Dim>>& bodies);
 

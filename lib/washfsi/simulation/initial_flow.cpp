@@ -82,7 +82,7 @@ VelocityAt<Dim> couette(const Model<Dim>& model, const InitialFlowOptions<Dim>&)
   };
 }
 
-// The body that the user names, or the one that turns round its water: a drum does not hold its own centre.
+// The body that the user names, or the one that turns round its water: a drum does not contain its own centre.
 template <int Dim>
 const Body<Dim>& body_to_turn_with(const std::vector<Body<Dim>>& bodies, const std::string& name) {
   std::vector<const Body<Dim>*> found;
@@ -123,7 +123,7 @@ struct NamedFlow {
   VelocityAt<Dim> (*velocity)(const Model<Dim>&, const InitialFlowOptions<Dim>&);
 };
 
-// Every flow that there is.
+// All flows.
 template <int Dim>
 const std::vector<NamedFlow<Dim>>& initial_flows() {
   static const std::vector<NamedFlow<Dim>> flows{

@@ -6,12 +6,12 @@
 
 namespace washfsi {
 
-/// How the water moves at the start.
+/// The motion of the water at the start.
 template <int Dim>
 struct InitialFlowOptions {
   std::string kind = "rest";                 ///< one of those in `initial_flow.cpp`
-  Point<Dim> velocity = Point<Dim>::Zero();  ///< of the uniform flow, or scale of others [m/s]
-  std::string body;                          ///< with which the water turns; empty: the drum
+  Point<Dim> velocity = Point<Dim>::Zero();  ///< velocity of the uniform flow, or scale of others [m/s]
+  std::string body;                          ///< body with which the water turns; empty: the drum
   ChannelStartOptions channel;
 
   static InitialFlowOptions from_options(Options& options);
@@ -19,7 +19,7 @@ struct InitialFlowOptions {
 
 /// Starts the water:
 ///   rest
-///   uniform       a velocity that is the same everywhere
+///   uniform       a uniform velocity
 ///   taylor_green  one wave of vortices in the x,y plane: u = (-cos kx sin ly, (k/l) sin kx cos ly)
 ///   taylor_green_3d  vortices that break up: u = V sin kx cos ly cos mz, v = -V (k/l) cos kx sin ly cos mz, w = 0
 ///   channel       along two walls, disturbed: see `channel_start.hpp`

@@ -57,7 +57,7 @@ void Results<Dim>::remove_summary(MPI_Comm comm, const std::string& folder) {
 
 template <int Dim>
 void Results<Dim>::remove_ends(MPI_Comm comm, const std::string& folder) {
-  std::error_code ignored;  // what cannot be removed cannot be written either, which tells more
+  std::error_code ignored;  // a file that cannot be removed cannot be written either, and that error says more
   if (rank_of(comm) == 0) {
     for (const char* name : {"checkpoint.h5", "checkpoint_before.h5", "summary.json", "cloth_final.csv",
                              "statistics.h5", "statistics.csv", "phases.h5"})
@@ -81,7 +81,7 @@ std::vector<Column> cycle_columns(const Cycles& cycles) {
   return columns;
 }
 
-// Of numbers that were judged, with the limit; JSON has no number for what has none.
+// Findings as JSON; numbers and limits only for those that have them, since JSON has no NaN.
 nlohmann::ordered_json json_of(const Findings& findings) {
   auto list = nlohmann::ordered_json::array();
   for (const Finding& finding : findings) {
@@ -124,7 +124,7 @@ void Results<Dim>::open_history(long restart_step) {
 
 namespace {
 
-// Of cells, beside velocity and pressure.
+// Further fields of cells, beside velocity and pressure.
 template <int Dim>
 std::vector<CellField> further_fields(const Model<Dim>& model) {
   if (!model.liquid.has_models()) return {};

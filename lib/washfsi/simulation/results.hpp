@@ -12,17 +12,17 @@
 
 namespace washfsi {
 
-/// How a run ended, for summary.json.
+/// The end of a run, for summary.json.
 struct RunSummary {
   std::string case_name, status;
   long steps = 0;
-  double time = 0;          ///< simulated [s]
-  double wall_seconds = 0;  ///< of this start of the program
+  double time = 0;          ///< simulated time [s]
+  double wall_seconds = 0;  ///< wall time since this start of the program [s]
   double seconds_per_step = 0;
-  Findings at_start, at_end;  ///< how far to believe it
+  Findings at_start, at_end;  ///< findings on how far to trust it
 };
 
-/// Everything that a run leaves in its output folder.
+/// All output of a run in its folder.
 template <int Dim>
 class Results {
  public:
@@ -30,25 +30,25 @@ class Results {
   Results(const System<Dim>& system, Measures<Dim>& measures, std::vector<Profile<Dim>> profiles, std::string folder,
           long restart_step);
 
-  /// Whether a folder has the history of an earlier run. Collective.
+  /// Whether a folder contains the history of an earlier run. Collective.
   static bool holds_a_run(MPI_Comm comm, const std::string& folder);
 
-  /// Whether it has the summary that a run writes last. Collective.
+  /// Whether a folder contains the summary, which a run writes last. Collective.
   static bool holds_an_end(MPI_Comm comm, const std::string& folder);
 
-  /// Removes what an earlier run wrote last, for a run that goes on from it. Collective.
+  /// Removes the summary of an earlier run, for a run that continues it. Collective.
   static void remove_summary(MPI_Comm comm, const std::string& folder);
-  /// Removes all that an earlier run wrote at its end, or to go on from. Collective.
+  /// Removes all files that an earlier run wrote at its end, or for a restart. Collective.
   static void remove_ends(MPI_Comm comm, const std::string& folder);
 
   /// Starts history.csv, tracks.csv and cycles.csv, or continues them after `restart_step`. Collective. Errors:
   /// FileError.
   void open_history(long restart_step);
-  /// A frame of each series.
+  /// Writes a frame of each series.
   void write_frame(long step);
-  /// A row of history.csv and of tracks.csv, and one of cycles.csv if a cycle ends.
+  /// Writes a row of history.csv and of tracks.csv, and one of cycles.csv if a cycle ends.
   void write_row(long step);
-  /// Profiles and the final marker table.
+  /// Writes profiles and the final marker table.
   void write_final() const;
   void write_summary(const RunSummary& summary) const;
 

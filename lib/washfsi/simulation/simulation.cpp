@@ -66,7 +66,7 @@ Simulation<Dim>::Simulation(Options& options, const std::string& case_name) : pr
   start_results(options);
 }
 
-// Of the system at t = 0, where a restart goes on from too.
+// Judges the system as it is at the start, also of a restart.
 template <int Dim>
 void Simulation<Dim>::judge_start(const CaseOptions<Dim>& chosen) {
   begin_step(*system_, system_->state.positions, clock().time, 0);  // forces look at what is near
@@ -168,7 +168,7 @@ void Simulation<Dim>::step() {
                   .pressure_iterations = system_->model.fluid.counts().pressure / static_cast<double>(clock().step)});
 }
 
-// Once of each step: the one before is to be an earlier one.
+// Writes a checkpoint, once per step, so that the previous one is of an earlier step.
 template <int Dim>
 void Simulation<Dim>::keep_state() {
   if (clock().step == kept_step_) return;
@@ -183,7 +183,7 @@ bool Simulation<Dim>::due(double interval, double time) const {
   return std::floor(now + 1e-6) > std::floor(before + 1e-6);
 }
 
-// Of the step that will end at a time; it may turn out to be the last one at rest.
+// Whether all is measured after the step that will end at a time, which may turn out to be the last one at rest.
 template <int Dim>
 bool Simulation<Dim>::measures_all(long step, double time) const {
   return run_.history_interval == 0 || due(run_.history_interval, time) || ends(step, time, state_.steps_at_rest + 1);
@@ -272,7 +272,7 @@ void Simulation<Dim>::check_only() {
   const double memory = peak_memory(system_->model.grid.comm());
   const double start = clock().time;
   constexpr int trial_steps = 3;
-  scheme_->advance(*system_, state_.dt);  // the first sets up what others have
+  scheme_->advance(*system_, state_.dt);  // the first step sets up what later ones reuse
   const double before = progress_.wall_seconds();
   for (int n = 0; n < trial_steps; ++n) scheme_->advance(*system_, state_.dt);  // only to time them
   const double per_step = (progress_.wall_seconds() - before) / trial_steps;

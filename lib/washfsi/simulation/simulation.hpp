@@ -47,7 +47,7 @@ class Simulation {
 
   RunOptions run_;
   std::string coupling_;
-  std::vector<std::string> notes_;  ///< on the options
+  std::vector<std::string> notes_;  ///< notes on the options
   std::vector<Profile<Dim>> profiles_;
   std::unique_ptr<FolderLock> lock_;
   std::unique_ptr<System<Dim>> system_;
@@ -57,7 +57,7 @@ class Simulation {
   std::unique_ptr<Results<Dim>> results_;
   Progress progress_;
   RunState state_;
-  Findings at_start_;  ///< how far to believe the case
+  Findings at_start_;  ///< findings on the case before the first step
   long first_step_ = 0, attempted_step_ = 0, kept_step_ = -1;
   double attempt_start_ = 0;  ///< time before the last attempted step [s]
   bool warned_of_step_ = false;

@@ -15,7 +15,7 @@ namespace washfsi {
 
 namespace {
 
-// Of the nodes that the ranks are on, together [B].
+// Memory of all nodes on which the ranks run [B].
 double memory_of_machine(MPI_Comm comm) {
   MPI_Comm node = MPI_COMM_NULL;
   MPI_Comm_split_type(comm, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node);
@@ -37,7 +37,7 @@ void refuse_beyond_indices(double numbers, const std::string& what) {
     throw InputError(what + ": " + to_text(numbers) + " unknowns, but this PETSc counts to " + to_text(most));
 }
 
-// Pairs of markers of one cloth whose deltas overlap: what the matrix of mobilities has at least.
+// Pairs of markers of one cloth whose deltas overlap: a lower bound of the entries of the mobility matrix.
 template <int Dim>
 double overlapping_pairs(const ClothGroup<Dim>& group, const DeltaOptions& delta, const Point<Dim>& spacing) {
   const double reach = (delta.spread_width + delta.interpolate_width) * spacing.minCoeff();
@@ -62,7 +62,7 @@ std::string text_of(const Index<Dim>& counts) {
 
 template <int Dim>
 void refuse_what_cannot_fit(MPI_Comm comm, const CaseOptions<Dim>& options) {
-  // Some 20 numbers of a face and 20 of a cell are kept; of a marker the rows of its stiffness, with 5 or 25 blocks.
+  // About 20 numbers per face and 20 per cell are stored; per marker the rows of its stiffness, with 5 or 25 blocks.
   constexpr double of_cell = 8 * (20 * Dim + 20), of_marker = (Dim == 2 ? 5 : 25) * Dim * Dim * 12;
   const double memory = memory_of_machine(comm);
   double cells = 1;
@@ -72,7 +72,7 @@ void refuse_what_cannot_fit(MPI_Comm comm, const CaseOptions<Dim>& options) {
   refuse_beyond(memory, of_cell * cells, grid);
   const bool has_matrix = options.model.medium == Medium::water && options.coupling.scheme == "semi_implicit" &&
                           options.coupling.mobility == Mobility::matrix;
-  constexpr double of_pair = 60;  // as measured: it, and its part in the matrix that is solved
+  constexpr double of_pair = 60;  // measured: the pair, and its part in the matrix that is solved
   double markers = 0, pairs = 0;
   for (const ClothGroup<Dim>& group : options.model.cloths) {
     const std::string what = "-" + group.name + "_markers " + std::to_string(group.markers[0]) +

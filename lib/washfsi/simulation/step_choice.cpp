@@ -23,7 +23,7 @@ StepChoice<Dim>::StepChoice(const RunOptions& run, const CouplingOptions& coupli
                      " implicit, whose steps are those that it compares with; use semi_implicit");
 }
 
-// Whether walls of markers begin to hold water that moves already, or move off at once in water at rest.
+// Whether bodies in direct forcing meet moving water at the start, or start moving abruptly in water at rest.
 template <int Dim>
 bool StepChoice<Dim>::starts_at_once() const {
   double speed = 0;
@@ -41,7 +41,7 @@ void StepChoice<Dim>::begin(RunState& state) const {
   refuse_unseen_motion<Dim>(system_.model.bodies, run_.time_step);
   if (state.cloth_bound == 0) find_cloth_bound(state);
   if (state.dt > 0) return;  // the user's, or that of the checkpoint
-  // walls that meet water at once make it twice as fast beside them, and at edges the faster the finer the grid
+  // walls that meet water abruptly double its speed beside them, and at edges it grows as the grid gets finer
   const double courant = (run_.time_cfl > 0 ? run_.time_cfl : 0.3) * (starts_at_once() ? 0.125 : 1);
   state.dt = std::min(longest_step(state), courant * flow_time<Dim>(system_.model, body_speeds_));
   if (!std::isfinite(state.dt))
@@ -53,7 +53,7 @@ namespace {
 
 constexpr int most_trials = 12;
 
-// Of a step that made so much of its CFL number.
+// Shortens a step whose CFL number was `found` instead of `courant`.
 double shortened(double dt, double courant, double found) {
   constexpr double aim = 0.9, least = 0.1;
   return dt * std::max(least, aim * courant / found);
@@ -61,8 +61,8 @@ double shortened(double dt, double courant, double found) {
 
 }  // namespace
 
-// Or, where no step will do, the one wanted: the run then tells why. One that all others are as long as may have more,
-// since the flow slows down after its start.
+// Tries shorter and shorter steps; if none is short enough, returns the given one: the run then fails with the reason.
+// Steps of constant length may have a larger CFL number, since the flow slows down after its start.
 template <int Dim>
 double StepChoice<Dim>::tried(double dt) const {
   if (!system_.model.has_fluid) return dt;
@@ -84,7 +84,8 @@ bool StepChoice<Dim>::may_shorten() const {
   return run_.time_cfl > 0 && system_.model.has_fluid && system_.state.clock.step < first_steps;
 }
 
-// A step is chosen for the flow before it, and may have a little more. The last trial counts, whatever it makes.
+// A step is chosen for the flow before it, and its CFL number may be a little larger. The last trial is accepted in any
+// case.
 template <int Dim>
 void StepChoice<Dim>::advance(RunState& state) const {
   constexpr double more = 1.25, below_most = 0.95;
@@ -101,7 +102,7 @@ void StepChoice<Dim>::advance(RunState& state) const {
   scheme_.advance(system_, state.dt);
 }
 
-// Infinite where the flow is not finite; none if the step fails.
+// CFL number after a step: infinite if the flow is not finite; none if the step fails.
 template <int Dim>
 std::optional<double> StepChoice<Dim>::courant_after(double dt) const {
   try {
@@ -126,15 +127,15 @@ void StepChoice<Dim>::find_cloth_bound(RunState& state) const {
   if (run_.time_step == 0) state.cloth_bound = scheme_.step_bound(system_);
 }
 
-// The user's, or what the cloth allows; and no body starts, stops or turns back unseen.
+// The user's step, or that which the cloth allows; at most that which resolves each start, stop and reversal of bodies.
 template <int Dim>
 double StepChoice<Dim>::longest_step(const RunState& state) const {
   return std::min(run_.time_step > 0 ? run_.time_step : 0.5 * state.cloth_bound,
                   longest_step_of_motion<Dim>(system_.model.bodies));
 }
 
-// -time_tolerance: the step after which the cloths' velocities err by that part of the largest speed that is prescribed
-// or there; without water that of the cloths.
+// -time_tolerance: the step for which the error of the cloths' velocities is this share of the largest speed,
+// prescribed or present; without water that of the cloths.
 template <int Dim>
 double StepChoice<Dim>::accurate_step(const RunState& state) const {
   const double error = run_.time_tolerance > 0 ? step_error(system_) : 0;
@@ -144,8 +145,8 @@ double StepChoice<Dim>::accurate_step(const RunState& state) const {
   return state.dt * run_.time_tolerance * largest(system_.model.grid.comm(), speed) / error;
 }
 
-// -time_cfl: the step for the present flow, growing slowly, and for bodies that are about to start off. Accuracy takes
-// no less than a part of it, since the errors of jumps do not fall with the step.
+// -time_cfl: the step for the present flow, growing slowly, and for bodies that are about to start. Accuracy shortens
+// it at most to a fixed share, since the errors of jumps do not fall with the step.
 template <int Dim>
 void StepChoice<Dim>::adapt(RunState& state, double courant) const {
   if (run_.time_cfl == 0) return;

@@ -9,25 +9,24 @@
 
 namespace washfsi {
 
-/// How long steps are: what the user asks for, as far as flow, bodies, cloth and accuracy let them. Walls and cloth
-/// that meet water at once make it faster, by as much as no formula says: the first step is tried before it is taken,
-/// and the first ones are taken again, shorter, as long as their CFL number is beyond the one that they were chosen
-/// for.
+/// The choice of step lengths: as the user requests, within the limits of flow, bodies, cloth and accuracy. Walls and
+/// cloth that meet water abruptly accelerate it by an unpredictable amount: the first step is tried before it is taken,
+/// and the first ones are repeated, shorter, as long as their CFL number exceeds the one for which they were chosen.
 template <int Dim>
 class StepChoice {
  public:
-  /// All must outlive it. Collective. Errors: InputError if -time_tolerance cannot see the scheme's error.
+  /// All must outlive it. Collective. Errors: InputError if -time_tolerance cannot measure the scheme's error.
   StepChoice(const RunOptions& run, const CouplingOptions& coupling, System<Dim>& system, CouplingScheme<Dim>& scheme);
 
-  /// Of the first step, unless that of a checkpoint is there. Collective. Errors: InputError.
+  /// Chooses the length of the first step, unless a checkpoint gives it. Collective. Errors: InputError.
   void begin(RunState& state) const;
-  /// The bound of the coupling where the cloth was located last, so that a restarted run, which locates it anew, has
-  /// the same steps. Collective.
+  /// Computes the bound of the coupling where the cloth was located last, so that a restarted run, which locates it
+  /// again, has the same steps. Collective.
   void find_cloth_bound(RunState& state) const;
-  /// Takes a step. Whether it is one of the first, whose length may change. Collective. Errors: DivergedError.
+  /// Takes a step; if it is one of the first, its length may change. Collective. Errors: DivergedError.
   void advance(RunState& state) const;
   bool may_shorten() const;
-  /// Of the next step, with the CFL number of the last. Collective.
+  /// Chooses the length of the next step, given the CFL number of the last. Collective.
   void adapt(RunState& state, double courant) const;
 
  private:

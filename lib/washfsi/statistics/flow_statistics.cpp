@@ -18,7 +18,7 @@ FlowStatistics<Dim>::FlowStatistics(const Grid<Dim>& grid, const StatisticsOptio
   numbers_.assign(size, 0.0);
 }
 
-// What tells these statistics from others with as many numbers.
+// The key that distinguishes these statistics from others with as many numbers.
 template <int Dim>
 std::vector<double> FlowStatistics<Dim>::key() const {
   std::vector<double> key(Dim + 1 + places_.size(), 0.0);

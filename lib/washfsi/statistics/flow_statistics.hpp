@@ -2,8 +2,8 @@
 //
 // Means over time and along the homogeneous axes; with <> both of them,
 //   U_i = <u_i>,   R_ij = <u_i u_j> - U_i U_j,   P = <p>,   p'p' = <p p> - P P
-// at the cells' centres, to which velocity is interpolated first: so R is what a velocity has, and never negative. Each
-// sample weighs as much as the time since the one before, or since the start.
+// at the cells' centres, to which velocity is interpolated first, so that R is positive semidefinite. Each sample is
+// weighted with the time since the previous one, or since the start.
 #pragma once
 
 #include <span>
@@ -21,11 +21,11 @@ class FlowStatistics {
   FlowStatistics(const FlowStatistics&) = delete;
   FlowStatistics& operator=(const FlowStatistics&) = delete;
 
-  /// What goes on from step to step, for the checkpoint. The same on all ranks.
+  /// The state carried from step to step, for the checkpoint. The same on all ranks.
   std::span<double> kept() { return numbers_; }
-  /// Once before the first step, or after a restart has filled `kept`: begins anew if that is of other statistics.
+  /// Call it before the first step, or after a restart has filled `kept`; begins anew if that is of other statistics.
   void begin();
-  /// After a step of dt that ends at a time; `flow` tells the flow then, if a sample is due. Collective.
+  /// Call it after a step of dt that ends at a time; takes a sample of `flow` if one is due. Collective.
   void observe(double time, double dt, const FlowMoment& flow);
 
   const Grid<Dim>& grid() const { return grid_; }
@@ -50,7 +50,7 @@ class FlowStatistics {
   StatisticsOptions options_;
   Bins<Dim> bins_;
   std::vector<SpectrumPlace> places_;
-  std::vector<double> numbers_;  ///< weight, time that waits for a sample, key, sums of moments, sums of spectra
+  std::vector<double> numbers_;  ///< weight, time since the last sample, key, sums of moments, sums of spectra
 };
 
 extern template class FlowStatistics<2>;

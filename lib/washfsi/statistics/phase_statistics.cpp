@@ -10,7 +10,7 @@ namespace washfsi {
 
 namespace {
 
-constexpr std::size_t before_rings = 2;  // of a phase: samples, time
+constexpr std::size_t before_rings = 2;  // numbers of a phase before its rings: samples, time
 
 // An axis that passes the box by has no rings round it.
 const PhaseOptions& with_place(const Grid<3>& grid, const PhaseOptions& options) {
@@ -22,7 +22,7 @@ const PhaseOptions& with_place(const Grid<3>& grid, const PhaseOptions& options)
   return options;
 }
 
-// Bins narrower than a cell hold none here and there.
+// Checks that bins are not narrower than a cell: some would contain none.
 void check_bins(const Grid<3>& grid, const RingBins& bins, const PhaseOptions& options) {
   const Point<3> h = grid.spacing();
   const double across = std::max(h[(options.axis + 1) % 3], h[(options.axis + 2) % 3]);
@@ -45,7 +45,7 @@ PhaseStatistics::PhaseStatistics(const Grid<3>& grid, const PhaseOptions& option
   check_bins(grid, bins_, options);
   if (options.period == 0 && options.count > 1)
     throw InputError("-statistics_phase_period is missing: no body moves periodically and there is no -cycle_time");
-  constexpr double most = 1e8;  // numbers that every rank and the checkpoint hold
+  constexpr double most = 1e8;  // most numbers on every rank and in the checkpoint
   if (static_cast<double>(count() * bins_.count() * ring_sum_count) > most)
     throw InputError("-statistics_phases " + std::to_string(options.count) + ": too many with " +
                      std::to_string(bins_.count()) + " bins each; at most 1e8 numbers are kept, " +
@@ -53,7 +53,7 @@ PhaseStatistics::PhaseStatistics(const Grid<3>& grid, const PhaseOptions& option
   numbers_.assign(phase_begin(count()), 0.0);
 }
 
-// What tells these statistics from others with as many numbers.
+// The key that distinguishes these statistics from others with as many numbers.
 std::vector<double> PhaseStatistics::key() const {
   const Point<3>& center = *options_.center;
   return {static_cast<double>(options_.count),

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Means over the cycles of a machine: over the azimuth round its axis, and over all times of the same phase of the
-// period, in bins of the radius and of the place along the axis. Turbulence is what differs from this mean, be it along
-// the azimuth, from cycle to cycle, or within the phase. Each sample weighs as much as the time since the one before,
-// or since the start, and belongs to the phase in which the middle of this time lies.
+// period, in bins of the radius and of the place along the axis. Turbulence is the difference from this mean, be it
+// along the azimuth, from cycle to cycle, or within the phase. Each sample is weighted with the time since the previous
+// one, or since the start, and belongs to the phase in which the middle of this time lies.
 #pragma once
 
 #include "washfsi/statistics/options.hpp"
@@ -18,18 +18,18 @@ class PhaseStatistics {
   PhaseStatistics(const PhaseStatistics&) = delete;
   PhaseStatistics& operator=(const PhaseStatistics&) = delete;
 
-  /// What goes on from step to step, for the checkpoint. The same on all ranks.
+  /// The state carried from step to step, for the checkpoint. The same on all ranks.
   std::span<double> kept() { return numbers_; }
-  /// Once before the first step, or after a restart has filled `kept`: begins anew if that is of other statistics.
+  /// Call it before the first step, or after a restart has filled `kept`; begins anew if that is of other statistics.
   void begin();
-  /// After a step of dt that ends at a time [s]; `flow` tells the flow then. Collective.
+  /// Call it after a step of dt that ends at a time [s]; takes a sample of `flow` if one is due. Collective.
   void observe(double time, double dt, const LiquidMoment& flow);
 
   const Grid<3>& grid() const { return grid_; }
   const RingBins& bins() const { return bins_; }
   const PhaseOptions& options() const { return options_; }
-  std::size_t count() const { return static_cast<std::size_t>(options_.count); }  ///< of phases
-  /// Of the samples of a phase: their number and the time that they stand for [s].
+  std::size_t count() const { return static_cast<std::size_t>(options_.count); }  ///< number of phases
+  /// The number of samples of a phase, and the time that they stand for [s].
   double samples(std::size_t phase) const { return numbers_[phase_begin(phase)]; }
   double averaged_time(std::size_t phase) const { return numbers_[phase_begin(phase) + 1]; }
   RingMeans means(std::size_t phase, std::size_t bin) const;
@@ -46,7 +46,7 @@ class PhaseStatistics {
   const Grid<3>& grid_;
   PhaseOptions options_;
   RingBins bins_;
-  std::vector<double> numbers_;  ///< time that waits for a sample, key; of each phase: samples, time, sums of rings
+  std::vector<double> numbers_;  ///< time since the last sample, key; for each phase: samples, time, sums of rings
 };
 
 }  // namespace washfsi

@@ -22,14 +22,14 @@ struct Layers {
   double width;
 };
 
-// As many as asked for; if none are, as wide as a cell.
+// As many layers as requested; with 0, as wide as a cell.
 Layers layers_of(PetscInt asked, double length, double cell) {
   constexpr double rounding = 1e-9;
   if (asked > 0) return {static_cast<std::size_t>(asked), length / static_cast<double>(asked)};
   return {static_cast<std::size_t>(std::ceil(length / cell - rounding)), cell};
 }
 
-// The bin that holds a place; one between two bins is in the upper one, whatever the rounding.
+// The bin that contains a place; a place between two bins is in the upper one, whatever the rounding.
 std::size_t bin_of(double widths, std::size_t count) {
   constexpr double rounding = 1e-9;
   return std::min(static_cast<std::size_t>(std::max(0.0, widths + rounding)), count - 1);
@@ -59,7 +59,7 @@ RingBins::Place RingBins::at(const Point<3>& place) const {
   const double widths = across.norm() / width_;
   const std::size_t ring = bin_of(widths, radii_.size());
   const std::size_t layer = bin_of((place[axis_] - lowest_) / depth_, heights_.size());
-  constexpr double nothing = 1e-9;  // of a bin
+  constexpr double nothing = 1e-9;  // tolerance in bins
   const Point<2> outwards = widths > nothing ? Point<2>(across.normalized()) : Point<2>::Zero();
   return {layer * radii_.size() + ring, widths - (static_cast<double>(ring) + 0.5), outwards};
 }

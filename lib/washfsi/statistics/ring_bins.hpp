@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Rings round the axis of a machine: bins of the radius r and of the place z along the axis, which hold all of the
-// azimuth. Components along r, theta and z are right-handed: seen from the axis' end theta is counter-clockwise.
+// Rings round the axis of a machine: bins of the radius r and of the place z along the axis, over all of the azimuth.
+// Components along r, theta and z are right-handed: seen from the axis' end theta is counter-clockwise.
 #pragma once
 
 #include <array>
@@ -13,18 +13,18 @@ namespace washfsi {
 
 class RingBins {
  public:
-  /// `counts` of bins of r and of z, which reach over all of the box; 0: as wide as a cell, in r as its
-  /// longer side. Collective.
+  /// `counts` are the numbers of bins of r and z, which cover all of the box; 0: as wide as a cell, in r as its longer
+  /// side. Collective.
   RingBins(const Grid<3>& grid, int axis, const Point<3>& center, const std::array<PetscInt, 2>& counts);
 
   std::size_t count() const { return radii_.size() * heights_.size(); }
-  double reach() const { return width_ * static_cast<double>(radii_.size()); }  ///< of the bins of r [m]
+  double reach() const { return width_ * static_cast<double>(radii_.size()); }  ///< outer radius of the bins [m]
   const std::vector<double>& radii() const { return radii_; }                   ///< the bins' middles [m]
-  const std::vector<double>& heights() const { return heights_; }  ///< theirs along the axis, in the box [m]
-  /// Cells whose centres are in a bin; bins are numbered with r fastest.
+  const std::vector<double>& heights() const { return heights_; }  ///< middles along the axis, in the box [m]
+  /// The number of cells whose centres are in a bin; bins are numbered with r fastest.
   double cells(std::size_t bin) const { return cells_[bin]; }
 
-  /// Where a place is.
+  /// The bin of a place, and its position there.
   struct Place {
     std::size_t bin;
     double aside;       ///< r less that of the bin's middle, in widths of a bin
@@ -35,10 +35,10 @@ class RingBins {
   Point<3> along(const Place& place, const Point<3>& vector) const;
 
  private:
-  int axis_, first_, second_;  ///< right-handed: x, y, z or what follows in turn
+  int axis_, first_, second_;  ///< right-handed: x, y, z or a cyclic permutation
   Point<3> center_;
-  double lowest_;         ///< of the box along the axis [m]
-  double width_, depth_;  ///< of a bin along r and z [m]
+  double lowest_;         ///< lower end of the box along the axis [m]
+  double width_, depth_;  ///< size of a bin along r and z [m]
   std::vector<double> radii_, heights_, cells_;
 };
 

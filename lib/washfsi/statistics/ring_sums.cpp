@@ -34,12 +34,12 @@ double squared_strain(const ConstFaceView<3>& u, const Form& mu, const Index<3>&
   return sum;
 }
 
-/// By the pure liquid's viscosity, and by what models add [m2/s3].
+/// Dissipation by the pure liquid's viscosity, and by that of models [m2/s3].
 struct Dissipation {
   double pure, model;
 };
 
-// Of any cell, as a function of its index.
+// Calls use with the dissipation as a function of a cell's index.
 template <class Use>
 void with_dissipation(const Grid<3>& grid, const ConstFaceView<3>& u, const LiquidMoment& flow, Use&& use) {
   const Spacing<3> h(grid.spacing());
@@ -102,7 +102,7 @@ RingMeans RingMeans::of(std::span<const double, ring_sum_count> sums) {
     const Point<3> together(mean(slope_at), mean(slope_at + 1), mean(slope_at + 2));
     variance -= (together - aside * means.velocity).squaredNorm() / spread;
   }
-  means.turbulence_energy = variance < 0 ? 0 : 0.5 * variance;  // but for rounding it is not; may be no number
+  means.turbulence_energy = variance < 0 ? 0 : 0.5 * variance;  // negative only by rounding; may be NaN
   means.dissipation = mean(dissipation_at);
   means.model_dissipation = mean(model_at);
   return means;

@@ -10,28 +10,28 @@ namespace washfsi {
 
 /// A moment of a liquid among bodies.
 struct LiquidMoment {
-  Vec velocity = nullptr;     ///< local, of face_dm, its ghosts filled [m/s]
-  Vec fluid_share = nullptr;  ///< of faces, global; null without bodies
-  double density = 1;         ///< of the pure liquid [kg/m3]
-  double pure_viscosity = 0;  ///< without what models add [Pa s]
-  Viscosity viscosity = {};   ///< with it
+  Vec velocity = nullptr;     ///< velocity: local, of face_dm, its ghosts filled [m/s]
+  Vec fluid_share = nullptr;  ///< fluid share of faces, global; null without bodies
+  double density = 1;         ///< density of the pure liquid [kg/m3]
+  double pure_viscosity = 0;  ///< viscosity without models [Pa s]
+  Viscosity viscosity = {};   ///< viscosity with models
 };
 
-/// How many sums are taken in each ring. Each cell counts by its share of liquid; with s the offset of its centre from
-/// the ring's middle, in widths of the ring, they are those of
+/// The number of sums in each ring. Each cell counts by its share of liquid; with s the offset of its centre from the
+/// ring's middle, in widths of the ring, they are the sums of
 ///   1, s, s^2,   u_r, u_theta, u_z,   s u_r, s u_theta, s u_z,   |u|^2,   2 nu e:e,   2 nu_model e:e
 inline constexpr std::size_t ring_sum_count = 12;
 
 /// The sums of one moment, ring by ring. The same on all ranks. Collective.
 std::vector<double> ring_sums(const Grid<3>& grid, const RingBins& bins, const LiquidMoment& flow);
 
-/// What the sums of a ring tell of the liquid in it.
+/// The means over the liquid in a ring, from its sums.
 struct RingMeans {
   double liquid = 0;             ///< the first sum
   Point<3> velocity;             ///< mean along r, theta and z [m/s]
   double turbulence_energy = 0;  ///< half of the variance of the velocity about its mean, a line along r [m2/s2]
   double dissipation = 0;        ///< mean of 2 nu e:e, nu that of the pure liquid [m2/s3]
-  double model_dissipation = 0;  ///< mean of what models add to it [m2/s3]
+  double model_dissipation = 0;  ///< mean of 2 nu_model e:e, nu_model that of models [m2/s3]
 
   /// All means are not a number where there was no liquid.
   static RingMeans of(std::span<const double, ring_sum_count> sums);

@@ -7,7 +7,7 @@
 
 namespace washfsi {
 
-/// An HDF5 file of what all ranks hold.
+/// An HDF5 file of data that are the same on all ranks.
 class SharedFile {
  public:
   SharedFile(MPI_Comm comm, Hdf5File& file) : comm_(comm), file_(file) {}

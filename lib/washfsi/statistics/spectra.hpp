@@ -3,7 +3,7 @@
 // Spectra of the velocity in a layer of cells across the only axis that is not homogeneous, along each axis that is:
 //   E_c(k) = 2 |u_c^(k)|^2 / dk,   dk = 2 pi / L,   u^ the mean of u exp(-i k x) along a line
 // (half of it at k = 0 and at the last k of an even number of cells), in the mean over the layer's lines. The sum of
-// E dk is the mean of u_c^2 in the layer; that without k = 0 holds what varies along the axis.
+// E dk is the mean of u_c^2 in the layer; that without k = 0 is the part that varies along the axis.
 #pragma once
 
 #include "washfsi/statistics/sums.hpp"
@@ -12,15 +12,15 @@ namespace washfsi {
 
 /// The spectra of one layer along one axis.
 struct SpectrumPlace {
-  PetscInt layer;  ///< of cells
+  PetscInt layer;  ///< index of the layer of cells
   int across, along;
-  double height;            ///< of the layer's middle [m]
+  double height;            ///< place of the layer's middle [m]
   double wave_number_step;  ///< dk [1/m]
-  std::size_t modes;        ///< k = 0 among them
+  std::size_t modes;        ///< number of modes, k = 0 included
 };
 
-/// Those of the layers nearest to places on the axis that is left. Errors: InputError if there are places and not one
-/// such axis, or places beyond the box.
+/// The places of spectra: the layers nearest to places on the inhomogeneous axis. Errors: InputError if there are
+/// places but not exactly one such axis, or places beyond the box.
 template <int Dim>
 std::vector<SpectrumPlace> spectrum_places(const Grid<Dim>& grid, const Bins<Dim>& bins,
                                            const std::vector<double>& places);

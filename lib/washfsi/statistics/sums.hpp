@@ -15,7 +15,7 @@ struct FlowMoment {
   Vec pressure = nullptr;  ///< [Pa]
 };
 
-/// The box without its homogeneous axes: the cells that are left are the bins over which means are taken.
+/// The box without its homogeneous axes: the remaining cells are the bins over which means are taken.
 template <int Dim>
 class Bins {
  public:
@@ -23,11 +23,11 @@ class Bins {
   Bins(const Grid<Dim>& grid, const std::vector<std::string>& homogeneous);
 
   bool is_homogeneous(int axis) const { return homogeneous_[static_cast<std::size_t>(axis)]; }
-  /// The axes that are left, x first.
+  /// The remaining axes, x first.
   const std::vector<int>& axes() const { return axes_; }
   std::size_t count() const { return count_; }
   double cells_per_bin() const { return cells_per_bin_; }
-  /// x fastest.
+  /// The bin of a cell, x fastest.
   std::size_t of(const Index<Dim>& cell) const;
 
  private:
@@ -38,12 +38,12 @@ class Bins {
   double cells_per_bin_ = 1;
 };
 
-/// Names of what is summed in each bin, in their order: u, v [, w], then p, then the products uu, vv, ... pp.
+/// Names of the quantities summed in each bin, in their order: u, v [, w], then p, then the products uu, vv, ... pp.
 template <int Dim>
 std::vector<std::string> moment_names();
 
-/// Means over each bin of all that `moment_names` names, at the cells' centres, to which velocity is interpolated; bin
-/// by bin. The same on all ranks. Collective.
+/// Means over each bin of the quantities of `moment_names`, at the cells' centres, to which velocity is interpolated;
+/// bin by bin. The same on all ranks. Collective.
 template <int Dim>
 std::vector<double> bin_means(const Grid<Dim>& grid, const Bins<Dim>& bins, const FlowMoment& flow);
 

@@ -5,7 +5,7 @@
 
 namespace washfsi {
 
-/// Writes FOLDER/statistics.h5 and, where one axis is left, FOLDER/statistics.csv. Collective. Errors: FileError.
+/// Writes FOLDER/statistics.h5 and, with one inhomogeneous axis, FOLDER/statistics.csv. Collective. Errors: FileError.
 template <int Dim>
 void write_statistics(const FlowStatistics<Dim>& statistics, const std::string& folder);
 

@@ -10,7 +10,7 @@ struct TimeStep {
   double end() const { return start + dt; }
 };
 
-/// What time it is in a run, and after how many steps.
+/// The time of a run, and the number of its steps.
 struct Clock {
   double time = 0;  ///< t^n [s]
   long step = 0;    ///< n

@@ -56,12 +56,12 @@ std::string from_first_rank(MPI_Comm comm, const std::string& text) {
 }
 
 std::optional<std::string> file_from_first_rank(MPI_Comm comm, const std::string& path) {
-  constexpr std::streamsize most = std::numeric_limits<int>::max() - 1;  // what one broadcast holds
+  constexpr std::streamsize most = std::numeric_limits<int>::max() - 1;  // largest size of one broadcast
   std::string marked = "-";
   if (rank_of(comm) == 0) {
     std::ifstream file(path, std::ios::binary);
     std::ostringstream content;
-    content << file.rdbuf();  // a folder opens, but gives nothing
+    content << file.rdbuf();  // a folder can be opened, but not read
     if (file.is_open() && !std::filesystem::is_directory(path) && content.tellp() < most)
       marked = "+" + std::move(content).str();
   }

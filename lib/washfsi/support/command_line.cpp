@@ -19,10 +19,10 @@ namespace washfsi {
 
 namespace {
 
-// Files under way: one that comes back includes itself.
+// The files being read: one that recurs includes itself.
 using Inclusion = std::vector<std::filesystem::path>;
 
-// A word of a line; one in quotes may be empty, or hold blanks and #.
+// A word of a line; one in quotes may be empty, or contain blanks and #.
 struct Word {
   std::string text;
   bool quoted = false;
@@ -98,7 +98,7 @@ void FileReader::read(const std::string& path, const std::string& named_by, Incl
   }
 }
 
-// What PETSc reads unasked: resource files at home and here, and an environment variable.
+// Checks what PETSc reads by itself: resource files at home and here, and an environment variable.
 void check_petsc_resources() {
   const char* home = std::getenv("HOME");
   for (const std::string& path :
@@ -129,7 +129,7 @@ std::string petsc_word(const std::string& word) {
   return word == "--help" || word == "-h" ? "-help" : word;
 }
 
-// What files and the command line give, in this order.
+// The options of files and the command line, in this order.
 GivenOptions read_all(int argc, char** argv) {
   GivenOptions given, of_line;
   for (int i = 1; i < argc; ++i) {

@@ -10,21 +10,21 @@
 
 namespace washfsi {
 
-/// The words of the command line, checked before PETSc sees them, which would answer garbage with a trace. Options
-/// files are read here, in the order in which they are named, and PETSc gets their options as words; those of the
-/// command line itself come last, and so win wherever they stand.
+/// The words of the command line, checked before PETSc sees them, which would print a trace for garbage. Options files
+/// are read here, in the order in which they are named, and PETSc gets their options as words; those of the command
+/// line itself come last, and so override them wherever they stand.
 class CommandLine {
  public:
-  /// Looks at the words, at the files that they name, at PETSc's own resource files and at PETSC_OPTIONS. A file named
+  /// Checks the words, the files that they name, PETSc's own resource files and PETSC_OPTIONS. A file named
   /// in a file is relative to its folder. Collective; rank 0's findings count. Errors: InputError.
   CommandLine(MPI_Comm comm, int argc, char** argv);
 
-  /// For PetscInitialize.
+  /// The words for PetscInitialize.
   int& count() { return count_; }
   char**& words() { return words_; }
-  /// Where each option comes from.
+  /// The options with their origins.
   const GivenOptions& given() const { return given_; }
-  /// That of the last options file on the command line, without its ending; else the program's.
+  /// The name of the last options file on the command line, without its ending; else the program's name.
   const std::string& case_name() const { return case_name_; }
   /// Whether the user asks for the version only.
   bool asks_for_version() const { return asks_for_version_; }

@@ -7,7 +7,7 @@
 
 namespace washfsi {
 
-/// An MPI type of some equal things beside each other.
+/// An MPI type of several equal, contiguous items.
 class ContiguousType {
  public:
   ContiguousType(std::size_t count, MPI_Datatype of) {

@@ -8,15 +8,15 @@
 
 namespace washfsi {
 
-/// Divides the items of all ranks, in rank order, into equal parts, of which each rank works one out.
+/// Divides the items of all ranks, in rank order, into equal parts, of which each rank processes one.
 class EqualParts {
  public:
-  /// `count`: of this rank's items. Collective.
+  /// `count` is the number of this rank's items. Collective.
   EqualParts(MPI_Comm comm, std::size_t count);
 
-  /// So many numbers of each item, from this rank's items to those of its part. Collective.
+  /// Sends `width` numbers per item from this rank's items to the parts; returns those of its part. Collective.
   std::vector<double> to_parts(const double* values, int width) const;
-  /// One number of each item, from this rank's part to its items. Collective.
+  /// Sends one number per item from this rank's part to the owners; returns those of its items. Collective.
   std::vector<double> to_owners(const std::vector<double>& values) const;
 
  private:
@@ -24,11 +24,11 @@ class EqualParts {
                                 const std::vector<int>& received) const;
 
   MPI_Comm comm_;
-  std::vector<int> sent_, received_;  ///< of this rank's items to each part; of each rank's to this rank's part
+  std::vector<int> sent_, received_;  ///< counts of own items by part; of items in own part by rank
 };
 
-/// value(place) of each of this rank's places, worked out by all ranks in equal parts; `value` is the same function on
-/// all ranks. Collective.
+/// Returns value(place) for each of this rank's places, computed by all ranks in equal parts; `value` is the same
+/// function on all ranks. Collective.
 template <int Dim, class Value>
 std::vector<double> shared_values(MPI_Comm comm, const Points<Dim>& places, const Value& value) {
   const EqualParts parts(comm, places.size());

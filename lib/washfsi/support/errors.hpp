@@ -12,7 +12,7 @@ class InputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The run has become useless (not finite, too fast, a solver that fails). Thrown by all ranks; status 3.
+/// The run has failed (not finite, too fast, a solver that diverges). Thrown by all ranks; status 3.
 class DivergedError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -8,10 +8,10 @@
 
 namespace washfsi {
 
-/// Does on rank 0 what one process does best, and tells all ranks what went wrong; empty if nothing did. Collective.
+/// Does work on rank 0 and returns the text of its error on all ranks; empty if there was none. Collective.
 std::string problem_on_first_rank(MPI_Comm comm, const std::function<void()>& work);
 
-/// The same, where a problem is an error on all ranks.
+/// Does work on rank 0 and throws its error on all ranks.
 template <class Error>
 void on_first_rank(MPI_Comm comm, const std::function<void()>& work) {
   const std::string problem = problem_on_first_rank(comm, work);

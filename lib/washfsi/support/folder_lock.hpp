@@ -19,7 +19,7 @@ class FolderLock {
 
  private:
   std::string path_;
-  int file_ = -1;  ///< of rank 0
+  int file_ = -1;  ///< file descriptor on rank 0
 };
 
 }  // namespace washfsi

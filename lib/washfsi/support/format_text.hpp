@@ -7,7 +7,7 @@
 
 namespace washfsi {
 
-/// A line by the pattern of std::printf, cut at 511 letters.
+/// Formats a line as std::printf does, cut at 511 characters.
 template <class... Arguments>
 std::string format_text(const char* pattern, Arguments... arguments) {
   std::array<char, 512> text{};

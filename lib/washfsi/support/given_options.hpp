@@ -13,25 +13,25 @@ inline constexpr const char* resolved_head =
 /// An option as the user gave it, in a file or on the command line.
 struct GivenOption {
   std::string word;        ///< the option with its dash
-  std::string value;       ///< perhaps empty
-  bool has_value = false;  ///< an empty one too
-  std::string file;        ///< in which it stands; empty: on the command line
-  bool recorded = false;   ///< the file is what a run wrote of its options, with all that has no effect
+  std::string value;       ///< its value, perhaps empty
+  bool has_value = false;  ///< whether it has a value, perhaps an empty one
+  std::string file;        ///< file in which it stands; empty: the command line
+  bool recorded = false;   ///< whether a run wrote the file, with options without effect
 
-  /// Without the dash, in lower case: PETSc takes no notice of case.
+  /// The name without the dash, in lower case: PETSc ignores case.
   std::string name() const;
 };
 
-/// All that was given, in files and on the command line; of one name the last counts. PETSc's database keeps only that.
+/// All given options, in files and on the command line; the last of a name counts. PETSc's database has only that.
 class GivenOptions {
  public:
   void add(GivenOption option) { options_.push_back(std::move(option)); }
   const std::vector<GivenOption>& all() const { return options_; }
 
   bool on_command_line(const std::string& name) const;
-  /// Whether it was given with nothing behind it, not even "".
+  /// Whether an option was given without a value, not even "".
   bool lacks_value(const std::string& name) const;
-  /// Whether it stands where a run has recorded its options.
+  /// Whether an option stands in a file in which a run has recorded its options.
   bool is_recorded(const std::string& name) const;
   /// A file name that was given as this option's value: relative to the folder of the options file in which it stands;
   /// on the command line to the working directory.
@@ -42,10 +42,10 @@ class GivenOptions {
   /// it, perhaps for the default of this one.
   bool overridden(const std::string& name, const std::string& prefix) const;
 
-  /// Whether another place, a later file or the command line behind the files, has given an option after this one was.
+  /// Whether another place, a later file or the command line after the files, has given `other` after `name`.
   bool given_elsewhere_after(const std::string& name, const std::string& other) const;
 
-  /// As one text, to be sent, and back.
+  /// Packs all into one text, to be sent; and unpacks it.
   std::string packed() const;
   static GivenOptions unpacked(const std::string& text);
 

@@ -70,8 +70,8 @@ Hdf5File::Hdf5File(MPI_Comm comm, const std::string& path, Mode mode) : comm_(co
   if (is_shared(comm))
     (void)H5Pset_fapl_mpio(access, comm, MPI_INFO_NULL);
   else
-    (void)H5Pset_sieve_buf_size(access, 0);        // what fails when its buffer is emptied is not told
-  (void)H5Pset_file_locking(access, false, true);  // which not every file system has; no other writes this file
+    (void)H5Pset_sieve_buf_size(access, 0);        // errors when its buffer is flushed are not reported
+  (void)H5Pset_file_locking(access, false, true);  // not every file system has locks; no other process writes this file
   if (mode == Mode::create)
     file_ = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
   else
@@ -170,7 +170,7 @@ std::uint64_t mixed(std::uint64_t a, std::uint64_t b) {
   return x ^ (x >> 31);
 }
 
-// Of the values with their places in the dataset: a sum, so that it does not depend on how ranks share it.
+// A digest of the values with their places in the dataset: a sum, independent of the distribution over ranks.
 std::uint64_t digest(MPI_Comm comm, const Slab& slab, const std::vector<double>& values) {
   std::uint64_t sum = 0;
   const std::size_t held = empty(slab) ? 0 : values.size();
@@ -188,7 +188,7 @@ std::uint64_t digest(MPI_Comm comm, const Slab& slab, const std::vector<double>&
   return all;
 }
 
-// In two halves, which a double holds exactly.
+// The digest is stored in two halves, which doubles represent exactly.
 constexpr std::uint64_t half = 1ULL << 32;
 constexpr const char *upper_digest = "digest_upper", *lower_digest = "digest_lower";
 

@@ -25,26 +25,26 @@ class Hdf5File {
   void write(const std::string& dataset, const Slab& slab, const std::vector<double>& values);
   void write(const std::string& dataset, const Slab& slab, const std::vector<long long>& values);
   std::vector<double> read(const std::string& dataset, const Slab& slab);
-  /// The same with a digest of the values beside them, which reading compares: no bit of them changes unseen.
+  /// Writes a new dataset with a digest of its values, which reading compares to detect any change.
   void write_sealed(const std::string& dataset, const Slab& slab, const std::vector<double>& values);
   enum class Readers { parts, whole };  ///< whether each rank reads its part, or all of them the same
   std::vector<double> read_sealed(const std::string& dataset, const Slab& slab, Readers readers = Readers::parts);
   /// Whether there is a dataset.
   bool has(const std::string& dataset);
-  /// Whole shape of a dataset.
+  /// The shape of a whole dataset.
   std::vector<hsize_t> shape(const std::string& dataset);
 
-  /// Attributes of an existing object ("/" is the file itself): single finite numbers.
+  /// Sets an attribute of an existing object ("/" is the file itself) to a finite number.
   void set_attribute(const std::string& object, const std::string& name, double value);
   double attribute(const std::string& object, const std::string& name);
-  /// A text beside an object, for readers.
+  /// Adds a text to an object, for readers.
   void set_text(const std::string& object, const std::string& name, const std::string& text);
 
   void create_group(const std::string& name);
   /// Makes `name` stand for an object in another file, given by a path from this one's folder.
   void link(const std::string& name, const std::string& file, const std::string& object);
 
-  /// Closes and reports what only closing can tell, such as a full disk.
+  /// Closes the file and reports errors that only closing detects, such as a full disk.
   void close();
 
  private:
@@ -60,14 +60,14 @@ class Hdf5File {
 /// Makes a folder and its parents; throws FileError on all ranks if it cannot be written to. Collective.
 void make_writable_folder(MPI_Comm comm, const std::string& path);
 
-/// Puts a file that is complete on disk under another name, so that one of them is there whenever the machine stops;
-/// `keep`, if any, is a further name for what the new one replaces. On rank 0; returns whether it succeeded.
+/// Renames a file that is complete on disk, so that one of both names exists whenever the machine stops; `keep`, if
+/// any, is a further name for the file that it replaces. On rank 0; returns whether it succeeded.
 bool commit_file(const std::string& temporary, const std::string& path, const std::string& keep = "");
 
-/// Removes what killed runs left half written in a folder. On rank 0.
+/// Removes files in a folder that killed runs left incomplete. On rank 0.
 void remove_parts(const std::string& folder);
 
-/// How far a file has come when it is written: to the disk, or to the operating system, where it outlives the process.
+/// Where a written file must have arrived: on the disk, or in the operating system, where it outlives the process.
 enum class Reach { disk, system };
 
 /// Writes a text file on rank 0, completely or not at all. Collective. Errors: FileError on all ranks.

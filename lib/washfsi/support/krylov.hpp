@@ -7,10 +7,10 @@
 
 namespace washfsi {
 
-/// Refuses numbers in a solver's options that PETSc takes without a look and dies of. Errors: InputError.
+/// Refuses numbers in a solver's options that PETSc accepts unchecked and crashes on. Errors: InputError.
 void refuse_deadly_options(const std::string& prefix);
 
-/// What the user said of a solver, as he would type it.
+/// The options that the user gave for a solver, as typed.
 std::string options_with_prefix(const std::string& prefix);
 
 /// Reads the solver's options and sets it up, so that a wrong setting is met before the first step.

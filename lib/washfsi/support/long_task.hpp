@@ -10,8 +10,8 @@
 
 namespace washfsi {
 
-/// Says what the program is doing if that takes longer than two seconds: from its construction to its destruction.
-/// Rank 0 speaks, by a thread that knows nothing of MPI.
+/// Prints what the program is doing if that takes longer than two seconds, from construction to destruction of this
+/// object. Rank 0 prints, from a thread that does not use MPI.
 class LongTask {
  public:
   LongTask(MPI_Comm comm, std::string what);

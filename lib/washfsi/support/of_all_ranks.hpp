@@ -9,8 +9,8 @@
 
 namespace washfsi {
 
-/// The items of all ranks on each, in rank order; ranks may have any number of them. Items are copied as they lie in
-/// memory. Collective.
+/// Returns the items of all ranks on each, in rank order; ranks may have any number of them. Items are copied bytewise.
+/// Collective.
 template <class Item>
 std::vector<Item> of_all_ranks(MPI_Comm comm, const std::vector<Item>& mine) {
   const auto ranks = static_cast<std::size_t>(ranks_of(comm));
@@ -24,8 +24,8 @@ std::vector<Item> of_all_ranks(MPI_Comm comm, const std::vector<Item>& mine) {
   return all;
 }
 
-/// What all ranks have for this one, in rank order; given is what this one has for each, in rank order too, and how
-/// much for each. Collective.
+/// Returns the items that all ranks send to this one, in rank order; given are those that this one sends, in order of
+/// the receiving ranks, and their number for each. Collective.
 template <class Item>
 std::vector<Item> sent_to_ranks(MPI_Comm comm, std::vector<Item> mine, const std::vector<int>& out) {
   const std::size_t ranks = out.size();

@@ -11,7 +11,7 @@ namespace washfsi {
 
 namespace {
 
-// Also tells -help of it.
+// Asks PETSc for an option, which also declares it for -help.
 PetscErrorCode ask_string(PetscOptionItems* PetscOptionsObject, const char* flag, const char* help, const char* current,
                           char* value, std::size_t length, PetscBool* given) {
   PetscFunctionBeginUser;
@@ -35,7 +35,7 @@ std::optional<std::string> OptionBlock::ask(const std::string& name, const std::
   std::string value = for_all ? Options::database().at(fallback_ + name) : current;
   std::vector<char> buffer(1 << 20);  // lists of corners may be long
   PetscBool given = PETSC_FALSE;
-  if (options_.values_.contains(prefix_ + name))  // told already: several laws or shapes have it
+  if (options_.values_.contains(prefix_ + name))  // declared already: several laws or shapes have it
     WASH_PETSC(PetscOptionsGetString(nullptr, prefix_.c_str(), option.c_str(), buffer.data(), buffer.size(), &given));
   else
     WASH_PETSC(ask_string(items_, option.c_str(), help.c_str(), value.c_str(), buffer.data(), buffer.size(), &given));
@@ -148,7 +148,7 @@ bool OptionBlock::given(const std::string& name) const {
          (!fallback_.empty() && petsc::option_given("", "-" + fallback_ + name));
 }
 
-// As the user wrote it, with the prefix for all or an old name.
+// The name as the user wrote it, with the prefix for all or an old name.
 std::string OptionBlock::as_given(const std::string& name) const {
   const bool is_for_all = !petsc::option_given("", "-" + prefix_ + name) && given(name);
   return options_.as_given((is_for_all ? fallback_ : prefix_) + name);

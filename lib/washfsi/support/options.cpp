@@ -171,7 +171,7 @@ void Options::mark_idle(const std::string& reason, const std::vector<std::string
 
 namespace {
 
-// Whether a value says that what it is of is not to be.
+// Whether a value switches its option off.
 bool is_off(const std::string& value) {
   static constexpr std::array<std::string_view, 4> words{"", "none", "false", "no"};
   if (std::find(words.begin(), words.end(), value) != words.end()) return true;
@@ -180,8 +180,8 @@ bool is_off(const std::string& value) {
 
 }  // namespace
 
-// With the reasons; not what a run recorded, as it does of all options. A default for all groups or bodies has an
-// effect if it has one on any.
+// Idle options with their reasons, without those that a run recorded, as it does with all options. A default for all
+// groups or bodies has an effect if it has one on any.
 std::map<std::string, std::string> Options::idle_as_given() const {
   std::map<std::string, std::string> found;
   for (const auto& [name, given] : given_as_)

@@ -33,8 +33,8 @@ inline constexpr Range tight{0.0, 0.1, true, "a number > 0 and at most 0.1"};  /
 inline constexpr Range at_least_one{1.0, 1e9, false, "a whole number >= 1"};
 inline constexpr Range non_negative_integer{0.0, 2e9, false, "a whole number >= 0"};
 
-/// The values of an enumeration with the names that users give them, in the order in which they are told. For each
-/// enumeration that is an option there is a function `names_of(Enum)` beside it.
+/// The values of an enumeration with their names for users, in the order of help. For each enumeration that is an
+/// option there is a function `names_of(Enum)` beside it.
 template <class Enum>
 using ChoiceNames = std::vector<std::pair<std::string, Enum>>;
 
@@ -51,7 +51,7 @@ class Options;
 /// An option as it was declared.
 struct DeclaredOption {
   std::string block, name, value;      ///< title of its block; the value used, or the default
-  std::string unit, meaning, allowed;  ///< what it may be
+  std::string unit, meaning, allowed;  ///< unit, description, and allowed values
   bool required = false;
 };
 
@@ -90,7 +90,7 @@ class OptionBlock {
   void reals(const std::string& name, std::vector<double>& value, std::size_t fewest, std::size_t most,
              const char* unit, const char* help);
 
-  /// Exactly Dim numbers.
+  /// A list of exactly Dim numbers.
   template <int Dim>
   void point(const std::string& name, Point<Dim>& value, const char* unit, const char* help) {
     std::vector<double> list(value.data(), value.data() + Dim);
@@ -140,7 +140,7 @@ class Options {
   /// A line for each old name that the user gave.
   const std::vector<std::string>& notes() const { return notes_; }
 
-  /// Replaces the recorded value of an option that the program has worked out itself.
+  /// Replaces the recorded value of an option by one that the program has computed.
   void record(const std::string& name, const std::string& value) { values_[name] = value; }
   void record(const std::string& name, double value);
 
@@ -148,20 +148,20 @@ class Options {
   void claim_prefix(const std::string& name, const std::string& option);
 
   const GivenOptions& given() const { return given_; }
-  /// Declares options of a part that a later option has switched off, so that `reject_unread` takes no offence at them:
-  /// what `declare` reads is not declared, not read and not checked. `reason`: what a warning says of it.
+  /// Registers the options of a part that a later option has switched off, so that `reject_unread` accepts them: those
+  /// in `declare` are neither declared, read nor checked. `reason` is the text of the warning.
   void leave_out(const std::string& reason, const std::function<void()>& declare);
   /// `leave_out` of each part that an earlier value of a list names, and `present` does not.
   void leave_out_dropped(const std::string& list, const std::vector<std::string>& present,
                          const std::function<void(const std::string& name)>& declare);
 
-  /// Tells that options that were read have no effect as others stand: `reject_unread` warns of those that the user
-  /// gave and did not switch off; where the option with which the reason begins was given later, over an earlier file,
-  /// it tells by a note. A name may end with *, for all that begin so.
+  /// Marks options that were read but have no effect because of others: `reject_unread` warns of those that the user
+  /// gave and did not switch off; if the option with which the reason begins was given later, overriding an earlier
+  /// file, it prints a note instead. A name may end with *, for all that begin so.
   void mark_idle(const std::string& reason, const std::vector<std::string>& names);
-  /// A line for people on what they gave, told with the others.
+  /// Adds a warning on the user's options to the notes.
   void warn(const std::string& text) { notes_.push_back("warning: " + text); }
-  /// What to say to who gives an option that is not there, in place of that nobody reads it.
+  /// Sets the message for an option that does not exist, in place of the usual one that nobody reads it.
   void answer(const std::string& name, const std::string& text) { answers_[name] = text; }
 
   /// Stops if the user gave an option that nobody read; PETSc's own options pass, and those that were left out or are
@@ -178,8 +178,8 @@ class Options {
   /// True if the user asked for -help or a document, or in `leave_out`: required options are then not required, and
   /// nothing is built.
   bool help() const { return help_ || !leaving_out_.empty(); }
-  /// Names for lists of names that the user leaves empty, so that help and document show the options of one: the first
-  /// for help. None otherwise.
+  /// Example names for lists of names that the user leaves empty, so that help (`name`) and document (`placeholder`)
+  /// show the options of one. Empty otherwise.
   std::vector<std::string> examples(const char* name, const char* placeholder) const;
   /// All options in the order in which they were declared.
   const std::vector<DeclaredOption>& declared() const { return declared_; }
@@ -197,15 +197,15 @@ class Options {
   std::map<std::string, std::string> values_;
   std::set<std::string> required_;
   std::vector<std::pair<std::string, std::string>> aliases_;
-  std::map<std::string, std::string> old_names_;  ///< that the user gave, by the present ones
+  std::map<std::string, std::string> old_names_;  ///< old names that the user gave, by the present ones
   std::vector<std::string> notes_;
   std::set<std::string> claimed_;  ///< prefixes chosen by the user
   GivenOptions given_;
   std::map<std::string, std::string> left_out_;  ///< options that are switched off, each with the reason
-  std::string leaving_out_;                      ///< the reason, while some are
+  std::string leaving_out_;                      ///< the reason, during `leave_out`
   std::map<std::string, std::string> idle_;      ///< options without effect, each with the reason
-  std::map<std::string, std::string> given_as_;  ///< options that the user gave, each with the name that he used
-  std::map<std::string, std::string> answers_;   ///< to options that are not there
+  std::map<std::string, std::string> given_as_;  ///< options that the user gave, each with the name used
+  std::map<std::string, std::string> answers_;   ///< messages for options that do not exist
 };
 
 }  // namespace washfsi

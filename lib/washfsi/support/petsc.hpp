@@ -69,7 +69,7 @@ class Handle {
   }
   operator T() const noexcept { return object_; }
 
-  /// Destroys the object, unless an exception is unwinding: other ranks may not be here, so it leaks instead.
+  /// Destroys the object, unless an exception is unwinding: other ranks may not come here, so it is leaked instead.
   void reset() noexcept {
     PetscBool finalized = PETSC_FALSE;
     (void)PetscFinalized(&finalized);
@@ -92,15 +92,15 @@ using Layout = Handle<PetscLayout, PetscLayoutDestroy>;
 
 /// A new vector of the same layout, set to zero.
 Vector zeros_like(Vec vector);
-/// A vector of its own with the same values.
+/// A copy of a vector.
 Vector copy_of(Vec vector);
 
 /// A star forest whose leaf i has the root `sources[i]` (rank and place there), among `roots` roots on this rank.
 /// Collective.
 StarForest star_forest(MPI_Comm comm, std::size_t roots, const std::vector<PetscSFNode>& sources);
 
-/// A temporary vector of a DM, given back at the end of the scope, so that its memory is used again; it starts with any
-/// values.
+/// A temporary vector of a DM, returned at the end of the scope, so that its memory is reused; its initial values are
+/// arbitrary.
 template <auto Get, auto Restore>
 class TemporaryVector {
  public:
@@ -125,7 +125,7 @@ class LocalVector : public TemporaryVector<DMGetLocalVector, DMRestoreLocalVecto
   LocalVector(DM dm, Vec global) : LocalVector(dm) { WASH_PETSC(DMGlobalToLocal(dm, global, INSERT_VALUES, *this)); }
 };
 
-/// Tells whether an object has been written to since: PETSc counts its changes.
+/// The version of an object, by which later changes are detected: PETSc counts them.
 struct Version {
   PetscObjectId id = 0;
   PetscObjectState state = 0;
@@ -150,8 +150,8 @@ class MutedErrors {
   std::string message_;
 };
 
-/// While it lives, and no `MutedErrors`, failing PETSc calls print nothing; it keeps what the last failure was and the
-/// calls that led to it.
+/// While it lives, and no `MutedErrors`, failing PETSc calls print nothing; it stores the last failure and the calls
+/// that led to it.
 class ErrorTrace {
  public:
   ErrorTrace() { (void)PetscPushErrorHandler(remember, this); }
@@ -170,7 +170,7 @@ class ErrorTrace {
 
 /// Whether an option is in the database, set by the user or as a default of ours. Names begin with a dash.
 bool option_given(const std::string& prefix, const std::string& name);
-/// Its value there, or another.
+/// The value of an option in the database, or a default.
 std::string option_value(const std::string& prefix, const std::string& name, const std::string& otherwise);
 /// Sets an option in the database unless the user has: how our solver defaults reach options-only settings.
 void set_default_option(const std::string& name, const std::string& value);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which options are for PETSc. Names are without the dash.
+// Functions that tell which options are for PETSc. Names are without the dash.
 #pragma once
 
 #include <string>

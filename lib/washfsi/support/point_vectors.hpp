@@ -17,8 +17,8 @@ void to_vector(const Points<Dim>& points, Vec vector);
 template <int Dim>
 Points<Dim> to_points(Vec vector);
 
-/// Products of matrices of the cloths' lattice, all of the same layout, with one value per marker. Keeps the vectors,
-/// whose making is collective and takes as long as a product.
+/// Products of matrices of the cloths' lattice, all of the same layout, with one value per marker. Stores the vectors,
+/// whose creation is collective and takes as long as a product.
 template <int Dim>
 class MatrixProduct {
  public:
@@ -26,15 +26,15 @@ class MatrixProduct {
   Points<Dim> operator()(Mat matrix, const Points<Dim>& values) const;
 
  private:
-  mutable petsc::Vector values_, result_;  ///< null before the first
+  mutable petsc::Vector values_, result_;  ///< null before the first product
 };
 
-/// Makes a matrix M of the cloths' lattice  diag(row_factors) M + diag(diagonal), with one
-/// value per marker. Collective.
+/// Replaces a matrix M of the cloths' lattice by  diag(row_factors) M + diag(diagonal), with one value per marker.
+/// Collective.
 template <int Dim>
 void scale_and_shift(const std::vector<double>& row_factors, const std::vector<double>& diagonal, Mat matrix);
 
-/// Makes it  M diag(column_factors) + diagonal 1. Collective.
+/// Replaces it by  M diag(column_factors) + diagonal 1. Collective.
 template <int Dim>
 void scale_columns_and_shift(const std::vector<double>& column_factors, double diagonal, Mat matrix);
 

@@ -28,13 +28,13 @@ bool all_come() {
   return done != 0;
 }
 
-// Leaves without a word from MPI, PETSc or HDF5, which may all be half way through something.
+// Exits without finalising MPI, PETSc or HDF5, which may all be in the middle of a call.
 [[noreturn]] void leave(int status) {
   (void)all_come();
   std::_Exit(status);
 }
 
-// Codes of PETSc that what a user asks of it can cause.
+// PETSc's error codes that a user's options can cause.
 bool may_be_the_user(PetscErrorCode code) {
   static constexpr std::array codes{PETSC_ERR_ARG_OUTOFRANGE, PETSC_ERR_ARG_WRONG, PETSC_ERR_ARG_UNKNOWN_TYPE,
                                     PETSC_ERR_USER_INPUT,     PETSC_ERR_FILE_OPEN, PETSC_ERR_SUP,
@@ -85,7 +85,7 @@ void hide_unused_stage() {
   if (PetscLogStageGetId("PCMPI", &stage) == 0 && stage >= 0) (void)PetscLogStageSetVisible(stage, PETSC_FALSE);
 }
 
-// PETSc writes reports such as -log_view at its end. After an error that was told, another would only distract.
+// PETSc writes reports such as -log_view at its end. After a reported error, another would only distract.
 int finalize(const char* name, const petsc::ErrorTrace& trace, bool failed) {
   PetscBool initialized = PETSC_FALSE;
   (void)PetscInitialized(&initialized);

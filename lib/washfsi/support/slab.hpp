@@ -9,14 +9,14 @@
 
 namespace washfsi {
 
-/// The part of a dataset that this rank holds: slowest index first.
+/// The part of a dataset that this rank has: slowest index first.
 struct Slab {
-  std::vector<hsize_t> shape;   ///< of the whole dataset
-  std::vector<hsize_t> offset;  ///< of this rank's part
-  std::vector<hsize_t> count;   ///< of this rank's part; a zero means none
+  std::vector<hsize_t> shape;   ///< shape of the whole dataset
+  std::vector<hsize_t> offset;  ///< offset of this rank's part
+  std::vector<hsize_t> count;   ///< shape of this rank's part; a zero means none
 };
 
-/// The rows from `begin` to `end` of `total`, with so many components each; no last dimension for a single one.
+/// The rows from `begin` to `end` of `total`, with `components` each; no last dimension for a single one.
 inline Slab row_slab(std::size_t total, std::size_t begin, std::size_t end, int components) {
   Slab slab{{total}, {begin}, {end - begin}};
   if (components > 1) {

@@ -11,29 +11,29 @@
 
 namespace washfsi {
 
-/// One thing that goes on from step to step: a field, values of markers, some numbers.
+/// A part of the state that is carried from step to step: a field, values of markers, some numbers.
 struct StateEntry {
   using Values = std::vector<double>;
 
-  /// Who has what of it.
+  /// Its distribution over the ranks.
   enum class Spread {
     parts,           ///< each rank its part
     parts_of_whole,  ///< each rank gives its part, and takes the whole
     shared,          ///< all ranks the same
   };
-  /// What a run does that goes on from a file without it, or in which it has another shape.
+  /// The action of a restart from a file without it, or in which it has another shape.
   enum class IfOther { refuse, begin_anew };
-  /// Where it is put back.
+  /// When it is restored.
   enum class Use {
     everywhere,
-    restart,  ///< in a run that goes on from a file; a step that is taken again has seen it at its start, and keeps it
-    retake,   ///< in a step that is taken again; a run finds it anew
+    restart,  ///< in a restart from a file only; a repeated step does not change it again
+    retake,   ///< in a repeated step only; a restarted run computes it anew
   };
 
-  std::string name;                 ///< a path in a file: /fluid/velocity
-  Slab slab;                        ///< without a shape if `shared` and of any length
-  std::function<Values()> get;      ///< of this rank
-  std::function<void(Values)> set;  ///< collective
+  std::string name;                 ///< its path in a file: /fluid/velocity
+  Slab slab;                        ///< its slab in the file; without a shape if `shared` and of any length
+  std::function<Values()> get;      ///< returns this rank's values
+  std::function<void(Values)> set;  ///< sets the values; collective
   Spread spread = Spread::parts;
   IfOther if_other = IfOther::refuse;
   Use use = Use::everywhere;
@@ -42,11 +42,11 @@ struct StateEntry {
   std::function<void(Values)> set_local = nullptr;
 };
 
-/// This rank's part of a vector, whichever its owner has by then.
+/// An entry for this rank's part of a vector, of whichever vector its owner then has.
 StateEntry vector_entry(const std::string& name, const Slab& slab, const petsc::Vector& vector);
-/// Numbers that all ranks have alike; they stay where they are.
+/// An entry for numbers equal on all ranks, which must stay at their address.
 StateEntry numbers_entry(const std::string& name, std::span<double> numbers);
-/// One value per marker, patch or the like of this rank.
+/// An entry for one value per marker, patch or the like of this rank.
 template <int Dim>
 StateEntry points_entry(const std::string& name, const Slab& slab, Points<Dim>& points) {
   return {.name = name,
@@ -55,13 +55,13 @@ StateEntry points_entry(const std::string& name, const Slab& slab, Points<Dim>& 
           .set = [&points](StateEntry::Values values) { points = as_points<Dim>(values); }};
 }
 
-/// All that goes on from step to step, as its owners register it: what checkpoints hold, and what is put back when a
-/// step is taken again.
+/// All state that is carried from step to step, as its owners register it: the content of checkpoints, restored also
+/// when a step is repeated.
 class StateList {
  public:
-  /// Returns the entry, for what is unlike most.
+  /// Adds an entry and returns it, so that its defaults can be changed.
   StateEntry& add(StateEntry entry) { return entries_.emplace_back(std::move(entry)); }
-  /// A number that all ranks have alike; it stays where it is.
+  /// Adds a number equal on all ranks, which must stay at its address.
   template <class Number>
   StateEntry& add_number(const std::string& name, Number& number) {
     return add({.name = name,
@@ -76,7 +76,7 @@ class StateList {
   std::vector<StateEntry> entries_;
 };
 
-/// The state in memory, to be put back after any number of steps.
+/// A copy of the state in memory, to be restored after any number of steps.
 class StateCopy {
  public:
   /// Collective, as `restore` is.

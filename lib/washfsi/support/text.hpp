@@ -19,7 +19,7 @@ std::string list_text(const Point<Dim>& point) {
 }
 std::string join(const std::vector<std::string>& words, const std::string& separator);
 std::string lower_case(std::string text);
-/// A value as a word of an options file: in quotes if it holds blanks or #.
+/// A value as a word of an options file: in quotes if it contains blanks or #.
 std::string quoted(const std::string& value);
 std::vector<std::string> split(const std::string& list, char separator);
 

@@ -40,7 +40,7 @@ Finding presence_for_cloths(const Body<Dim>& body, const BodySurvey<Dim>& survey
           Finding::none, ""};
 }
 
-// `markers` hold the body's walls, if it is held by them.
+// `markers` are those of the body's walls in direct forcing.
 template <int Dim>
 Finding presence(const Body<Dim>& body, const BodySurvey<Dim>& survey, double all_cells, std::size_t markers) {
   const std::string name = "body " + body.name;
@@ -66,7 +66,7 @@ Finding presence(const Body<Dim>& body, const BodySurvey<Dim>& survey, double al
   return {name, survey_text<Dim>(survey), Verdict::ok, survey.cells, Finding::none, ""};
 }
 
-// Markers hold a sheet as well as a wall, but it acts as if it were 1.4 cells thick.
+// Markers enforce no slip on a sheet as well as on a wall, but it acts as if it were 1.4 cells thick.
 template <int Dim>
 Finding thickness(const std::string& name, const BodySurvey<Dim>& survey, bool has_markers) {
   const bool is_thick = survey.thickness >= BodySurvey<Dim>::most_cells;
@@ -102,7 +102,7 @@ void add_unseen_parts(const Grid<Dim>& grid, const Body<Dim>& body, double time,
   }
 }
 
-// With those before it.
+// The overlaps of a body with those before it.
 template <int Dim>
 void add_overlaps(const Model<Dim>& model, std::size_t b, const std::vector<BodySurvey<Dim>>& surveys,
                   Findings& findings) {

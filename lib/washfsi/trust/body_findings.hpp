@@ -7,8 +7,8 @@
 
 namespace washfsi {
 
-/// What can be said of the bodies before the first step: whether they are in the box, all of them, and thick enough,
-/// and whether they move as machines do. Errors: InputError of a drum whose wall passes the box by. Collective.
+/// Findings on the bodies before the first step: whether all are in the box and thick enough, and whether they move as
+/// machines do. Errors: InputError for a drum whose wall misses the box. Collective.
 template <int Dim>
 Findings body_findings(const Model<Dim>& model, const std::vector<BodySurvey<Dim>>& surveys, double time);
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int bins_of_a_cell = 10;
 constexpr int bins = static_cast<int>(BodySurvey<2>::most_cells) * bins_of_a_cell;
-constexpr double bend = 0.5;  // of thin parts [cells]
+constexpr double bend = 0.5;  // allowed bend of thin parts [cells]
 
 /// The surface of a body where it passes cells: how far it lies from its centre; how thick the body is below it, the
 /// way along the normal to the other side; and how wide its thin parts are, the way along them from edge to edge. Both
@@ -31,10 +31,10 @@ class Surface {
     if (const Point<Dim> normal = normal_at(aside); normal.squaredNorm() > 0) look_from(aside, normal);
   }
 
-  // Of this rank's cells, from the vertical through the centre [m].
+  // The reach over this rank's cells, from the vertical through the centre [m].
   double reach() const { return reach_; }
 
-  // What a tenth of the surface, or of the thin parts, is below [cells].
+  // The thickness, or width, below which a tenth of the surface, or of the thin parts, lies [cells].
   double thinnest(MPI_Comm comm) const { return least_tenth(comm, thicknesses_, 0); }
   double narrowest(MPI_Comm comm) const { return least_tenth(comm, widths_, BodySurvey<Dim>::most_cells); }
 
@@ -67,8 +67,8 @@ class Surface {
     return static_cast<double>(bin) / bins_of_a_cell;
   }
 
-  // From edge to edge through a place in the middle of a thin part, towards the nearest edge [cells]. The part may bend
-  // by half a cell on the way.
+  // The width from edge to edge through a place in the middle of a thin part, towards the nearest edge [cells]. The
+  // part may bend by half a cell on the way.
   double width_at(const Point<Dim>& middle, const Point<Dim>& normal) const {
     constexpr double most = BodySurvey<Dim>::most_cells;
     double to_edge = most, width = 2 * most;
@@ -97,7 +97,7 @@ class Surface {
     }
   }
 
-  // How many cells from a place on the body ends, in tenths [cells].
+  // Distance from a place to the body's end, in steps of a tenth [cells].
   double steps_inside(const Point<Dim>& from, const Point<Dim>& way) const {
     const double step = 1 / (bins_of_a_cell * way.cwiseQuotient(spacing_).norm());  // [m]
     const double margin = bend * bins_of_a_cell * step;
@@ -117,7 +117,7 @@ class Surface {
   double reach_ = 0;
 };
 
-// Of this rank's cells; the thickness of all ranks'.
+// The survey over this rank's cells; thickness over all ranks'.
 template <int Dim>
 BodySurvey<Dim> survey(const Grid<Dim>& grid, const PosedBodies<Dim>& posed, std::size_t b) {
   constexpr double far = std::numeric_limits<double>::max();

@@ -6,7 +6,7 @@
 
 namespace washfsi {
 
-/// Which cloths start in contact, with each other or with bodies and sides of the box. No communication.
+/// Finds which cloths start in contact, with each other or with bodies and sides of the box. No communication.
 template <int Dim>
 Findings contact_findings(const System<Dim>& system);
 

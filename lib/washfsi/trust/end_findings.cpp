@@ -26,7 +26,8 @@ struct EnergyBalance {
   }
 };
 
-// Whether energy passes through sides of the box, where nobody measures it. What moves a drum's sides is its work.
+// Whether energy passes unmeasured through sides of the box. Sides that move with a drum do its work, which is
+// measured.
 template <int Dim>
 bool passes_sides(const Boundary<Dim>& boundary) {
   bool passes = boundary.has_outflow();
@@ -38,7 +39,7 @@ bool passes_sides(const Boundary<Dim>& boundary) {
   return passes;
 }
 
-// Water that turns at the start, into which little is put, is judged by what it has.
+// Initially rotating water with little energy input is judged by its initial energy.
 template <int Dim>
 void add_energy(const Model<Dim>& model, const Cycles& run, Findings& findings) {
   const EnergyBalance energy(run);
@@ -79,7 +80,7 @@ void add_steps(const QuantityList& quantities, double dt, double time_cfl, bool 
                              "water is made or lost; smaller -pressure_tolerance"));
 }
 
-// Measured where eddies are modelled. With a law beneath the first cell no y+ is too large.
+// y+ is measured where eddies are modelled. With a law of the wall no y+ is too large.
 template <int Dim>
 void add_walls(const Liquid<Dim>& liquid, const QuantityList& quantities, Findings& findings) {
   const double plus = quantities.summary_value("/max_wall_y_plus");
@@ -122,7 +123,7 @@ Findings end_findings(const System<Dim>& system, const Measures<Dim>& measures, 
   const QuantityList& quantities = measures.quantities();
   Findings findings;
   if (model.has_fluid) {
-    const bool projects = model.fluid.projects();  // else neither water nor energy are meant to be kept
+    const bool projects = model.fluid.projects();  // else neither volume nor energy are conserved
     if (projects) add_energy(model, measures.whole_run(), findings);
     add_walls(model.liquid, quantities, findings);
     const Clock& clock = system.state.clock;

@@ -6,7 +6,7 @@
 
 namespace washfsi {
 
-/// What can be said of a run after its last step: energy, steps, cloth, how much cycles differ. `time_cfl`: that for
+/// Findings on a run after its last step: energy, steps, cloth, differences of cycles. `time_cfl` is the CFL number for
 /// which its steps were chosen; 0 if they were of equal length.
 template <int Dim>
 Findings end_findings(const System<Dim>& system, const Measures<Dim>& measures, double time_cfl);

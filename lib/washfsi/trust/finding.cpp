@@ -23,7 +23,7 @@ Finding judge(const std::string& name, double value, const Limits& limits, const
 
 }  // namespace
 
-// Comparisons are written such that what is not a number is not ok.
+// Comparisons are written such that NaN is not ok.
 Finding at_most(const std::string& name, double value, const Limits& limits, const std::string& text,
                 const std::string& advice) {
   return judge(name, value, limits, text, advice, !(value <= limits.warn), limits.fail && !(value <= *limits.fail));

@@ -8,29 +8,29 @@
 
 namespace washfsi {
 
-/// How far a number of a run can be believed: `warn` where results are off by more than engineers accept, `fail` where
-/// they mean nothing.
+/// How far a number of a run can be trusted: `warn` where errors are larger than engineers accept, `fail` where results
+/// are meaningless.
 enum class Verdict { ok, warn, fail };
 std::string name_of(Verdict verdict);
 
-/// When the terminal of a run tells of what was looked at: where it is not ok, or as what it may be known by.
+/// When the terminal of a run shows a finding: only if it is not ok, or always.
 enum class Telling { in_doubt, always };
 
-/// One thing that was looked at.
+/// The result of one check.
 struct Finding {
   static constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-  std::string name;  ///< what was looked at
-  std::string text;  ///< what was found, with units
+  std::string name;  ///< name of the check
+  std::string text;  ///< its result in words, with units
   Verdict verdict = Verdict::ok;
-  double value = none, limit = none;  ///< of a number that was judged; `none` if it is none
-  std::string advice;                 ///< what to do, where it is not ok
+  double value = none, limit = none;  ///< number that was checked and its limit; `none` if there is none
+  std::string advice;                 ///< advice to the user, where it is not ok
   Telling telling = Telling::in_doubt;
 };
 
 using Findings = std::vector<Finding>;
 
-/// Limits beyond which a number is to be warned of, or fails.
+/// Limits beyond which a number gets a warning, or fails.
 struct Limits {
   double warn;
   std::optional<double> fail = std::nullopt;
@@ -46,7 +46,7 @@ Finding at_least(const std::string& name, double value, const Limits& limits, co
 /// One line for people: the verdict, and with it limit and advice where it is not ok.
 std::string line_of(const Finding& finding);
 
-/// Those that are not ok.
+/// The findings that are not ok.
 Findings doubtful(const Findings& findings);
 
 }  // namespace washfsi

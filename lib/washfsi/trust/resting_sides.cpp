@@ -16,7 +16,7 @@ bool rests(const Side<Dim>& side) {
   return side.kind == BoundaryKind::wall && !side.motion && side.velocity.isZero(0);
 }
 
-// Whether a body holds the corners of a side: what it leaves open lies within it. An agitator on the floor does not.
+// Whether a body covers the corners of a side, so that its opening lies within. An agitator on the floor does not.
 template <int Dim>
 bool surrounds(const PosedBodies<Dim>& posed, std::size_t body, const Grid<Dim>& grid, int axis, End end) {
   bool has_edge = false;
@@ -36,10 +36,10 @@ bool surrounds(const PosedBodies<Dim>& posed, std::size_t body, const Grid<Dim>&
   return has_edge && held;
 }
 
-/// Where the water touches a side.
+/// The part of a side that the water touches.
 struct OpenPart {
   double cells = 0;
-  double reach = 0;  ///< from a vertical axis [m]
+  double reach = 0;  ///< largest distance from a vertical axis [m]
 };
 
 template <int Dim>

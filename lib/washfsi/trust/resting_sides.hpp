@@ -6,8 +6,8 @@
 
 namespace washfsi {
 
-/// Walls of the box that rest although they close a body that moves round the water, as the ends of a turning drum: one
-/// finding for each, none where there is nothing to be warned of. Collective.
+/// Findings on sides of the box that rest although they close a body that moves round the water, as the ends of a
+/// turning drum: one for each, none without such sides. Collective.
 template <int Dim>
 Findings resting_side_findings(const Model<Dim>& model, double time);
 

@@ -36,7 +36,7 @@ void add_water(const Model<Dim>& model, Findings& findings) {
                              "flow, torque and stress are those of a thick liquid; water is -fluid_viscosity 1e-3"));
 }
 
-// A law stands for the layers at the box's sides; on bodies that markers hold it has been validated little.
+// A law models the layers at the box's sides; for bodies in direct forcing it has been validated little.
 template <int Dim>
 void add_wall_model(const Model<Dim>& model, Findings& findings) {
   const bool on_bodies = model.bodies.wall_law() && model.bodies.wall_law()->point_count() > 0;
@@ -174,7 +174,7 @@ void add_times(const RunTimes& times, const Cycles& cycles, bool moves, Findings
                               "the first is start-up, and one more has no spread; longer -time_end"));
 }
 
-// What water flows round or in, where no body drives it.
+// The length of what water flows round or in, where no body drives it.
 template <int Dim>
 void choose_length(const Model<Dim>& model, const std::vector<BodySurvey<Dim>>& surveys, FlowScales& scales) {
   const Point<Dim> box = model.grid.upper() - model.grid.lower();

@@ -28,7 +28,7 @@ double nearest_to(const Grid<Dim>& grid, const Pose<Dim>& pose, const Parts<Dim>
   return -largest(grid.comm(), -nearest);
 }
 
-// Of a body that turns, the places on the way that are looked at.
+// The poses of a turning body that are checked.
 template <int Dim>
 std::vector<Pose<Dim>> poses_of(const Body<Dim>& body, double time) {
   constexpr int directions = 16;
@@ -46,7 +46,7 @@ std::vector<UnseenPart> unseen_parts(const Grid<Dim>& grid, const Body<Dim>& bod
   if (!body.motion.only_turns()) return {};
   Parts<Dim> all;
   body.shape->add_parts({}, all);
-  std::map<std::string, Parts<Dim>> by_name;  // copies of one are seen together
+  std::map<std::string, Parts<Dim>> by_name;  // copies of a part are checked together
   for (const auto& part : all) by_name[part.shape->name].push_back(part);
   std::vector<UnseenPart> unseen;
   const double beside = 0.5 * grid.spacing().norm();

@@ -6,14 +6,15 @@
 
 namespace washfsi {
 
-/// A part of a body that holds nothing: its surface passes the box by, in whatever way the body turns.
+/// A part of a body without effect: its surface misses the box, however the body turns.
 struct UnseenPart {
   std::string name;          ///< prefix of its options
-  bool is_inverted = false;  ///< it would be solid outside its surface
-  double nearest = 0;        ///< how far its surface is from the middle of a cell at least [m]
+  bool is_inverted = false;  ///< whether it would be solid outside its surface
+  double nearest = 0;        ///< least distance of its surface from the middle of a cell [m]
 };
 
-/// Of the shapes whose union a body is. None of a body that moves along, which may come into the box. Collective.
+/// Finds such parts among the shapes whose union a body is; none of a body with translation, which may come into the
+/// box. Collective.
 template <int Dim>
 std::vector<UnseenPart> unseen_parts(const Grid<Dim>& grid, const Body<Dim>& body, double time);
 

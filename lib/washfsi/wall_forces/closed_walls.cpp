@@ -10,7 +10,7 @@ namespace washfsi {
 
 namespace {
 
-// Out of the body at a patch's middle; none where it is thinner than a cell.
+// The outward normal at a patch's middle; zero where the body is thinner than a cell.
 template <int Dim>
 Point<Dim> way_out(const Shape<Dim>& shape, const Point<Dim>& middle, const Point<Dim>& cell) {
   const Point<Dim> normal = distance_gradient<Dim>(shape, middle, 1e-3 * cell.minCoeff()).normalized();
@@ -38,7 +38,7 @@ ClosedWalls<Dim>::ClosedWalls(const Grid<Dim>& grid, const std::vector<Body<Dim>
 template <int Dim>
 void ClosedWalls<Dim>::update(const std::vector<typename BodyMarkers<Dim>::State>& states, double time) {
   areas_ = turned<Dim>(normals_, bodies_, time, true, [this](std::size_t p) { return body_of_[p]; });
-  std::vector<double> sums(2 * bodies_.size(), 0.0);  // of the squares; of what lies open
+  std::vector<double> sums(2 * bodies_.size(), 0.0);  // for each body: squared areas; covered markers
   std::size_t m = 0;
   for (std::size_t p = 0; p < areas_.size(); ++p) {
     double acting = 0;

@@ -11,7 +11,7 @@ namespace washfsi {
 
 namespace {
 
-// What sides take of each marker's force: the bodies' part of all sides, or what they leave open of one.
+// The part of each marker's force that sides take: where bodies cover them, of all sides; where none does, of one side.
 template <int Dim>
 Points<Dim> taken_by_sides(const WallForces<Dim>& walls, DM wide_face_dm, const std::optional<SideName>& open = {}) {
   const WallMarkers<Dim>& markers = walls.markers();
@@ -26,7 +26,7 @@ Points<Dim> taken_by_sides(const WallForces<Dim>& walls, DM wide_face_dm, const 
 
 }  // namespace
 
-// What a body's force leaves in a side that moves with it has never left the body.
+// The part of a body's force that acts on a side moving with the body is internal to the body.
 template <int Dim>
 Loads<Dim> marker_loads(const WallForces<Dim>& walls) {
   const WallMarkers<Dim>& markers = walls.markers();

@@ -122,7 +122,7 @@ void NoSlipSolver<Dim>::accelerate(const Points<Dim>& forces, Vec velocity) cons
       [&](const Index<Dim>& face, auto c) { u(face, c) += step_.dt * f(face, c) / rho(face, c); });
 }
 
-// J P S F dt/rho
+// Returns J P S F dt/rho.
 template <int Dim>
 Points<Dim> NoSlipSolver<Dim>::response(const Points<Dim>& forces) const {
   const petsc::GlobalVector increment(grid_.face_dm());
@@ -145,7 +145,7 @@ template <int Dim>
 std::vector<bool> NoSlipSolver<Dim>::are_within(const Points<Dim>& slips, double tolerance) const {
   const Points<Dim> filtered = overlap_.means_about(slips);
   const std::size_t bodies = markers_.bodies().size();
-  std::vector<double> sums(2 * bodies, 0.0);  // of each body its squares and its patches that act
+  std::vector<double> sums(2 * bodies, 0.0);  // for each body: sum of squared slips; number of acting patches
   for (std::size_t p = 0; p < filtered.size(); ++p) {
     if (!markers_.acts(p)) continue;
     const std::size_t b = markers_.body_of(p);

@@ -3,8 +3,8 @@
 // No slip as equations for the forces F of patches of markers, which are solved for together with the pressure:
 //   J P [u + (dt/rho) S F] = U
 // U the bodies' velocity, P the projection, S spread and J interpolation, its adjoint. J P S is symmetric, and the slip
-// is to be least: generalised conjugate residuals (PETSc prefix walls_), preconditioned by the inverse overlap of the
-// kernels. Conjugate gradients would find huge forces in nearly null directions, which the water hardly answers.
+// is minimised by generalised conjugate residuals (PETSc prefix walls_), preconditioned by the inverse overlap of the
+// kernels. Conjugate gradients would find huge forces in nearly null directions, to which the water hardly responds.
 // Uhlmann, J. Comput. Phys. 209 (2005) 448; Taira and Colonius, J. Comput. Phys. 225 (2007) 2118.
 #pragma once
 
@@ -21,24 +21,24 @@ class NoSlipSolver {
   /// The markers stay alive; `density` [kg/m3] is the water's. Collective.
   NoSlipSolver(const Grid<Dim>& grid, const WallMarkers<Dim>& markers, const BodyTreatment& treatment, double density);
 
-  /// After the markers have been placed. Collective.
+  /// Call it after the markers have been placed. Collective.
   void place();
-  /// For a step with this density on faces [kg/m3], which stays alive.
+  /// Begins a step with this density on faces [kg/m3], which stays alive.
   void begin(const TimeStep& step, Vec density);
 
-  /// The mean slip U - J u over each patch, without what no force can change. Collective.
+  /// The mean slip U - J u over each patch, without the part that no force can change. Collective.
   Points<Dim> slips(Vec velocity) const;
-  /// Forces that change the slips by so much, about: without the pressure. Collective.
+  /// Estimates the forces that change the slips by these values; neglects the pressure. Collective.
   Points<Dim> approximate_forces(const Points<Dim>& slips) const;
   /// u += (dt/rho) S F. Collective.
   void accelerate(const Points<Dim>& forces, Vec velocity) const;
 
-  /// The slip that may be left, by the largest speed of water and walls [m/s]. Collective.
+  /// The slip that may remain [m/s]: a share of the largest speed of water and walls. Collective.
   double tolerance(Vec velocity) const;
-  /// Of each body whether its slips, filtered over the reach of a kernel, are at most so much, rms [m/s]: what changes
-  /// from patch to patch no force can move. Collective.
+  /// Whether the rms of each body's filtered slips is at most `tolerance` [m/s]. Slips are filtered over the reach of a
+  /// kernel, since no force can change what alternates from patch to patch. Collective.
   std::vector<bool> are_within(const Points<Dim>& slips, double tolerance) const;
-  /// The forces that leave no more slip than the tolerance. Collective. Errors: DivergedError.
+  /// Returns forces that reduce the slip to the tolerance. Collective. Errors: DivergedError.
   Points<Dim> solve(const Points<Dim>& slips, double tolerance, Projection& projection);
 
   const OverlapInverse<Dim>& overlap() const { return overlap_; }
@@ -59,10 +59,10 @@ class NoSlipSolver {
   petsc::Matrix matrix_;
   petsc::Solver solver_;
   petsc::Vector right_, solution_;
-  TimeStep step_;                     ///< under way
-  Vec fluid_density_ = nullptr;       ///< of it
-  Projection* projection_ = nullptr;  ///< while the solver runs, and how much slip it may leave [m/s]
-  double slip_left_ = 0;
+  TimeStep step_;                     ///< current step
+  Vec fluid_density_ = nullptr;       ///< density on faces in the current step [kg/m3]
+  Projection* projection_ = nullptr;  ///< set while the solver runs
+  double slip_left_ = 0;              ///< rms slip at which the solver stops [m/s]
 };
 
 extern template class NoSlipSolver<2>;

@@ -14,7 +14,7 @@ namespace washfsi {
 
 namespace {
 
-constexpr double added = 0.3;  // to the diagonal, over the sum of its row
+constexpr double added = 0.3;  // to each diagonal entry, over its row sum
 
 /// The mean overlap of the deltas of two patches' markers.
 template <int Dim>
@@ -28,7 +28,7 @@ class PatchOverlap {
     for (std::size_t p = 0; p < patches.size(); ++p) patch_of_.resize(patches.starts[p + 1], p);
   }
 
-  /// With all patches that it touches.
+  /// The overlaps of a patch with all patches that it touches.
   std::map<std::size_t, double> row(std::size_t patch) const {
     std::map<std::size_t, double> row;
     for (std::size_t m = patches_.starts[patch]; m < patches_.starts[patch + 1]; ++m)
@@ -54,7 +54,7 @@ class PatchOverlap {
   const MarkerLayout<Dim>& layout_;
   Point<Dim> reach_;
   NearSearch<Dim> search_;
-  std::vector<std::size_t> patch_of_;  ///< of each marker
+  std::vector<std::size_t> patch_of_;  ///< patch of each marker
 };
 
 /// A row of O: the patches, counted over all bodies, and their overlaps.

@@ -12,8 +12,8 @@ namespace washfsi {
 
 namespace {
 
-// Tikhonov's regularisation, added to the squares: combinations of directions that are nearly alike would be large
-// forces that the water hardly responds to.
+// Tikhonov's regularisation, added to the diagonal of the normal equations: combinations of nearly equal directions
+// would be large forces to which the water hardly responds.
 constexpr double regularisation = 0.1;
 
 template <int Dim>
@@ -32,7 +32,7 @@ void RecycledDirections<Dim>::add(Direction direction) {
   if (directions_.size() > most) directions_.pop_back();
 }
 
-// Least squares, by the normal equations of answers of unit size. The solver looks at their lower half alone.
+// Least squares by the normal equations, with responses scaled to unit norm. LDLT reads their lower half only.
 template <int Dim>
 std::vector<double> RecycledDirections<Dim>::weights_for(const Points<Dim>& slips) const {
   const Points<Dim> filtered = overlap_.means_about(slips);
@@ -68,7 +68,7 @@ typename RecycledDirections<Dim>::Direction RecycledDirections<Dim>::best_for(co
   return best;
 }
 
-// As many of each patch as there may be, the rest zero.
+// Returns `most` directions for each patch, missing ones as zeros.
 template <int Dim>
 Points<Dim> RecycledDirections<Dim>::stored(std::size_t patches) const {
   Points<Dim> stored(2 * most * patches, Point<Dim>::Zero());

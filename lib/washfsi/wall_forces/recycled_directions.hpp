@@ -8,15 +8,14 @@
 
 namespace washfsi {
 
-/// The responses of the water to the last slip corrections, pressure and all. Corrections of steps in a row are much
-/// alike, so that a combination of them is near to what is needed now, and its response is known without a projection:
-/// the recycling of directions by which Krylov methods solve linear systems in a row (Parks, de Sturler, Mackey,
-/// Johnson and Maiti, SIAM J. Sci. Comput. 28 (2006) 1651). All values are of this rank's patches, in the frames of
-/// their bodies.
+/// The responses of the water to the last slip corrections, including the pressure. Corrections of successive steps are
+/// similar, so that a combination of them is near to the present one, and its response is known without a projection.
+/// So Krylov methods recycle directions for sequences of linear systems (Parks, de Sturler, Mackey, Johnson and Maiti,
+/// SIAM J. Sci. Comput. 28 (2006) 1651). All values are of this rank's patches, in the frames of their bodies.
 template <int Dim>
 class RecycledDirections {
  public:
-  /// Impulses on patches [N s; per unit depth in the plane] and by how much they reduced the slip [m/s].
+  /// Impulses on patches [N s; per unit depth in the plane] and their responses: the reductions of slip [m/s].
   struct Direction {
     Points<Dim> impulses, responses;
   };
@@ -25,19 +24,20 @@ class RecycledDirections {
   /// The overlaps, which filter slips, stay alive.
   RecycledDirections(MPI_Comm comm, const OverlapInverse<Dim>& overlap) : comm_(comm), overlap_(overlap) {}
 
-  /// Drops the oldest if there are too many. Collective.
+  /// Adds a direction and drops the oldest if there are more than `most`. Collective.
   void add(Direction direction);
-  /// The combination whose filtered responses come nearest to the filtered slips. Collective.
+  /// The combination whose filtered responses are nearest to the filtered slips. Collective.
   Direction best_for(const Points<Dim>& slips) const;
 
-  /// Registers them, of each patch impulse and response of one after the other. With other patches they begin anew.
+  /// Registers the directions: for each patch, impulse and response of each in turn. With other patches the list is
+  /// emptied.
   void register_state(StateList& state, PatchRange own, std::size_t patches);
   std::size_t size() const { return directions_.size(); }
 
  private:
   struct Filtered {
     Direction direction;
-    Points<Dim> responses;  ///< filtered: means over the reach of a kernel
+    Points<Dim> responses;  ///< filtered responses: means over the reach of a kernel
   };
   std::vector<double> weights_for(const Points<Dim>& slips) const;
   Points<Dim> stored(std::size_t patches) const;
@@ -45,8 +45,8 @@ class RecycledDirections {
 
   MPI_Comm comm_;
   const OverlapInverse<Dim>& overlap_;
-  std::deque<Filtered> directions_;  ///< the last first
-  std::size_t stored_size_ = 0;      ///< how many there are in what is restored
+  std::deque<Filtered> directions_;  ///< newest first
+  std::size_t stored_size_ = 0;      ///< number of directions in a restored checkpoint
 };
 
 extern template class RecycledDirections<2>;

@@ -16,12 +16,12 @@ namespace {
 constexpr double middle_response = 0.6;
 constexpr std::array<double, 2> relaxations{3.153, 1.133};
 
-// Rounds of these two before the solver is called. Mostly one is enough or none, and the solver makes loads jump in
+// Rounds of these two before the solver is called. Usually one or none is enough, and the solver makes loads jump in
 // time.
 constexpr int most_rounds = 3;
 
-// Where the water slides along walls, the part of a step's force that markers hardly feel would accumulate, since it
-// acts on other water in the next step: it is halved when the water has passed a quarter of a cell.
+// Where water slides along walls, the part of the forces to which markers hardly respond would accumulate, since it
+// acts on other water in the next step: forces are halved when the water has passed a quarter of a cell.
 constexpr double forgets = 4;  // [1/cell]
 
 }  // namespace
@@ -61,7 +61,7 @@ void WallForces<Dim>::add_to(Vec force) const {
 
 template <int Dim>
 void WallForces<Dim>::accept() {
-  Points<Dim> next = forces_;  // without what slides, lest it return when the patch no longer does
+  Points<Dim> next = forces_;  // without the sliding part, lest it return when the patch no longer slides
   for (std::size_t p = 0; p < next.size(); ++p)
     next[p] = markers_.constrained(next[p], p) / (1 + forgets * markers_.slide(p).passes);
   previous_ = markers_.turned(next, false);
@@ -73,14 +73,16 @@ void WallForces<Dim>::add_forces(const Points<Dim>& more, Vec velocity) {
   forces_ += more;
 }
 
+// A projected velocity is projected again only for this force, so that walls respond with the middle of the range. The
+// projection of a predicted one changes the slip in any case, and the correction is taken as it is.
 template <int Dim>
 void WallForces<Dim>::reduce_slip(Vec velocity, Velocity kind) {
   const double relaxation = kind == Velocity::projected ? 1 / middle_response : 1;
   add_forces(relaxation * solver_.approximate_forces(solver_.slips(velocity)), velocity);
 }
 
-// As corrections before have responded, and by the overlap against the rest. Where a law lets the water slide,
-// responses differ from step to step.
+// The best combination of recycled directions, and the inverse overlap against the remaining slip. Where a law lets the
+// water slide, responses differ from step to step and nothing is recycled.
 template <int Dim>
 Points<Dim> WallForces<Dim>::correction(const Points<Dim>& slips, double relaxation) const {
   if (markers_.law()) return relaxation * solver_.approximate_forces(slips);

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Direct forcing: markers on the walls of bodies exert forces on the water, so that it does not slip along them. A step
-//   1. begins with the forces of the step before, which turn with their body (`add_to` the explicit terms)
+//   1. begins with the forces of the previous step, which turn with their body (`add_to` the explicit terms)
 //   2. corrects most of the slip of the velocity before its projection (`reduce_slip`)
-//   3. after the projection removes what is left beyond the tolerance (`enforce_no_slip`): first by a few slip
-//   corrections,
-//      each followed by a projection, then by the Krylov solver (`no_slip_solver.hpp`).
+//   3. after the projection removes the slip beyond the tolerance (`enforce_no_slip`): first by a few slip
+//      corrections, each followed by a projection, then by the Krylov solver (`no_slip_solver.hpp`).
 #pragma once
 
 #include <optional>
@@ -25,36 +24,37 @@ class WallForces : public ForceField {
 
   /// Places the markers as the bodies are at `time`. Collective.
   void place(double time);
-  /// From the next trial on lets the water slide where a law of friction acts instead. It stays alive.
+  /// From the next trial on, lets the water slide where this law of friction acts instead of no slip. `law` stays
+  /// alive.
   void let_slide(const BodyWallLaw<Dim>& law) { markers_.let_slide(law); }
 
-  /// For schemes that try a step several times: every trial begins with the forces of the step before, and `accept`
-  /// makes those of the last trial its successors. The density [kg/m3], on faces, is the trial's.
+  /// Begins a trial of a step, which schemes may repeat: each trial starts from the forces of the previous step, and
+  /// `accept` keeps those of the last trial for the next step. `density` [kg/m3], on faces, is the trial's.
   void begin_trial(const TimeStep& step, Vec density);
-  /// Adds the forces with which the trial begins, and the friction of the law. Collective.
+  /// Adds the forces at the start of the trial, and the friction of the law. Collective.
   void add_to(Vec force) const override;
-  /// What a velocity is whose slip is to be reduced: it decides by how much a force is answered.
+  /// Whether the velocity whose slip is reduced has been projected yet; the response to a force differs.
   enum class Velocity { predicted, projected };
-  /// Before a projection: takes most of the slip away from a velocity on faces. Collective.
+  /// Removes most of the slip from a velocity on faces; call it before a projection. Collective.
   void reduce_slip(Vec velocity, Velocity kind);
-  /// Of the bodies with more slip than the tolerance: forces `relaxation` times as large as those that take it away
-  /// without the pressure; false if there is no such body. Collective.
+  /// Applies one slip correction, without regard to the pressure and times `relaxation`, to each body whose filtered
+  /// slip is above the tolerance; false if there is no such body. Collective.
   bool reduce_slip_beyond_tolerance(Vec velocity, double relaxation);
-  /// Makes the slip of the projected velocity as small as the tolerance at each body; it stays free of divergence.
+  /// Reduces the filtered slip of the projected velocity to the tolerance at each body and keeps it free of divergence.
   /// Collective. Errors: DivergedError.
   void enforce_no_slip(Vec velocity, Projection& projection);
+  /// Makes the forces of the last trial those of the previous step.
   void accept();
 
   const WallMarkers<Dim>& markers() const { return markers_; }
-  const Points<Dim>& forces() const {
-    return forces_;
-  }  ///< F of each patch of this rank [N; per unit depth in the plane]
-  /// On faces: how near they are to edges where central advection is to give way; null if it is to nowhere.
+  /// F of each patch of this rank [N; per unit depth in the plane].
+  const Points<Dim>& forces() const { return forces_; }
+  /// Nearness of faces to edges beside which central advection is limited, from 0 to 1; null if it is limited nowhere.
   Vec limits_advection() const { return limits_advection_ ? markers_.nearness() : nullptr; }
 
-  /// Registers the forces of the step before and the recycled directions. Other bodies begin without.
+  /// Registers the forces of the previous step and the recycled directions. Other bodies start without them.
   void register_state(StateList& state);
-  const Points<Dim>& previous() const { return previous_; }  ///< F of the step before, in the frames of the bodies
+  const Points<Dim>& previous() const { return previous_; }  ///< F of the previous step, in the frames of the bodies
 
  private:
   void add_forces(const Points<Dim>& more, Vec velocity);
@@ -67,8 +67,8 @@ class WallForces : public ForceField {
   RecycledDirections<Dim> recycled_;
   bool limits_advection_;
   Points<Dim> forces_, previous_;
-  TimeStep step_;  ///< under way
-  /// The last correction, before its response is known.
+  TimeStep step_;  ///< current step
+  /// The last correction and the slips before it, until its response is known.
   struct Correction {
     Points<Dim> forces, slips;
   };

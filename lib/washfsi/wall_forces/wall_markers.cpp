@@ -49,7 +49,7 @@ void WallMarkers<Dim>::place(double time) {
       places.push_back(states_.back().place);
       acts = acts || states_.back().acts;
     }
-    // that of a whole patch, so that a part of one does not respond more than its overlap foresees
+    // the share in a whole patch, so that a partly acting patch does not respond more than its overlap predicts
     if (acts) shares_[p - own().begin] = 1.0 / static_cast<double>(layout_.start(p + 1) - layout_.start(p));
   }
   transfer_.locate(places);

@@ -11,22 +11,21 @@
 
 namespace washfsi {
 
-/// The markers on the walls of all bodies at one time, and what goes between them, their patches and the grid: S
-/// spreads forces of patches to faces, its adjoint J interpolates velocities to patches. All values are those of this
-/// rank.
+/// The markers on the walls of all bodies at one time, and the transfer between them, their patches and the grid: S
+/// spreads forces of patches to faces, its adjoint J interpolates velocities to patches. All values are of this rank.
 template <int Dim>
 class WallMarkers {
  public:
   using State = typename BodyMarkers<Dim>::State;
 
-  /// `finds_edges`: `nearness` is asked for. Collective.
+  /// `finds_edges`: whether `nearness` is needed. Collective.
   WallMarkers(const Grid<Dim>& grid, const Boundary<Dim>& boundary, const std::vector<Body<Dim>>& bodies,
               const BodyTreatment& treatment, bool finds_edges);
 
   /// Places the markers as the bodies are at `time`. Collective.
   void place(double time);
-  /// From the next `turn_normals` on the water slides where a law of friction acts instead of no slip. The law is that
-  /// of these markers and stays alive.
+  /// From the next `turn_normals` on, the water slides where this law of friction acts instead of no slip. `law` is for
+  /// these markers and stays alive.
   void let_slide(const BodyWallLaw<Dim>& law);
   void turn_normals();
 
@@ -36,8 +35,8 @@ class WallMarkers {
   const Boundary<Dim>& boundary() const { return boundary_; }
   const Transfer<Dim>& transfer() const { return transfer_; }
   const BodyWallLaw<Dim>* law() const { return law_; }
-  const std::vector<State>& states() const { return states_; }  ///< of the markers
-  double time() const { return time_; }                         ///< of `place` [s]
+  const std::vector<State>& states() const { return states_; }  ///< states of the markers
+  double time() const { return time_; }                         ///< time of the last `place` [s]
   PatchRange own() const { return layout_.own(); }
   std::size_t patch_count() const { return layout_.own().size(); }
   std::size_t body_of(std::size_t patch) const { return layout_.body_of(own().begin + patch); }
@@ -47,25 +46,25 @@ class WallMarkers {
   /// How the water slides along a patch; not at all without a law.
   PatchSlide slide(std::size_t patch) const { return law_ ? law_->patch_slides()[own().begin + patch] : PatchSlide{}; }
 
-  /// What of a patch's velocity or force is not free to slide.
+  /// The part of a patch's velocity or force on which no slip acts: without what is free to slide.
   Point<Dim> constrained(const Point<Dim>& value, std::size_t patch) const;
-  /// Vectors of patches between the frames of their bodies and space.
+  /// Turns vectors of patches from the frames of their bodies into space, or back.
   Points<Dim> turned(const Points<Dim>& values, bool into_space) const;
-  /// From patches to their markers that act.
+  /// Distributes forces of patches over their acting markers.
   Points<Dim> shared_out(const Points<Dim>& of_patches) const;
-  /// Over the markers of each patch that act: the adjoint of `shared_out`.
+  /// Means over the acting markers of each patch: the adjoint of `shared_out`.
   Points<Dim> means(const Points<Dim>& of_markers) const;
   /// force += S F. Collective.
   void spread(const Points<Dim>& of_patches, Vec force) const { transfer_.spread(shared_out(of_patches), force); }
-  /// J u at the markers, wherever the bodies were then; `time` is that of the velocity. Collective.
+  /// J u at the markers as they were placed last; `time` is that of the velocity. Collective.
   Points<Dim> water_velocities(Vec velocity, double time) const;
 
-  /// Calls visit(patch, marker) for all markers that act, both counted from this rank's first.
+  /// Calls visit(patch, marker) for all acting markers, both counted from this rank's first.
   template <class Visit>
   void for_each_acting(Visit&& visit) const;
 
-  /// On faces: from 1 beside edges and thin parts to 0 beyond the reach of their forces; null if there are none, or
-  /// nothing asks for it. Valid until they are placed anew.
+  /// Nearness on faces: from 1 beside edges and thin parts to 0 beyond the reach of their forces; null if there are
+  /// none or it is not needed. Valid until the next `place`.
   Vec nearness() const { return nearness_; }
 
  private:
@@ -75,12 +74,12 @@ class WallMarkers {
   Transfer<Dim> transfer_;
   BodyMarkers<Dim> layout_;
   std::vector<State> states_;
-  std::vector<double> shares_;  ///< of each marker in its patch; 0 of patches that do not act
+  std::vector<double> shares_;  ///< share of each marker in the force of its patch; 0 if no marker of the patch acts
   const BodyWallLaw<Dim>* law_ = nullptr;
-  Points<Dim> slide_normals_, normals_;  ///< of the patches: in their bodies' frames; in space
+  Points<Dim> slide_normals_, normals_;  ///< normals of the patches: in their bodies' frames; in space
   petsc::Vector nearness_;
   double time_ = 0;
-  /// What was asked for last, where the markers are.
+  /// The last result of `water_velocities` at the present places of the markers.
   struct Interpolated {
     petsc::Version velocity;
     double time;
@@ -89,7 +88,7 @@ class WallMarkers {
   mutable std::optional<Interpolated> interpolated_;
 };
 
-/// How markers are laid on walls: with the narrow kernel that is smooth for what moves over the grid.
+/// The layout of markers on walls, with a narrow kernel that is smooth for bodies moving over the grid.
 template <int Dim>
 MarkerLayout<Dim> wall_marker_layout(const Grid<Dim>& grid, const BodyTreatment& treatment);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One step of the water between walls: the only place that says in which order the fluid's phases and the walls' forces
-// take part in it. Couplings that add forces of the cloth at the end of the step call
+// One step of the water between bodies' walls: the only place that sets the order of the fluid's phases and the walls'
+// forces. Couplings that add forces of the cloth at the end of the step call
 //   predict, project, any number of (add_force, enforce_no_slip), finish,
 // all others
 //   predict, project_between_walls, enforce_no_slip, finish,
@@ -16,24 +16,24 @@ namespace washfsi {
 template <int Dim>
 class WaterStep {
  public:
-  /// `walls`: null if no walls act by forces. Both stay alive.
+  /// `walls` is null without direct forcing. Both stay alive.
   WaterStep(FractionalStep<Dim>& fluid, WallForces<Dim>* walls) : fluid_(fluid), walls_(walls) {}
 
-  /// Phases 1 and 2, with the walls' forces of the step before. Collective.
+  /// Phases 1 and 2, with the walls' forces of the previous step. Collective.
   void predict(const TimeStep& step, StepFields<Dim> fields);
-  /// Phase 3 of a velocity that `add_force` changes later. Collective.
+  /// Phase 3 for a velocity that `add_force` changes later. Collective.
   void project() { fluid_.project(); }
-  /// Phase 3 of one that no further force changes: first with less slip, then free of divergence. Collective.
+  /// Phase 3 for a velocity that no further force changes: reduces its slip, then projects it. Collective.
   void project_between_walls();
-  /// Phase 3b: adds a further force density on faces to the projected velocity, with less slip, and projects it again.
+  /// Phase 3b: adds a further force density on faces to the projected velocity, reduces its slip and projects it again.
   /// Collective.
   void add_force(Vec force);
-  /// Makes the slip as small as the tolerance. Collective. Errors: DivergedError.
+  /// Reduces the filtered slip to the tolerance. Collective. Errors: DivergedError.
   void enforce_no_slip();
-  /// Phase 4: the step's velocity and the walls' forces become those of the step before. Collective.
+  /// Phase 4: the step's velocity and the walls' forces become those of the previous step. Collective.
   void finish();
 
-  /// A whole step without further forces. Collective. Errors: DivergedError.
+  /// Takes a whole step without further forces. Collective. Errors: DivergedError.
   void advance(const TimeStep& step, const StepFields<Dim>& fields);
 
  private:

@@ -15,13 +15,13 @@ namespace {
 
 constexpr DeltaOptions delta{DeltaKernel::yang, 2, 2};
 
-// Places before the surface, in cells; behind it what is held begins at 5/2. Of friction that acts at 1, up to a fifth
-// falls on the water inside, by where the wall lies in its cell; at 3/2 up to 3 %.
+// Distances before the surface, in cells; behind it the constraint begins at 5/2. Of friction that acts at 1, up to a
+// fifth falls on the water inside, depending on where the wall lies in its cell; at 3/2 up to 3 %.
 constexpr double acting_place = 1.5, matching_place = 3, inner_place = -3;
-constexpr double least_cover = 1e-3;                      // of the delta, where inner water slides
+constexpr double least_cover = 1e-3;                      // least weight by the deltas at which inner water slides
 constexpr double viscous_layer = 5, turbulent_layer = 6;  // y+ at the matching place
-constexpr double inner_number = 0.25;                     // of viscosity, step and spacing within bodies
-constexpr double inside_below = 0.01;                     // share of fluid in a cell within a body
+constexpr double inner_number = 0.25;                     // viscous number nu dt/h^2 within bodies
+constexpr double inside_below = 0.01;                     // share of fluid below which a cell is within a body
 
 enum Kept : std::size_t { far, near };
 
@@ -95,7 +95,7 @@ void BodyWallLaw<Dim>::place() {
   inner_.locate(inner);
 }
 
-// Relative to the bodies, along the walls and in the bodies' frames; so many cells before them.
+// Velocities along the walls, relative to the bodies and in their frames, at a distance in cells before them.
 template <int Dim>
 Points<Dim> BodyWallLaw<Dim>::speeds_along(Vec local_velocity, double distance) const {
   static_assert(acting_place <= Transfer<Dim>::sample_reach &&
@@ -111,7 +111,7 @@ Points<Dim> BodyWallLaw<Dim>::speeds_along(Vec local_velocity, double distance) 
   return turned(std::move(velocities), false);
 }
 
-// Between the bodies' frames and space.
+// Turns values from the bodies' frames into space, or back.
 template <int Dim>
 Points<Dim> BodyWallLaw<Dim>::turned(Points<Dim> values, bool into_space) const {
   return washfsi::turned<Dim>(std::move(values), bodies_, time_, into_space,
@@ -146,10 +146,10 @@ void BodyWallLaw<Dim>::observe(const StepFlow& flow, const PureLiquid& liquid) {
   begun_ = observes_ = true;
 }
 
-// A patch slides as the faster water on its two faces has it.
+// The sliding along a patch is that of the faster water on its two faces.
 template <int Dim>
 void BodyWallLaw<Dim>::tell_patches(double step) {
-  const std::size_t faces = 2 * patch_slides_.size();  // of each what the law holds and what passes, then of all points
+  const std::size_t faces = 2 * patch_slides_.size();  // sums of `part`, `passes` for each; then of all points
   std::vector<double> sums(2 * faces + 2, 0.0);
   for (std::size_t p = 0; p < points_.size(); ++p) {
     if (!acts_[p]) continue;
@@ -175,8 +175,7 @@ void BodyWallLaw<Dim>::filter(std::size_t p, const Point<Dim>& at_near, const Po
   mean[near] += weight * (at_near - mean[near]);
 }
 
-// In the bodies' frames. Where a patch slides, the water on a face that it passes slowly rubs by the law's laminar
-// part.
+// In the bodies' frames. Where a patch slides, slow water on one of its faces has friction by the law's laminar part.
 template <int Dim>
 void BodyWallLaw<Dim>::apply_friction(std::size_t p, const PureLiquid& liquid) {
   const WallPoint<Dim>& point = points_[p];
@@ -203,7 +202,7 @@ void BodyWallLaw<Dim>::add_inner_slip(Vec fluid_fraction, Vec velocity) const {
   Points<Dim> weighted = slips_;
   for (std::size_t p = 0; p < weighted.size(); ++p) weighted[p] *= covers_[p];
   inner_.spread_mass(covers_, cover);
-  inner_.spread_amounts(weighted, covered);  // folded as the cover
+  inner_.spread_amounts(weighted, covered);  // folded at sides as the cover is
   const ConstFaceView<Dim> weight(grid_.face_dm(), cover), slip(grid_.face_dm(), covered);
   const ConstFaceView<Dim> fraction(grid_.face_dm(), fluid_fraction);
   const FaceView<Dim> u(grid_.face_dm(), velocity);
@@ -233,7 +232,7 @@ Loads<Dim> BodyWallLaw<Dim>::loads_here() const {
   return loads;
 }
 
-// Summed over faces, where it is the adjoint of what the deltas do.
+// Power of the friction, summed over faces, where spreading is the adjoint of interpolation.
 template <int Dim>
 double BodyWallLaw<Dim>::dissipation(Vec velocity_before, Vec velocity, double time) const {
   if (!observes_) return 0;

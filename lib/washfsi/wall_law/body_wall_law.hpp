@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The friction of bodies that markers hold, where the wall layer is thinner than a cell. As at the box's sides
-// (`wall_model.hpp`) it is that of the law of the wall; here it acts as a force on the water before the walls. At
-// points on the surface, on both faces of thin parts, y from it in cells and u along it relative to the body:
+// The friction of bodies whose walls have markers, where the wall layer is thinner than a cell. As at the box's sides
+// (`wall_model.hpp`) it follows the law of the wall; here it acts as a force on the water before the walls. At points
+// on the surface, on both faces of thin parts, with y the distance from it in cells and u along it relative to the
+// body:
 //   1. u(3), u(0)    filtered over T = y/|u|, y = 3: longer ones would not follow an agitator's strokes
 //   2. u_tau         of Reichardt's law for u(3)
 //   3. F             = -rho u_tau^2 A u/|u| on the water, spread by the delta round y = 3/2, so that nearly all acts
 //                    before the wall; A the point's area
-//   4. markers       hold only the velocity along the normal where the law holds
-//   5. inner water   what is held behind the walls slides along them by u(0), and from a cell on behind them the
-//                    viscosity is rho h^2/(4 dt)
-// The last is what makes 3 all of the friction. Were the inner water at rest, the wall would be a layer of shear as
-// thin as a cell, which rubs by itself where it crosses the grid at an angle a: u = f(n) along it has a divergence of
-// f''' h^2/24 cos a sin a (cos^2 a - sin^2 a) on the faces, and what the pressure makes of that goes through the wall.
-// And water inside with a viscosity of its own would be as turbulent as that outside, and let eddies through.
-// Where y+ of u(3) is 5 or less nothing is changed; from 6 on all is, patch by patch. The step is narrow, since
-// markers that hold a part of a velocity hold all of it: their solver goes on until no slip is left. The faces of a
-// sheet share its markers: these let go where the water passes either of them fast enough, and both rub by the law.
+//   4. markers       constrain only the velocity along the normal where the law applies
+//   5. inner water   the constrained water behind the walls slides along them by u(0), and from a cell behind them on
+//                    the viscosity is rho h^2/(4 dt)
+// Because of 5 the force of 3 is all of the friction. Were the inner water at rest, the wall would be a shear layer one
+// cell thick, which has numerical friction where it crosses the grid at an angle a: u = f(n) along it has a divergence
+// of f''' h^2/24 cos a sin a (cos^2 a - sin^2 a) on the faces, and the flow by which the pressure removes that goes
+// through the wall. And inner water of the usual viscosity would be as turbulent as that outside and let eddies
+// through. Where y+ of u(3) is 5 or less nothing is changed; from 6 on the law applies fully, patch by patch. The
+// transition is narrow, since markers that constrain a part of a velocity constrain all of it: their solver iterates
+// until no slip is left. The faces of a sheet share its markers: these allow sliding where the water passes either face
+// fast enough, and the law then applies to both.
 #pragma once
 
 #include "washfsi/fluid/wall_viscosity.hpp"
@@ -29,14 +31,14 @@ namespace washfsi {
 
 /// How the water slides along a patch of markers.
 struct PatchSlide {
-  double part = 0;    ///< by how much the law holds, from 0 to 1
-  double passes = 0;  ///< how many cells it passes in a step, times `part`
+  double part = 0;    ///< share of the law of friction, from 0 (no slip) to 1
+  double passes = 0;  ///< cells that the water passes in a step, times `part`
 };
 
 template <int Dim>
 class BodyWallLaw : public WallViscosity {
  public:
-  /// The markers are those that hold the bodies. Collective.
+  /// `markers` are those of the bodies' walls. Collective.
   BodyWallLaw(const Grid<Dim>& grid, const Boundary<Dim>& boundary, const std::vector<Body<Dim>>& bodies,
               const BodyMarkers<Dim>& markers);
 
@@ -44,26 +46,26 @@ class BodyWallLaw : public WallViscosity {
   void replace(Vec viscosity) const override;
   /// Adds the friction to the force on the water [N/m3], on faces. Collective.
   void add_friction(Vec force) const;
-  /// Adds what the inner water slides by to the velocity of the bodies [m/s], on the faces behind their walls where the
-  /// fraction of fluid is not 1. Collective.
+  /// Adds the slip of the inner water to the velocity of the bodies [m/s], on the faces behind their walls where the
+  /// fluid fraction is below 1. Collective.
   void add_inner_slip(Vec fluid_fraction, Vec velocity) const;
 
   /// The friction of the water on this rank's part of each body, about its centre.
   Loads<Dim> loads_here() const;
-  /// The power that the water lost to it over a step to `time`, with the velocities before and now [W; W/m in the
+  /// The power that the water lost to friction over a step to `time`, with the velocities before and now [W; W/m in the
   /// plane]. Collective.
   double dissipation(Vec velocity_before, Vec velocity, double time) const;
 
-  /// The largest y+ of half a cell from each body, by the law at 3; 0 where it does not hold. Collective.
+  /// The largest y+ at half a cell from each body, from the law at y = 3; 0 where it does not apply. Collective.
   std::vector<double> largest_y_plus() const;
 
-  /// Out of the surface at each patch of markers, or of one face where two share it, in its body's frame: where the law
-  /// holds, only the water's velocity along it is to be held. Zero in corners, where there is no point.
+  /// Outward normals at the patches of markers, of one face where two share a patch, in the bodies' frames: where the
+  /// law applies, only the velocity along the normal is constrained. Zero in corners, which have no point.
   const Points<Dim>& patch_normals() const { return patch_normals_; }
-  const std::vector<PatchSlide>& patch_slides() const { return patch_slides_; }  ///< of all ranks' patches
+  const std::vector<PatchSlide>& patch_slides() const { return patch_slides_; }  ///< for all ranks' patches
 
-  std::size_t point_count() const { return count_; }  ///< of all ranks
-  /// Registers the filtered velocities of the points. With other bodies the next flow is taken as it is.
+  std::size_t point_count() const { return count_; }  ///< number of points on all ranks
+  /// Registers the filtered velocities of the points. With other bodies the filter starts with the next flow.
   void register_state(StateList& state);
 
  private:
@@ -78,27 +80,27 @@ class BodyWallLaw : public WallViscosity {
   const Grid<Dim>& grid_;
   const Boundary<Dim>& boundary_;
   const std::vector<Body<Dim>>& bodies_;
-  std::vector<WallPoint<Dim>> points_;  ///< of this rank
+  std::vector<WallPoint<Dim>> points_;  ///< points of this rank
   std::size_t count_, begin_;
   Points<Dim> patch_normals_;
-  Transfer<Dim> transfer_, inner_;  ///< round y = 3/2; behind the walls
-  Points<Dim> places_, normals_;    ///< of the points now: y = 3/2; out of the surface
-  std::vector<char> acts_;          ///< false where something is too near
-  Points<Dim> forces_, slips_;      ///< F [N], and what the inner water slides by
-  petsc::Vector friction_;          ///< the density of F on faces [N/m3]
-  std::vector<double> covers_;      ///< what each point covers of the inner water; 0 beyond the box
-  std::vector<double> y_plus_;      ///< of the matching place
+  Transfer<Dim> transfer_, inner_;  ///< transfer at y = 3/2; at the inner water behind the walls
+  Points<Dim> places_, normals_;    ///< places at y = 3/2 [m] and outward normals of the points now
+  std::vector<char> acts_;          ///< false where another body or a side is too near
+  Points<Dim> forces_, slips_;      ///< F [N], and slips of the inner water [m/s]
+  petsc::Vector friction_;          ///< density of F on faces [N/m3]
+  std::vector<double> covers_;      ///< volume of inner water that each point covers; 0 beyond the box
+  std::vector<double> y_plus_;      ///< y+ at the matching place
   static constexpr std::size_t of_each = 2;
-  Points<Dim> filtered_;  ///< of each point: u(3), u(0), in its body's frame
+  Points<Dim> filtered_;  ///< u(3), u(0) of each point, in its body's frame [m/s]
   std::vector<PatchSlide> patch_slides_;
-  std::vector<std::size_t> faces_;  ///< of this rank's points: twice the patch, and 1 more on a sheet's other face
-  double turbulent_ = 0;            ///< part of the points at which the law holds
-  double inner_viscosity_ = 0;      ///< [Pa s]
-  double time_ = 0;                 ///< of `observe` [s]
-  std::vector<typename RigidMotion<Dim>::State> motions_;  ///< of the bodies then
-  Vec fluid_share_ = nullptr;                              ///< of the flow seen last
-  bool begun_ = false;                                     ///< what is filtered is an earlier flow
-  bool observes_ = false;                                  ///< this run has seen one
+  std::vector<std::size_t> faces_;  ///< face of each point: twice its patch, plus 1 on a sheet's other face
+  double turbulent_ = 0;            ///< share of the points at which the law applies
+  double inner_viscosity_ = 0;      ///< viscosity of the inner water [Pa s]
+  double time_ = 0;                 ///< time of the last `observe` [s]
+  std::vector<typename RigidMotion<Dim>::State> motions_;  ///< motions of the bodies at that time
+  Vec fluid_share_ = nullptr;                              ///< fluid share of the flow observed last
+  bool begun_ = false;                                     ///< whether the filtered velocities are of an earlier flow
+  bool observes_ = false;                                  ///< whether this run has observed a flow
 };
 
 extern template class BodyWallLaw<2>;

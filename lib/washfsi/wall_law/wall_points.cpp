@@ -22,7 +22,7 @@ class FaceFinder {
   struct Origin {
     std::size_t body, patch;
   };
-  // Those of a patch; `of` is what they are of.
+  // Adds the points of a patch; `of` is their origin.
   void add_points(const MarkerPatches<Dim>& patches, std::size_t p, double clear, Origin of,
                   std::vector<WallPoint<Dim>>& points) const {
     const Point<Dim> middle = patches.middle(p);
@@ -38,7 +38,8 @@ class FaceFinder {
   }
 
  private:
-  // Out of the shape from a place on its surface, or from the middle of a thin part, where the distance is a ridge.
+  // Directions out of the shape from a place on its surface, or from the middle of a thin part, a ridge of the
+  // distance.
   Points<Dim> ways_out(const Point<Dim>& place, bool in_sheet) const {
     constexpr double steepest_ridge = 0.7;
     const Point<Dim> slope = distance_gradient<Dim>(shape_, place, 0.5 * least_);
@@ -49,13 +50,13 @@ class FaceFinder {
 
   // Whether a patch of markers bends away from the normal of one of its faces.
   bool bends(std::span<const Point<Dim>> feet, const Point<Dim>& normal) const {
-    constexpr double least = 0.8;  // of the product of the normals
+    constexpr double least = 0.8;  // least dot product of the normals
     return std::any_of(feet.begin(), feet.end(), [&](const Point<Dim>& foot) {
       return std::abs(distance_gradient<Dim>(shape_, foot, 0.05 * least_).dot(normal)) < least;
     });
   }
 
-  // Where a way leads out of the shape, by Newton's method along it; where it began if it does not.
+  // Where a way leaves the shape, by Newton's method along it; its start if it does not.
   Point<Dim> surface(const Point<Dim>& place, const Point<Dim>& way) const {
     Point<Dim> foot = place;
     for (int n = 0; n < 4; ++n) foot -= shape_.distance(foot) * way;
@@ -67,7 +68,7 @@ class FaceFinder {
   double least_;
 };
 
-/// Cells of a lattice in a body's frame, so many to each of the grid's, within a region.
+/// Cells of a lattice in a body's frame within a region, finer than the grid's by a factor.
 template <int Dim>
 struct FineCells {
   FineCells(const Bounds<Dim>& region, const Point<Dim>& cell, int to_each) : corner(region.lower) {
@@ -90,9 +91,9 @@ struct FineCells {
   Box<Dim> box{};
 };
 
-/// Shares a body's surface out to the points on it, each part to the nearest on the same face: by the volume of fine
-/// cells in a layer round it. So the areas of all points together are that of the surface within the region. The layer
-/// of a part thinner than itself lies round its middle, and is of both faces.
+/// Distributes a body's surface over the points on it, each part to the nearest point on the same face, by the volume
+/// of fine cells in a layer round the surface. So the areas of the points sum up to that of the surface within the
+/// region. In a part thinner than the layer, this lies round the part's middle and counts for both faces.
 template <int Dim>
 class AreaFinder {
  public:
@@ -110,9 +111,9 @@ class AreaFinder {
  private:
   static constexpr int to_each = 4;          // with `layer` the same share of cells wherever a flat face lies
   static constexpr double layer = 0.5;       // [cells]
-  static constexpr double same_face = 0.9;   // of the product of two normals, beyond which it is another face
+  static constexpr double same_face = 0.9;   // least dot product of two normals on the same face
   static constexpr double round_edge = 0.6;  // the same before an edge
-  static constexpr double farthest = 2;      // [cells] of a point: beyond it there is a corner without points
+  static constexpr double farthest = 2;      // from a point [cells]: farther off is a corner without points
 
   static NearSearch<Dim> search_of(std::span<WallPoint<Dim>> points, const Point<Dim>& cell) {
     Points<Dim> feet;
@@ -138,14 +139,14 @@ class AreaFinder {
     if (other) other->area += area;
   }
 
-  // Null where the other face has no point.
+  // The point on the other face; null if it has none.
   WallPoint<Dim>* other_face(WallPoint<Dim>* point) const {
     const auto is_it = [&](const WallPoint<Dim>& candidate) { return candidate.patch == point->patch; };
     if (point > points_.data() && is_it(*(point - 1))) return point - 1;
     return point + 1 < points_.data() + points_.size() && is_it(*(point + 1)) ? point + 1 : nullptr;
   }
 
-  // Before the edge of a solid, of one of the faces that meet there.
+  // The point for a cell; before the edge of a solid, one on a face that meets there.
   WallPoint<Dim>* point_for(const Point<Dim>& place, const Point<Dim>& out, double distance) const {
     WallPoint<Dim>* point = nearest(place, out, same_face);
     if (point || distance <= 0) return point;
@@ -153,7 +154,7 @@ class AreaFinder {
     return point && !point->in_sheet ? point : nullptr;
   }
 
-  // Of those whose normals are at least so much alike.
+  // The nearest of the points whose normals have at least this dot product with `out`.
   WallPoint<Dim>* nearest(const Point<Dim>& place, const Point<Dim>& out, double alike) const {
     double least = farthest * farthest;
     WallPoint<Dim>* point = nullptr;

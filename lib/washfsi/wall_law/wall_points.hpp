@@ -6,20 +6,21 @@
 
 namespace washfsi {
 
-/// Where the law of a wall layer is asked: on one face of a patch of markers. Thin parts have two.
+/// A point where the law of the wall is evaluated: on one face of a patch of markers. Thin parts have two.
 template <int Dim>
 struct WallPoint {
-  std::size_t body, patch;  ///< the latter of all bodies' patches
-  Point<Dim> foot, normal;  ///< on the surface [m], and out of it; in the body's frame
+  std::size_t body, patch;  ///< body, and patch counted over all bodies
+  Point<Dim> foot, normal;  ///< place on the surface [m] and outward normal, in the body's frame
   double along;             ///< a cell's size in the normal's direction [m]
-  bool is_thick;            ///< the body goes on behind it for two cells
-  bool in_sheet;            ///< of a thin part: the point before or after it in their order is on the other face
-  bool at_edge;             ///< the patch bends round an edge: no law, markers hold all there, so that layers part
-  double area = 0;          ///< of the surface that is nearest to it [m2; m in the plane]
+  bool is_thick;            ///< whether the body is at least two cells deep behind it
+  bool in_sheet;  ///< whether it is on a thin part: then the point before or after it in the list is on the other face
+  bool at_edge;   ///< whether the patch bends round an edge: no slip there instead of the law, so that the layer
+                  ///< separates
+  double area = 0;  ///< area of the surface nearest to it [m2; m in the plane]
 };
 
-/// One or two of each patch, in their order. In a corner there is no layer: where the body is nearer to what lies
-/// `clear` cells before the point than half of that, there is none.
+/// Returns one or two points per patch, in the patches' order. A corner has no wall layer: there is no point where the
+/// place `clear` cells before it is nearer to the body than half of that.
 template <int Dim>
 std::vector<WallPoint<Dim>> wall_points(const std::vector<Body<Dim>>& bodies, const BodyMarkers<Dim>& markers,
                                         const Point<Dim>& cell, double clear);
