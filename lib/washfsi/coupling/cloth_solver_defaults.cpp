@@ -31,6 +31,8 @@ void set_krylov_method(const ClothSolverDefaults& defaults, bool only_preconditi
   if (goes_down) return;
   if (uses_product && !chosen) petsc::set_default_option("-cloth_ksp_pc_side", "right");
   petsc::set_default_option("-cloth_ksp_gmres_restart", "200");  // stiff short waves that water hardly moves
+  // A heavy cloth in a light fluid is so ill-conditioned that the classical Gram-Schmidt process loses orthogonality.
+  petsc::set_default_option("-cloth_ksp_gmres_cgs_refinement_type", "refine_ifneeded");
 }
 
 void set_quasi_newton() {
