@@ -106,7 +106,8 @@ def expected_seconds(folder):
     """How long a run takes as a whole, by how far it has come; as long as it has taken if that is not known."""
     history, options = folder / "history.csv", folder / "resolved.opts"
     ends = re.findall(r"^-time_end (\S+)", options.read_text(encoding="utf-8"), re.M) if options.is_file() else []
-    times = read_columns(history)["time"] if history.is_file() else np.empty(0)
+    has_rows = history.is_file() and len(history.read_text(encoding="utf-8").splitlines()) > 2
+    times = read_columns(history)["time"] if has_rows else np.empty(0)
     return spent(folder) * max(1, float(ends[-1]) / times[-1]) if ends and times.size and times[-1] > 0 else spent(folder)
 
 

@@ -9,6 +9,8 @@ from thesis.rows import NUMERICS, THEIRS, TODAY
 
 LITERATURE = {"Cd": 1.38, "Cl": 0.33}  # means of Table 4.3-8 without our and the thesis's results
 STABLE = "with half width 1.5 h the motion is as stable here, over ten periods, as with 2 h"
+AS_APART = "over two cycles today's cloths are a third more out of line at Re = 1.2e3 than at 1.2e4"
+REACHED_INTO = "the barrier let a towel reach into a vane by 12 micrometres in the fifth cycle, which ends the run"
 EQUALLY_DEEP = "cloths go 12 mm deep with all three steps: what the kernel and the sharp mask let in, the step does not change"
 
 
@@ -59,7 +61,8 @@ CONCLUSIONS = (
                 Smaller("5.5.5.2", "Re = 1.2e2", "Re = 1.2e3"), Smaller(RINGS, "Re = 1.2e2, 2 cycles", "Re = 1.2e3, 2 cycles"),
                 Smaller("5.5-9", "Re = 1.2e3, 2 cycles", "Re = 1.2e4, 2 cycles"))),
     Conclusion("1", "In thin liquid rings are weaker, and cloths move more on their own.",
-               (Smaller(RINGS, "Re = 1.2e3, 2 cycles", "Re = 1.2e4, 2 cycles"),)),
+               tuple(Smaller(RINGS, "Re = 1.2e3, 2 cycles", "Re = 1.2e4, 2 cycles", numerics=(numerics,), miss=AS_APART * (numerics == TODAY))
+                     for numerics in NUMERICS)),
     Conclusion("2", "On the same cells more cloths move more like one body.",
                (Smaller("5.5.5.3, alone", "64 cloths, 2 cycles", "32 cloths, 2 cycles"),
                 Smaller("5.5.5.3, alone", "32 cloths, 2 cycles", "Re = 1.2e3, 2 cycles"),
@@ -95,9 +98,8 @@ CONCLUSIONS = (
                "towards those of Andersen et al.",
                (Smaller("3.5-12", TANK[1], TANK[0], quantity=falling_plate.HALF_PERIOD, reference=falling_plate.TANK_EXPERIMENT),
                 *(Smaller("3.5-13", *ANDERSEN, quantity=falling_plate.AMPLITUDE, part=part) for part in (0, 1)))),
-    Conclusion("9", "With longer steps cloths go deeper into the agitator (here: into any body).",
-               tuple(Smaller(DEPTH, name, "dt*", numerics=(numerics,), miss=EQUALLY_DEEP * (numerics == THEIRS))
-                     for name in ("dt*/2", "dt*/4") for numerics in NUMERICS)),
+    Conclusion("9", "With longer steps cloths go deeper into the agitator (here: into any body; today's contact keeps them out with all).",
+               tuple(Smaller(DEPTH, name, "dt*", numerics=(THEIRS,), miss=EQUALLY_DEEP) for name in ("dt*/2", "dt*/4"))),
     Conclusion("3.5.1.3", "The effect of the fluid's density vanishes as it falls.", of_section(plate, "3.5-7")),
     Conclusion("3.5.2.2", "The beam's error is least at intermediate alpha_o.", of_section(beam, "3.5-11", "3.5-11, Ke = 1.27e3 w L")),
     Conclusion("4.3.1.1", "With the smooth mask Couette flow converges faster.", tuple(
@@ -107,7 +109,9 @@ CONCLUSIONS = (
     Conclusion("5.4.4", "In the plane stress falls with the cells and depends little on the step; stiffer cloths are smoother.",
                tuple(check for check in wash2d.claims() if check.table in ("5.4-3", "5.4-4", "Fig. 5.4-4") and check.quantity != wash2d.DEPTH)),
     Conclusion("5.5.5", "In the machine stress rises as the step falls, with the Reynolds number, and slightly with the load.",
-               (*of_section(wash, "5.5-3", "5.5-9", "5.5-12"), Smaller("5.5-12", "Re = 1.2e3, 5 cycles", "32 cloths, 5 cycles"))),
+               (*of_section(wash, "5.5-3", "5.5-9", "5.5-12"),
+                *(Smaller("5.5-12", "Re = 1.2e3, 5 cycles", "32 cloths, 5 cycles", numerics=(numerics,), miss=REACHED_INTO * (numerics == TODAY))
+                  for numerics in NUMERICS))),
 )
 
 
