@@ -32,7 +32,10 @@ def refuse_if_long(cells, treatment):
     coarser = [other for other in GRIDS if other < cells]
     if not coarser or output_of(f"{GRIDS[cells]}/{treatment}").is_file():
         return
-    refuse_if_long(coarser[-1], treatment)
+    try:
+        refuse_if_long(coarser[-1], treatment)
+    except results.Unfinished as late:
+        raise results.Unfinished(8 * late.seconds) from late
     seconds = 8 * float(printed(f"{GRIDS[coarser[-1]]}/{treatment}").split()[-1])
     if seconds > results.LONGEST["run"]:
         raise results.Unfinished(seconds)
