@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/hand_over.hpp"
+
 namespace washfsi::test {
 namespace {
 
@@ -40,10 +42,7 @@ struct Machine {
   void go_on_from(Machine& other) {
     time = other.time;
     power = other.power, loss = other.loss, energy = other.energy;
-    StateList from, into;
-    other.list.register_state(from);
-    list.register_state(into);
-    for (std::size_t n = 0; n < into.entries().size(); ++n) into.entries()[n].set(from.entries()[n].get());
+    hand_over(other.list, list);
     cycles->begin(time);
   }
 

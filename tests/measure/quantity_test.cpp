@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/hand_over.hpp"
+
 namespace washfsi::test {
 namespace {
 
@@ -51,14 +53,10 @@ TEST(QuantityList, GoesOnFromWhatACheckpointKeeps) {
   Listed first, second;
   first.measure(5);
   first.kept[1] = 7;
-  StateList from, into;
-  first.list.register_state(from);
-  second.list.register_state(into);
-  ASSERT_EQ(from.entries().size(), 4U);
-  for (std::size_t n = 0; n < 4; ++n) {
-    EXPECT_EQ(from.entries()[n].name, into.entries()[n].name);
-    into.entries()[n].set(from.entries()[n].get());
-  }
+  StateList state;
+  first.list.register_state(state);
+  ASSERT_EQ(state.entries().size(), 4U);
+  hand_over(first.list, second.list);
   first.measure(2);
   second.measure(2);
   EXPECT_EQ(first.list.row(), second.list.row());

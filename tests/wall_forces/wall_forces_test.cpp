@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/hand_over.hpp"
 #include "washfsi/shapes/primitives.hpp"
 #include "washfsi/support/collective.hpp"
 #include "washfsi/wall_forces/marker_loads.hpp"
@@ -272,10 +273,7 @@ TEST(RecycledDirections, AreTheSameAfterARestart) {
   const Overlaps overlaps(PETSC_COMM_WORLD);
   Directions directions(overlaps), restarted(overlaps);
   for (const double waves : {0.1, 0.4, 0.2}) directions.add(waves);
-  StateList from, into;
-  directions.register_state(from);
-  restarted.register_state(into);
-  for (std::size_t n = 0; n < into.entries().size(); ++n) into.entries()[n].set(from.entries()[n].get());
+  hand_over(directions, restarted);
   const Points<2> wanted = directions.wave(0.3);
   EXPECT_EQ(difference(directions.best_for(wanted), restarted.best_for(wanted)), 0);
 }

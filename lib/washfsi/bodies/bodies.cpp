@@ -28,7 +28,7 @@ Bodies<Dim>::Bodies(const Grid<Dim>& grid, Boundary<Dim>& boundary, const std::v
       walls_(make_walls(grid, boundary, list, treatment, fluid)) {
   if (walls_ && fluid.wall_model != WallTreatment::none)
     law_ = std::make_unique<BodyWallLaw<Dim>>(grid, boundary, list, walls_->markers().layout());
-  if (law_ && walls_->markers().nearness()) mask_.count_as_water(walls_->markers().nearness());
+  count_sliding_water();
 }
 
 template <int Dim>
@@ -45,13 +45,18 @@ void Bodies<Dim>::place(double time, Vec velocity, double time_of_velocity) {
   mask_.extrapolate(local, time);
 }
 
-// The sides beneath bodies move with them. Thin parts along which the water slides are water to the mask.
+// The sides beneath bodies move with them.
 template <int Dim>
 void Bodies<Dim>::place_walls(double time) {
   if (!walls_) return;
   const PosedBodies<Dim> posed(list_, time);
   boundary_.cover_sides(time, mask_.cover(posed));
   walls_->place(time);
+  count_sliding_water();
+}
+
+template <int Dim>
+void Bodies<Dim>::count_sliding_water() {
   if (law_ && walls_->markers().nearness()) mask_.count_as_water(walls_->markers().nearness());
 }
 

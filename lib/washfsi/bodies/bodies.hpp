@@ -16,7 +16,7 @@ struct WaterAtBodies {
   Vec pressure = nullptr;          ///< [Pa]
   Vec local_velocity = nullptr;    ///< after the step, of face_dm, its ghosts filled [m/s]
   Viscosity viscosity;
-  double time = 0, dt = 0;  ///< of the step's end, and its length [s]
+  double time = 0, dt = 0;  ///< end and length of the step [s]
 };
 
 /// The rigid bodies in the water, by whichever method they act on it: a mask on the grid, and with direct forcing the
@@ -77,6 +77,8 @@ class Bodies {
 
  private:
   void place_walls(double time);
+  /// Makes thin parts along which the water slides water to the mask, once mask and walls have been placed.
+  void count_sliding_water();
 
   const Grid<Dim>& grid_;
   Boundary<Dim>& boundary_;

@@ -7,8 +7,8 @@
 namespace washfsi {
 
 /// The inertia of the cloth's own excess mass, as a force on the markers and, through them, on the water, whose density
-/// is then that of pure water. With the mean velocity W = (X - X^n)/dt in a step, and the acceleration rate W - known
-/// of the coupling scheme,
+/// is then that of pure water. With the mean velocity W = (X - X^n)/dt in a step, and with the acceleration of the
+/// coupling scheme, rate W - known,
 ///   I = -m (rate W - known),     stiffness  m rate/dt,     energy  1/2 m rate/dt |X - X0|^2
 /// where X0 = X^n + dt known/rate is where the force vanishes. There is none where markers do not move. All is divided
 /// by the share of the forces at the step's end in its mean force, since inertia is that of the step as a whole.

@@ -37,11 +37,17 @@ void register_record(System<Dim>& system, StateList& list) {
   list.add(points_entry<Dim>("/record/given", slab, step.given)).use = retake;
 }
 
-}  // namespace
-
 template <int Dim>
 StateList state_of(System<Dim>& system) {
   StateList list;
+  register_state(system, list);
+  return list;
+}
+
+}  // namespace
+
+template <int Dim>
+void register_state(System<Dim>& system, StateList& list) {
   Model<Dim>& model = system.model;
   register_motion(system, list);
   register_record(system, list);
@@ -50,7 +56,6 @@ StateList state_of(System<Dim>& system) {
   for (const auto& force : model.forces.list()) force->register_state(list);
   if (model.liquid.walls()) model.liquid.walls()->register_state(list);
   model.bodies.register_state(list);
-  return list;
 }
 
 template <int Dim>
@@ -74,8 +79,8 @@ void SavedStart<Dim>::restore() const {
   step.wall_reaction.setZero();
 }
 
-template StateList state_of<2>(System<2>&);
-template StateList state_of<3>(System<3>&);
+template void register_state<2>(System<2>&, StateList&);
+template void register_state<3>(System<3>&, StateList&);
 template void resume<2>(System<2>&);
 template void resume<3>(System<3>&);
 template class SavedStart<2>;

@@ -8,7 +8,7 @@ namespace washfsi {
 
 /// Registers all state that a system carries from step to step, each part its own. The system stays alive.
 template <int Dim>
-StateList state_of(System<Dim>& system);
+void register_state(System<Dim>& system, StateList& list);
 
 /// Brings cloth, bodies and walls to their places after the state has been restored. Collective.
 template <int Dim>

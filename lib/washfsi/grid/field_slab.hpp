@@ -15,12 +15,7 @@ Slab box_slab(const Box<Dim>& whole, const Box<Dim>& part, int components) {
     slab.offset.push_back(static_cast<hsize_t>(part.lower[d] - whole.lower[d]));
     slab.count.push_back(static_cast<hsize_t>(part.upper[d] - part.lower[d]));
   }
-  if (components > 1) {
-    slab.shape.push_back(static_cast<hsize_t>(components));
-    slab.offset.push_back(0);
-    slab.count.push_back(static_cast<hsize_t>(components));
-  }
-  return slab;
+  return with_components(slab, components);
 }
 
 /// This rank's part of a field with `components` values per cell in a dataset of shape [nz,] ny, nx [, components]. The

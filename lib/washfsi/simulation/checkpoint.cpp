@@ -94,8 +94,7 @@ template <int Dim>
 StateList state_of_run(const std::string& path, System<Dim>& system, Measures<Dim>& measures, RunState& run) {
   StateList list;
   list.add(identity_entry(system, path));
-  const StateList of_system = state_of(system);
-  for (const StateEntry& entry : of_system.entries()) list.add(entry);
+  register_state(system, list);
   measures.register_state(list);
   register_run(run, list);
   return list;

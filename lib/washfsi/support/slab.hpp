@@ -16,15 +16,18 @@ struct Slab {
   std::vector<hsize_t> count;   ///< shape of this rank's part; a zero means none
 };
 
-/// The rows from `begin` to `end` of `total`, with `components` each; no last dimension for a single one.
-inline Slab row_slab(std::size_t total, std::size_t begin, std::size_t end, int components) {
-  Slab slab{{total}, {begin}, {end - begin}};
-  if (components > 1) {
-    slab.shape.push_back(static_cast<hsize_t>(components));
-    slab.offset.push_back(0);
-    slab.count.push_back(static_cast<hsize_t>(components));
-  }
+/// A slab with a last dimension for so many components; without one for a single component.
+inline Slab with_components(Slab slab, int components) {
+  if (components == 1) return slab;
+  slab.shape.push_back(static_cast<hsize_t>(components));
+  slab.offset.push_back(0);
+  slab.count.push_back(static_cast<hsize_t>(components));
   return slab;
+}
+
+/// The rows from `begin` to `end` of `total`, with `components` each.
+inline Slab row_slab(std::size_t total, std::size_t begin, std::size_t end, int components) {
+  return with_components({{total}, {begin}, {end - begin}}, components);
 }
 
 /// Flat values of points, padded with zeros to `components` each.
