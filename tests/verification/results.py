@@ -92,7 +92,7 @@ def wait_for(process, folder):
     """The status of a run; asks for a checkpoint and raises Unfinished where it would take longer than it may."""
     while True:
         try:
-            return process.wait(PROBE)
+            return process.wait(PROBE if math.isfinite(LONGEST["run"]) else None)
         except subprocess.TimeoutExpired as late:
             if (seconds := expected_seconds(folder)) <= LONGEST["run"]:
                 continue

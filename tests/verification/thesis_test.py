@@ -53,12 +53,12 @@ def ratio(row, kept):
     return f"{ours.figures[0] / thesis:.2f}" if ours and thesis and not math.isnan(ours.figures[0]) else ""
 
 
-def cell(row, numerics, kept):
+def cell(row, numerics, kept, costs):
     """What a table says of a row with one of the numerics."""
     found = kept.get(row.key(numerics))
     if found:
         return as_text(found.figures)
-    cost = rows.read_costs().get(row.key(numerics))
+    cost = costs.get(row.key(numerics))
     if cost and numerics in row.numerics:
         return f"not run: {cost / 60:.1f} h" if cost >= 60 else f"not run: {cost:.0f} min"
     return "" if numerics in row.numerics else row.not_run
@@ -81,6 +81,7 @@ def print_checks(of_table, kept):
 
 def print_page(chosen, checks_of, kept):
     """Prints the kept figures, a table for each of the thesis's, and its checks."""
+    costs = rows.read_costs()
     for table in dict.fromkeys(row.table for row in chosen):
         of_table = [row for row in chosen if row.table == table]
         print(f"\n**{table}**. {of_table[0].quantity}; `scripts/verification thesis {shlex.quote(table)}`\n")
@@ -88,7 +89,7 @@ def print_page(chosen, checks_of, kept):
         for row in of_table:
             commits = dict.fromkeys(kept[row.key(numerics)].commit for numerics in NUMERICS if row.key(numerics) in kept)
             name = row.what if row.quantity == of_table[0].quantity else f"{row.what}, {row.quantity}"
-            print_row(name, row.thesis, *(cell(row, numerics, kept) for numerics in NUMERICS),
+            print_row(name, row.thesis, *(cell(row, numerics, kept, costs) for numerics in NUMERICS),
                       "larger: " * bool(row.miss) + ratio(row, kept), ", ".join(commits), minutes(row, kept))
         for reason in dict.fromkeys(row.miss for row in of_table if row.miss):
             print(f"\nExpected miss: {reason}")
