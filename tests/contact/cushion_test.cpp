@@ -198,6 +198,43 @@ TEST(Cushion, OfTheBarrierGoesOnWithinABody) {
   EXPECT_EQ(before, 0);
 }
 
+// A body runs over a marker that is pressed against it with more than the soft part bears.
+TEST(Cushion, IsSharpenedUntilTheSolutionLiesOutside) {
+  Room room(1);
+  room.bodies[0].motion.translation = {0.03, 0};
+  const auto cushion = room.cushion({{1.085, 2}}, 1, hard);
+  const double surface = 1 + 0.1, load = 50 * 100 * 0.01;
+  const auto solution = [&] {
+    double inside = surface - 0.05, outside = surface + 0.02;
+    while (outside - inside > 1e-9) {
+      const double middle = 0.5 * (inside + outside);
+      (forces_of(*cushion, {{middle, 2}})[0][0] > load ? inside : outside) = middle;
+    }
+    return outside;
+  };
+  EXPECT_LT(solution(), surface);
+  int times = 0;
+  while (cushion->sharpen({{solution(), 2}})) ASSERT_LT(++times, 5);
+  EXPECT_GE(times, 1);
+  EXPECT_NEAR(cushion_push(hard, solution() - surface, at_markers).pressure * 0.01, load, 0.02 * load);
+  EXPECT_FALSE(cushion->sharpen({{surface + 0.01, 2}}));
+}
+
+// A face that rests on the left edge of a block turns about it, down on the right one.
+TEST(Cushion, SeesWhereAFaceTurnsTo) {
+  Room room(2);
+  room.bodies[0].shape = std::make_unique<Cuboid<2>>(Point<2>(0.2, 0.2));
+  const auto sloped = [](double left, double right) {  // above the edges of the block, which are 0.2 m apart
+    return Points<2>{{0.7, 2.1 + 2 * left - right}, {1.3, 2.1 + 2 * right - left}};
+  };
+  const auto cushion = room.cushion(sloped(0.006, 0.009), 1, hard);
+  const Points<2> turned = sloped(0.006, 1e-4);
+  EXPECT_FALSE(cushion->sharpen(sloped(0.006, 0.006)));
+  const double before = forces_of(*cushion, turned)[1][1];
+  EXPECT_TRUE(cushion->sharpen(turned));
+  EXPECT_GT(forces_of(*cushion, turned)[1][1], 2 * before);
+}
+
 // A marker on the turning roller, which goes along it by some way in a step of 1 s more than the surface does.
 TEST(Cushion, FrictionIsThatOfCoulombOnAMovingBody) {
   constexpr double turn = 0.02;  // [rad/s]

@@ -146,6 +146,13 @@ void Forces<Dim>::set_stiffness(const Points<Dim>& positions, GeometricStiffness
 }
 
 template <int Dim>
+bool Forces<Dim>::sharpen(const Points<Dim>& positions) {
+  bool is_sharper = false;
+  for (const auto& force : forces_) is_sharper = force->sharpen(positions) || is_sharper;
+  return is_sharper;
+}
+
+template <int Dim>
 std::vector<StiffnessBound> Forces<Dim>::bounds() const {
   std::vector<StiffnessBound> bounds(cloths_.owned());
   for (const auto& force : forces_) force->add_bound(bounds);

@@ -61,6 +61,8 @@ class Forces {
   bool have_step_limit() const;
   double step_limit(const Points<Dim>& from, const Points<Dim>& motion);
   Points<Dim> shortened(const Points<Dim>& from, Points<Dim> motion);
+  /// Sharpens the forces at the solution of a step; returns whether it has to be solved again.
+  bool sharpen(const Points<Dim>& positions);
 
   /// The stiffness and damping of each marker, which bound the explicit step.
   std::vector<StiffnessBound> bounds() const;

@@ -103,6 +103,9 @@ class MarkerForce {
   /// The share of a straight motion, from 0 to 1, that all markers can make without reaching such places. Afterwards
   /// what it has found near the markers is valid for all places on this way.
   virtual double step_limit(const Points<Dim>&, const Points<Dim>&) { return 1; }
+  /// Called with the solution of a step: sharpens what it took too simply in order to solve for these places, and
+  /// returns whether it did, so that the step has to be solved again. Collective.
+  virtual bool sharpen(const Points<Dim>&) { return false; }
   /// Registers the state that it carries from step to step.
   virtual void register_state(StateList&) {}
 

@@ -2,8 +2,9 @@
 #include "washfsi/contact/cushion.hpp"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
-#include "washfsi/contact/barrier_function.hpp"
 #include "washfsi/support/collective.hpp"
 #include "washfsi/support/format_text.hpp"
 #include "washfsi/support/text.hpp"
@@ -13,27 +14,9 @@ namespace washfsi {
 namespace {
 
 constexpr double soft_start = 0.1;  // share of the contact distance: points that start nearer have a soft barrier
-
-// The barrier, continued below a share of its distance as a parabola with the same second derivative.
-BarrierValue softened_barrier(double s, double soft) {
-  if (s >= soft) return barrier(s);
-  const BarrierValue from = barrier(soft);
-  const double beyond = s - soft;
-  return {from.value + from.first * beyond + 0.5 * from.second * beyond * beyond, from.first + from.second * beyond,
-          from.second};
-}
+constexpr double sharper = 0.25;    // the next share over that within which the solution must not lie
 
 }  // namespace
-
-CushionPush cushion_push(const CushionOptions& options, double distance, double begins, double soft) {
-  const double p = options.pressure, d = begins;
-  if (options.law == CushionLaw::barrier) {
-    const BarrierValue b = softened_barrier(distance / d, soft);
-    return {p * d * b.value, -p * b.first, p / d * b.second};
-  }
-  const double s = std::max(0.0, 1 - distance / d);
-  return {p * d / 3 * s * s * s, p * s * s, 2 * p / d * s};
-}
 
 template <int Dim>
 MakeForce<Dim> Cushion<Dim>::maker(const CushionOptions& options) {
@@ -66,8 +49,10 @@ void Cushion<Dim>::begin_step(const StepStart<Dim>& start) {
   std::vector<double> speeds;
   for (const auto& velocity : velocities) speeds.push_back(velocity.norm());
   planes_ = planes_near_.find(all, speeds, options_.distance, time_, start.dt);
+  start_ = all;
   has_faces_ = any_rank(around_.cloths.comm(), std::ranges::any_of(planes_, &Plane::is_of_face));
   follow_distances();
+  for (Plane& plane : planes_) plane.soft = plane.distance < soft_start * plane.begins ? soft_start : 0;
   begin_friction(start, velocities);
 }
 
@@ -87,9 +72,61 @@ void Cushion<Dim>::follow_distances() {
     else
       distances_.follow(around_.cloths.comm(), nearest, options_.distance);
   }
-  if (distances_.less().empty()) return;
-  for (Plane& plane : planes_)
-    plane.begins *= distances_.of(plane.piece, plane.thing(cloths, bodies)) / options_.distance;
+  for (Plane& plane : planes_) plane.begins *= begins_over_usual(plane);
+}
+
+template <int Dim>
+double Cushion<Dim>::begins_over_usual(const Plane& plane) const {
+  if (distances_.less().empty()) return 1;
+  return distances_.of(plane.piece, plane.thing(around_.cloths.pieces().size(), around_.bodies.size())) /
+         options_.distance;
+}
+
+template <int Dim>
+bool Cushion<Dim>::sharpen(const Points<Dim>& positions) {
+  if (options_.law != CushionLaw::barrier) return false;
+  has_faces_ = planes_near_.sees_faces();
+  const Points<Dim> all = with_halo(positions);
+  const bool is_harder = soften_less(all), is_denser = add_missed(all);
+  has_faces_ = any_rank(around_.cloths.comm(), std::ranges::any_of(planes_, &Plane::is_of_face));
+  return any_rank(around_.cloths.comm(), is_harder || is_denser);
+}
+
+// The barrier begins to be soft nearer to the surface where the solution lies deep in its soft part.
+template <int Dim>
+bool Cushion<Dim>::soften_less(const Points<Dim>& all) {
+  bool is_harder = false;
+  for (Plane& plane : planes_) {
+    const double least = sharper * plane.soft;
+    if (plane.soft == 0 || gap(plane, all) >= least * plane.begins) continue;
+    plane.soft = least;
+    is_harder = true;
+  }
+  return is_harder;
+}
+
+// Adds planes where faces have come nearer to bodies than their planes show, as they turn about the place of these.
+template <int Dim>
+bool Cushion<Dim>::add_missed(const Points<Dim>& all) {
+  if (!planes_near_.sees_faces()) return false;
+  std::map<std::pair<std::size_t, std::size_t>, double> least;
+  for (const Plane& plane : planes_)
+    if (plane.is_of_face()) {
+      double& of_face = least.try_emplace({plane.face, plane.body}, INFINITY).first->second;
+      of_face = std::min(of_face, gap(plane, all));
+    }
+  const auto known = [&](std::size_t face, std::size_t body) {
+    const auto found = least.find({face, body});
+    return found == least.end() ? INFINITY : found->second;
+  };
+  const double within = soft_start * TangentPlanes<Dim>::of_faces * options_.distance;
+  std::vector<Plane> missed = planes_near_.missed(start_, all, options_.distance, within, time_, known);
+  for (Plane& plane : missed) {
+    plane.begins *= begins_over_usual(plane);
+    plane.soft = soft_start;
+  }
+  planes_.insert(planes_.end(), missed.begin(), missed.end());
+  return !missed.empty();
 }
 
 // Uses the normal forces of the step's start; with dt = 0 nothing slides. In an explicit step markers and surfaces
@@ -141,15 +178,10 @@ void Cushion<Dim>::visit_own(const Plane& plane, const Visit& visit) const {
     if (plane.own[i] != SeenFaces<Dim>::none) visit(i, static_cast<std::size_t>(plane.own[i]));
 }
 
-template <int Dim>
-double Cushion<Dim>::softness(const Plane& plane) const {
-  return plane.distance < soft_start * plane.begins ? soft_start : 0;
-}
-
 // The push on the area that the point stands for.
 template <int Dim>
 CushionPush Cushion<Dim>::push(const Plane& plane, double gap) const {
-  const CushionPush push = cushion_push(options_, gap, plane.begins, softness(plane));
+  const CushionPush push = cushion_push(options_, gap, plane.begins, plane.soft);
   return {plane.area * push.energy, plane.area * push.pressure, plane.area * push.stiffness};
 }
 
@@ -240,7 +272,7 @@ double Cushion<Dim>::step_limit(const Points<Dim>& from, const Points<Dim>& moti
   const Points<Dim> starts = with_halo(from), ways = with_halo(motion);
   double part = 1;
   for (const Plane& plane : planes_) {
-    if (softness(plane) > 0) continue;
+    if (plane.soft > 0) continue;
     const double start = gap(plane, starts), nearer = -plane.normal.dot(plane.place(ways));
     if (nearer > (1 - kept) * start) part = std::min(part, (1 - kept) * start / nearer);
   }

@@ -1,29 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "washfsi/contact/cushion_law.hpp"
 #include "washfsi/contact/friction.hpp"
 #include "washfsi/contact/tangent_planes.hpp"
 
 namespace washfsi {
-
-/// The law by which the push of a surface grows with nearness.
-enum class CushionLaw { quadratic, barrier };
-
-/// The parameters of a cushion.
-struct CushionOptions {
-  double pressure = 0;     ///< P0, at the surface, or kappa of the barrier [Pa]; 0: no contact force
-  double distance = 0.01;  ///< d0, contact distance [m]
-  CushionLaw law = CushionLaw::quadratic;
-  double friction = 0;  ///< coefficient of friction
-  double damping = 0;   ///< damping of the normal motion over the critical one, in implicit steps
-};
-
-/// The action of a cushion per undeformed area at a distance from a surface.
-struct CushionPush {
-  double energy = 0, pressure = 0, stiffness = 0;  ///< [J/m2, Pa, N/m3]
-};
-/// The push for the contact distance `begins` [m]; below the share `soft` of that the barrier is a parabola.
-CushionPush cushion_push(const CushionOptions& options, double distance, double begins, double soft = 0);
 
 /// Penalty contact that keeps cloth out of bodies and sides of the box: a marker nearer than d0 is pushed along the
 /// outward normal with the force per undeformed area
@@ -33,11 +15,12 @@ CushionPush cushion_push(const CushionOptions& options, double distance, double 
 /// In a step Phi is the distance from a plane that moves with the body (contact/tangent_planes.hpp): so the energy is
 /// convex, and its stiffness exact and never negative. With the barrier no motion goes through the plane
 /// (`step_limit`); only where a moving body comes nearer than d0/10 to a marker at rest by the step's end, the barrier
-/// continues from there with constant stiffness. A post or an edge may come nearest to a place in a face rather than to
-/// a marker: this place is pushed likewise from d0/2 on, with the area of the face. Points that start nearer than d0
-/// have their own distance (contact/pair_distances.hpp). Friction is that of the barrier between cloths
-/// (contact/friction.hpp), with the normal force of the step's start and the motion relative to the surface in the
-/// step.
+/// continues from there with constant stiffness; where the solution of the step lies deep in that part, it begins
+/// nearer, and the step is solved again (`sharpen`). A post or an edge may come nearest to a place in a face rather
+/// than to a marker: this place is pushed likewise from d0/2 on, with the area of the face; so is a second place where
+/// the face turns to, if the solution shows one. Points that start nearer than d0 have their own distance
+/// (contact/pair_distances.hpp). Friction is that of the barrier between cloths (contact/friction.hpp), with the normal
+/// force of the step's start and the motion relative to the surface in the step.
 template <int Dim>
 class Cushion : public ContactForce<Dim> {
  public:
@@ -58,6 +41,7 @@ class Cushion : public ContactForce<Dim> {
   void linearise(const Points<Dim>& positions) override { friction_.linearise(ways(with_halo(positions))); }
   bool has_step_limit() const override { return options_.law == CushionLaw::barrier; }
   double step_limit(const Points<Dim>& from, const Points<Dim>& motion) override;
+  bool sharpen(const Points<Dim>& positions) override;
   PairDistances& distances() override { return distances_; }
   const PairDistances& distances() const override { return distances_; }
   TightestContact tightest() const override;
@@ -75,6 +59,9 @@ class Cushion : public ContactForce<Dim> {
   /// The values of this rank's markers, followed by those with halo where faces need these. Collective.
   Points<Dim> with_halo(const Points<Dim>& values) const;
   void follow_distances();
+  double begins_over_usual(const Plane& plane) const;
+  bool soften_less(const Points<Dim>& all);
+  bool add_missed(const Points<Dim>& all);
   void begin_friction(const StepStart<Dim>& start, const Points<Dim>& velocities);
   Points<Dim> ways(const Points<Dim>& all) const;
   template <class Visit>
@@ -87,8 +74,6 @@ class Cushion : public ContactForce<Dim> {
   double gap(const Plane& plane, const Points<Dim>& all) const {
     return plane.distance + plane.normal.dot(plane.place(all) - plane.start);
   }
-  /// The share of the contact distance below which the barrier is soft.
-  double softness(const Plane& plane) const;
   CushionPush push(const Plane& plane, double gap) const;
   CushionPush push(const Plane& plane, const Points<Dim>& all) const { return push(plane, gap(plane, all)); }
 
@@ -96,7 +81,8 @@ class Cushion : public ContactForce<Dim> {
   Surroundings<Dim> around_;
   PairDistances distances_;
   TangentPlanes<Dim> planes_near_;
-  double time_ = 0;  ///< the step's end [s]
+  double time_ = 0;    ///< the step's end [s]
+  Points<Dim> start_;  ///< places of all markers at the step's start, with those of the halo [m]
   std::vector<Plane> planes_;
   bool has_faces_ = false;  ///< whether any rank has a plane of a face
   std::vector<Rubbing> rubbing_;

@@ -3,21 +3,25 @@
 
 #include <algorithm>
 
-#include "washfsi/contact/nearest_in_face.hpp"
-
 namespace washfsi {
 
 /// One search, with the bodies at both ends of a step.
 template <int Dim>
 struct TangentPlanes<Dim>::Look {
   const Points<Dim>& all;
-  const std::vector<double>& speeds;
+  const std::vector<double> speeds;
   double distance, dt;
   PosedBodies<Dim> start, end;
   std::vector<std::vector<double>> distances = {};  ///< distances of all places from each body at the step's end [m]
 
   // The distance within which a point may come into contact in the step, with a margin of as much.
   double reach(double contact, double speed) const { return dt > 0 ? 2 * (contact + dt * speed) : contact; }
+  void find_distances(const Grid<Dim>& grid) {
+    for (std::size_t body = 0; body < end.size(); ++body) {
+      std::vector<double>& of_body = distances.emplace_back();
+      for (const auto& place : all) of_body.push_back(end.distance(body, grid.folded(place)));
+    }
+  }
 };
 
 template <int Dim>
@@ -29,10 +33,7 @@ std::vector<TangentPlane<Dim>> TangentPlanes<Dim>::find(const Points<Dim>& all, 
                                                         double distance, double time, double dt) const {
   Look look{
       all, speeds, distance, dt, PosedBodies<Dim>(around_.bodies, time - dt), PosedBodies<Dim>(around_.bodies, time)};
-  for (std::size_t body = 0; body < look.end.size(); ++body) {
-    std::vector<double>& distances = look.distances.emplace_back();
-    for (const auto& place : all) distances.push_back(look.end.distance(body, around_.grid.folded(place)));
-  }
+  look.find_distances(around_.grid);
   std::vector<TangentPlane<Dim>> planes;
   add_markers(look, planes);
   if (sees_faces_) add_faces(look, planes);
@@ -104,41 +105,80 @@ void TangentPlanes<Dim>::add_faces(const Look& look, std::vector<TangentPlane<Di
     for (std::size_t body = 0; body < look.end.size(); ++body) add_face(look, face, body, planes);
 }
 
-// A face that comes nearest at a marker, as it does to any wide body, is kept away by that marker's plane.
 template <int Dim>
 void TangentPlanes<Dim>::add_face(const Look& look, std::size_t number, std::size_t body,
                                   std::vector<TangentPlane<Dim>>& planes) const {
   const auto& face = faces_.list()[number];
-  const std::size_t owned = around_.cloths.owned();
+  double speed = 0;
+  for (const std::size_t seen : face.seen) speed = std::max(speed, look.speeds[around_.cloths.owned() + seen]);
+  const double begins = of_faces * look.distance, reach = look.reach(begins, speed);
+  const NearestInFace<Dim> found = nearest(look, number, body, reach);
+  if (found.distance >= reach) return;
+  TangentPlane<Dim> plane = plane_of_face(look, number, found);
+  plane.body = body;
+  plane.start = plane.place(look.all);
+  set_plane(look, plane);
+  planes.push_back(plane);
+}
+
+// A face that comes nearest at a marker, as it does to any wide body, is kept away by that marker's plane: its distance
+// counts as infinite.
+template <int Dim>
+NearestInFace<Dim> TangentPlanes<Dim>::nearest(const Look& look, std::size_t number, std::size_t body,
+                                               double reach) const {
   std::array<Point<Dim>, Dim> corners;
   std::array<double, Dim> at_corners;
-  double speed = 0, nearest = INFINITY, longest = 0;
+  double nearest = INFINITY, longest = 0;
   for (std::size_t i = 0; i < Dim; ++i) {
-    const std::size_t marker = owned + face.seen[i];
+    const std::size_t marker = around_.cloths.owned() + faces_.list()[number].seen[i];
     corners[i] = look.all[marker];
     at_corners[i] = look.distances[body][marker];
-    speed = std::max(speed, look.speeds[marker]);
     nearest = std::min(nearest, at_corners[i]);
     longest = std::max(longest, (corners[i] - corners[0]).norm());
   }
-  const double begins = of_faces * look.distance, reach = look.reach(begins, speed);
-  if (nearest > reach + longest) return;
+  if (nearest > reach + longest) return {{}, INFINITY};
   const auto distance = [&](const Point<Dim>& place) { return look.end.distance(body, around_.grid.folded(place)); };
   const NearestInFace<Dim> found = nearest_in_face<Dim>(corners, at_corners, reach, distance);
-  if (found.distance >= reach || found.distance > nearest - 1e-3 * look.distance) return;
+  return {found.shares, found.distance > nearest - 1e-3 * look.distance ? INFINITY : found.distance};
+}
+
+template <int Dim>
+TangentPlane<Dim> TangentPlanes<Dim>::plane_of_face(const Look& look, std::size_t number,
+                                                    const NearestInFace<Dim>& found) const {
+  const auto& face = faces_.list()[number];
   TangentPlane<Dim> plane;
   plane.face = number;
-  for (std::size_t i = 0; i < Dim; ++i) plane.markers[i] = owned + face.seen[i];
+  for (std::size_t i = 0; i < Dim; ++i) plane.markers[i] = around_.cloths.owned() + face.seen[i];
   plane.shares = found.shares;
   plane.own = face.own;
   plane.piece = face.piece;
   plane.area = face.area;
-  plane.begins = begins;
-  plane.start = plane.place(look.all);
-  plane.body = body;
+  plane.begins = of_faces * look.distance;
   plane.distance = found.distance;
-  set_plane(look, plane);
-  planes.push_back(plane);
+  return plane;
+}
+
+// The body's surface is straight about the place where the face is now.
+template <int Dim>
+std::vector<TangentPlane<Dim>> TangentPlanes<Dim>::missed(const Points<Dim>& start, const Points<Dim>& now,
+                                                          double distance, double within, double time,
+                                                          const KnownGap& known) const {
+  Look look{now, {}, distance, 0, PosedBodies<Dim>(around_.bodies, time), PosedBodies<Dim>(around_.bodies, time)};
+  look.find_distances(around_.grid);
+  std::vector<TangentPlane<Dim>> planes;
+  for (std::size_t face = 0; face < faces_.list().size(); ++face)
+    for (std::size_t body = 0; body < look.end.size(); ++body) {
+      const NearestInFace<Dim> found = nearest(look, face, body, within);
+      if (found.distance >= within || found.distance >= 0.5 * known(face, body)) continue;
+      TangentPlane<Dim> plane = plane_of_face(look, face, found);
+      const Point<Dim> place = plane.place(now);
+      plane.body = body;
+      plane.start = plane.place(start);
+      plane.normal = look.end.normal(body, around_.grid.folded(place), 1e-3 * distance);
+      plane.distance = plane.before = found.distance + plane.normal.dot(plane.start - place);
+      planes.push_back(plane);
+    }
+  return planes;
 }
 
 template <int Dim>

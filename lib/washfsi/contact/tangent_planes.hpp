@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
+
 #include "washfsi/contact/contact_force.hpp"
+#include "washfsi/contact/nearest_in_face.hpp"
 #include "washfsi/contact/seen_faces.hpp"
 
 namespace washfsi {
@@ -22,6 +25,7 @@ struct TangentPlane {
   double distance = 0;                                                 ///< distance of `start` at the step's end [m]
   double before = 0;                                                   ///< distance of `start` at the step's start [m]
   double begins = 0;                                                   ///< contact distance [m]
+  double soft = 0;       ///< share of the contact distance below which a barrier is soft
   std::size_t body = 0;  ///< number of the body; for a side the count of bodies
   int axis = 0;
   End end = End::lower;
@@ -58,6 +62,12 @@ class TangentPlanes {
   /// `speeds` [m/s] are of the markers and those with halo. No communication.
   std::vector<TangentPlane<Dim>> find(const Points<Dim>& all, const std::vector<double>& speeds, double distance,
                                       double time, double dt) const;
+  /// The least gap of the known planes of a face from a body [m]; infinite without one.
+  using KnownGap = std::function<double(std::size_t face, std::size_t body)>;
+  /// Finds the planes at the step's end `time` where faces whose markers moved from `start` to `now` are nearer to
+  /// bodies than `within` and than half of the known gap; `distance` is the contact distance. No communication.
+  std::vector<TangentPlane<Dim>> missed(const Points<Dim>& start, const Points<Dim>& now, double distance,
+                                        double within, double time, const KnownGap& known) const;
   const SeenFaces<Dim>& faces() const { return faces_; }
   bool sees_faces() const { return sees_faces_; }
   /// The velocity of the surface at a plane at some time [m/s].
@@ -68,6 +78,8 @@ class TangentPlanes {
   void add_markers(const Look& look, std::vector<TangentPlane<Dim>>& planes) const;
   void add_faces(const Look& look, std::vector<TangentPlane<Dim>>& planes) const;
   void add_face(const Look& look, std::size_t face, std::size_t body, std::vector<TangentPlane<Dim>>& planes) const;
+  NearestInFace<Dim> nearest(const Look& look, std::size_t face, std::size_t body, double reach) const;
+  TangentPlane<Dim> plane_of_face(const Look& look, std::size_t face, const NearestInFace<Dim>& found) const;
   void add_sides(const TangentPlane<Dim>& marker, double reach, std::vector<TangentPlane<Dim>>& planes) const;
   void set_plane(const Look& look, TangentPlane<Dim>& plane) const;
 

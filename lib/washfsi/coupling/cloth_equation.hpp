@@ -8,6 +8,9 @@
 
 namespace washfsi {
 
+/// How many times a step is solved again at most because its forces were sharpened.
+constexpr int most_sharpenings = 8;
+
 /// An equation for one vector per marker, its velocity or a force. All of its functions are collective and take this
 /// rank's part.
 template <int Dim>

@@ -125,9 +125,18 @@ bool ForceEquation<Dim>::is_free(const Step& step, const Points<Dim>& all) const
   return step.all.step_limit(step.start, step.dt * all) == 1;
 }
 
-// Starts from that guess within the step limit whose residual is smallest.
 template <int Dim>
 Points<Dim> ForceEquation<Dim>::solve(const Step& step, const std::vector<Points<Dim>>& guesses, double& iterations) {
+  Points<Dim> all = solve_once(step, guesses, iterations);
+  for (int n = 0; n < most_sharpenings && step.all.sharpen(step.start + step.dt * all); ++n)
+    all = solve_once(step, {all}, iterations);
+  return all;
+}
+
+// Starts from that guess within the step limit whose residual is smallest.
+template <int Dim>
+Points<Dim> ForceEquation<Dim>::solve_once(const Step& step, const std::vector<Points<Dim>>& guesses,
+                                           double& iterations) {
   const Points<Dim>* best = nullptr;
   double least = 0;
   for (const Points<Dim>& guess : guesses) {

@@ -30,14 +30,15 @@ class ForceEquation {
     const StepMobility<Dim>& mobility;    ///< M, D [1/kg]
     double tolerance;                     ///< tolerance of the velocities' 2-norm [m/s]
   };
-  /// Returns V, starting from the best of the guesses. Adds the evaluations to `iterations`. Collective.
-  /// Errors: DivergedError.
+  /// Returns V, starting from the best of the guesses, with forces that are sharp there. Adds the evaluations to
+  /// `iterations`. Collective. Errors: DivergedError.
   Points<Dim> solve(const Step& step, const std::vector<Points<Dim>>& guesses, double& iterations);
 
   /// U + N y with a share of U. Collective.
   Points<Dim> velocities(const Step& step, double share, const Points<Dim>& change) const;
 
  private:
+  Points<Dim> solve_once(const Step& step, const std::vector<Points<Dim>>& guesses, double& iterations);
   Points<Dim> residual(const Step& step, double share, const Points<Dim>& all) const;
   bool is_free(const Step& step, const Points<Dim>& all) const;
   void solve_at(const Step& step, double share, Points<Dim>& all, double& iterations);

@@ -189,7 +189,8 @@ Points<Dim> SemiImplicitCoupling<Dim>::move_by_row_sums(System<Dim>& system, dou
       return all.step_limit(start + dt * from, dt * way);
     };
   }
-  system.step.cloth_iterations += static_cast<double>(solver_.solve(equation, weight * tolerance, velocities));
+  for (int n = 0; n == 0 || (n <= most_sharpenings && all.sharpen(start + dt * velocities)); ++n)
+    system.step.cloth_iterations += static_cast<double>(solver_.solve(equation, weight * tolerance, velocities));
   return velocities;
 }
 
