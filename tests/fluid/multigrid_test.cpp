@@ -125,7 +125,7 @@ PetscInt iterations(const GridShape<Dim>& shape, double contrast) {
   const ScopedOption type("-pressure_pc_type", "mg"), coarse("-pressure_mg_coarse_pc_type", nullptr),
       dense("-pressure_mg_coarse_redundant_pc_type", nullptr);
   const Grid<Dim> grid(PETSC_COMM_WORLD, shape);
-  PressureSolver<Dim> poisson(grid, 1000);
+  PressureSolver<Dim> poisson(grid);
   const petsc::Vector rhs = right_side(grid), phi = grid.cell_vector(), density = grid.face_vector();
   set_density(grid, contrast, density);
   poisson.set_density(density);

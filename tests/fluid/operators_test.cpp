@@ -88,7 +88,7 @@ void expect_exact_inverse(bool periodic_in_x) {
   GridShape<Dim> shape = odd_shape<Dim>();
   shape.periodic[0] = periodic_in_x;
   const Grid<Dim> grid(PETSC_COMM_WORLD, shape);
-  PressureSolver<Dim> poisson(grid, 1000);
+  PressureSolver<Dim> poisson(grid);
   const petsc::Vector rhs = rough_right_side(grid), phi = grid.cell_vector();
   double sum = 0;
   WASH_PETSC(VecSum(rhs, &sum));

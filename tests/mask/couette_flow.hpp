@@ -39,7 +39,7 @@ class CircularCouette {
         mask_(grid_, bodies_, treatment),
         control_volumes_(grid_, boundary_, bodies_) {
     if (treatment.method == BodyMethod::direct_forcing)
-      walls_ = std::make_unique<WallForces<2>>(grid_, boundary_, bodies_, treatment, liquid().density);
+      walls_ = std::make_unique<WallForces<2>>(grid_, boundary_, bodies_, treatment);
     const FaceView<2> u(grid_.face_dm(), water_.fluid.velocity());
     for (int c = 0; c < 2; ++c)
       for_each<2>(grid_.owned(), [&](const Index<2>& face) {

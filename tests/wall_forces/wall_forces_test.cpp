@@ -17,17 +17,18 @@ namespace {
 
 constexpr double speed_of_rim = 0.3, radius = 0.15;
 
-/// A disc that turns in water at rest, and others that do not.
+/// A disc that turns in water at rest, and others that do not. The water below their middles is `heavy` times as dense
+/// as that above.
 class Discs {
  public:
-  Discs(std::size_t at_rest, double slip_tolerance)
+  Discs(std::size_t at_rest, double slip_tolerance, double heavy = 1)
       : bodies_(discs(at_rest)),
         grid_(PETSC_COMM_WORLD, shape()),
         boundary_(grid_, {}),
-        walls_(grid_, boundary_, bodies_, treatment(slip_tolerance), 1),
+        walls_(grid_, boundary_, bodies_, treatment(slip_tolerance)),
         density_(grid_.face_vector()),
         velocity_(grid_.face_vector()) {
-    WASH_PETSC(VecSet(density_, 1));
+    set_density(heavy);
     walls_.place(0);
     begin_at_rest();
   }
@@ -51,6 +52,14 @@ class Discs {
   }
 
  private:
+  void set_density(double heavy) {
+    const FaceView<2> density(grid_.face_dm(), density_);
+    for (int c = 0; c < 2; ++c)
+      for_each<2>(grid_.owned(), [&](const Index<2>& face) {
+        const double below = (0.52 - grid_.face_center(face, c)[1]) / grid_.spacing()[1];
+        density(face, c) = 1 + (heavy - 1) * 0.5 * (1 + std::tanh(below));
+      });
+  }
   static std::vector<Body<2>> discs(std::size_t at_rest) {
     std::vector<Body<2>> bodies(1 + at_rest);
     for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -109,6 +118,14 @@ TEST(WallForces, RecycleCorrections) {
   discs.begin_at_rest();
   EXPECT_TRUE(discs.reduce_slip());
   EXPECT_LT(discs.slip(), 0.5 * after_one);
+}
+
+TEST(WallForces, AreAsLargeAsTheWaterAtEachPatchIsDense) {
+  Discs alike(0, 1e-3), layered(0, 1e-3, 1000);
+  EXPECT_TRUE(alike.reduce_slip());
+  EXPECT_TRUE(layered.reduce_slip());
+  EXPECT_LT(alike.slip(), 0.3 * speed_of_rim);
+  EXPECT_LT(layered.slip(), 1.4 * alike.slip());  // three times it by the least density
 }
 
 /// The overlaps of the patches of two discs, an inner and a larger one, shared by some ranks.

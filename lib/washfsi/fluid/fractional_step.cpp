@@ -22,7 +22,6 @@ template <int Dim>
 FractionalStep<Dim>::FractionalStep(const Grid<Dim>& grid, Boundary<Dim>& boundary, const FluidOptions<Dim>& options)
     : grid_(grid),
       boundary_(boundary),
-      density_(options.density),
       pressure_tolerance_(options.pressure_tolerance),
       projects_(options.projection),
       limits_at_edges_(options.limits_at_edges),
@@ -30,7 +29,7 @@ FractionalStep<Dim>::FractionalStep(const Grid<Dim>& grid, Boundary<Dim>& bounda
       advection_bend_(options.advection_steps > 2 ? parabolas_part : 0),
       flow_dm_(departs_from_central() || boundary.has_outflow() ? grid.wide_face_dm() : grid.face_dm()),
       momentum_(grid, boundary, options.momentum_tolerance),
-      poisson_(grid, options.density),
+      poisson_(grid),
       driving_(grid, options.driving),
       velocity_(grid.face_vector()),
       velocity_before_(grid.face_vector()),
@@ -243,7 +242,7 @@ void FractionalStep<Dim>::solve_pressure(Vec phi) {
       poisson_.is_direct() ? 0 : pressure_tolerance_ * largest_speed() / grid_.spacing().minCoeff();
   counts_.pressure += static_cast<double>(poisson_.solve(minus_divergence_, tolerance, phi));
   poisson_.correct(phi, intermediate_);
-  WASH_PETSC(VecAXPY(pressure_, density_ / step_.dt, phi));  // p += q
+  WASH_PETSC(VecAXPY(pressure_, poisson_.reference_density() / step_.dt, phi));  // p += q
 }
 
 template <int Dim>

@@ -118,7 +118,7 @@ class FractionalStep : public Projection {
 
   const Grid<Dim>& grid_;
   Boundary<Dim>& boundary_;  ///< its open sides take part in the step
-  double density_, pressure_tolerance_;
+  double pressure_tolerance_;
   bool projects_, limits_at_edges_;
   Advection advection_scheme_;
   double advection_bend_;  ///< `bend` of `adams_bashforth`

@@ -55,8 +55,7 @@ void assemble_laplacian(const Grid<Dim>& grid, Mat matrix, const Ratio& ratio) {
 }  // namespace
 
 template <int Dim>
-PressureSolver<Dim>::PressureSolver(const Grid<Dim>& grid, double reference_density)
-    : grid_(grid), reference_density_(reference_density) {
+PressureSolver<Dim>::PressureSolver(const Grid<Dim>& grid) : grid_(grid) {
   WASH_PETSC(DMCreateLocalVector(grid.stencil_dm(), local_phi_.put()));
   WASH_PETSC(VecZeroEntries(local_phi_));
   create_matrices();
@@ -123,10 +122,10 @@ void PressureSolver<Dim>::set_density(Vec density, Vec fluid_fraction) {
   const std::array versions{petsc::Version(density), petsc::Version(fluid_fraction)};
   if (versions == versions_) return;
   versions_ = versions;
-  double least = 0, most = 0;
-  WASH_PETSC(VecMin(density, nullptr, &least));
+  double most = 0;
+  WASH_PETSC(VecMin(density, nullptr, &reference_density_));
   WASH_PETSC(VecMax(density, nullptr, &most));
-  is_uniform_ = !fluid_fraction && least == reference_density_ && most == reference_density_;
+  is_uniform_ = !fluid_fraction && most == reference_density_;
   if (is_direct()) return;
   const bool nearly_uniform = find_ratio(density, fluid_fraction);
   if (!assembled_) return;

@@ -16,13 +16,15 @@ namespace washfsi {
 template <int Dim>
 class PressureSolver {
  public:
-  /// Collective. `reference_density` is rho_f.
-  PressureSolver(const Grid<Dim>& grid, double reference_density);
+  /// Collective.
+  explicit PressureSolver(const Grid<Dim>& grid);
 
   /// Takes the face densities [kg/m3] of this step, if they have changed. With the fluid's share H on faces, the
   /// equation is that of (4.2-9), H/rho in place of 1/rho, H not below 1e-2. Collective.
   void set_density(Vec density, Vec fluid_fraction = nullptr);
 
+  /// rho_f: the least of the densities set last [kg/m3].
+  double reference_density() const { return reference_density_; }
   /// Whether `solve` is exact and needs no tolerance.
   bool is_direct() const { return solves_directly_ && is_uniform_; }
 
@@ -46,7 +48,7 @@ class PressureSolver {
   void set_preconditioner_defaults();
 
   const Grid<Dim>& grid_;
-  double reference_density_;
+  double reference_density_ = 1;
   petsc::Vector ratio_;      ///< rho_f/rho, or H rho_f/rho, on faces, local, 0 on boundary faces; null if not needed
   petsc::Vector local_phi_;  ///< ghosted; ghosts beyond the boundary stay 0
   petsc::Matrix matrix_;

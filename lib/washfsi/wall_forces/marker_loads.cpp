@@ -16,7 +16,7 @@ template <int Dim>
 Points<Dim> taken_by_sides(const WallForces<Dim>& walls, DM wide_face_dm, const std::optional<SideName>& open = {}) {
   const WallMarkers<Dim>& markers = walls.markers();
   const Transfer<Dim>& transfer = markers.transfer();
-  Points<Dim> taken = markers.shared_out(walls.forces());
+  Points<Dim> taken = markers.marker_forces(walls.forces());
   const petsc::LocalVector local(wide_face_dm);
   markers.boundary().fill_from_sides(local, markers.time(), transfer.reached_sides(), open);
   const Points<Dim> parts = transfer.interpolate_from_sides(local, open);
@@ -31,7 +31,7 @@ template <int Dim>
 Loads<Dim> marker_loads(const WallForces<Dim>& walls) {
   const WallMarkers<Dim>& markers = walls.markers();
   Loads<Dim> loads = markers.law() ? markers.law()->loads_here() : Loads<Dim>(markers.bodies().size());
-  const Points<Dim> given = markers.shared_out(walls.forces());
+  const Points<Dim> given = markers.marker_forces(walls.forces());
   const Points<Dim> taken = taken_by_sides(walls, markers.grid().wide_face_dm());
   const auto motions = motions_at(markers.bodies(), markers.time());
   markers.for_each_acting([&](std::size_t p, std::size_t m) {
@@ -63,7 +63,7 @@ Loads<Dim> marker_loads_on_sides(const WallForces<Dim>& walls, const std::vector
 template <int Dim>
 double lost_power(const WallForces<Dim>& walls, const Points<Dim>& before, const Points<Dim>& after, double dt) {
   const WallMarkers<Dim>& markers = walls.markers();
-  const Points<Dim> given = markers.shared_out(walls.forces());
+  const Points<Dim> given = markers.marker_forces(walls.forces());
   const auto motions = motions_at(markers.bodies(), markers.time() - 0.5 * dt);
   double lost = 0;
   markers.for_each_acting([&](std::size_t p, std::size_t m) {

@@ -12,12 +12,10 @@
 namespace washfsi {
 
 template <int Dim>
-NoSlipSolver<Dim>::NoSlipSolver(const Grid<Dim>& grid, const WallMarkers<Dim>& markers, const BodyTreatment& treatment,
-                                double density)
+NoSlipSolver<Dim>::NoSlipSolver(const Grid<Dim>& grid, const WallMarkers<Dim>& markers, const BodyTreatment& treatment)
     : grid_(grid),
       markers_(markers),
       slip_tolerance_(treatment.slip_tolerance),
-      density_(density),
       closed_(grid, markers.bodies(), markers.layout()),
       overlap_(markers.layout().by_body(), wall_marker_layout(grid, treatment), markers.own()) {
   create_solver();
@@ -84,7 +82,28 @@ void NoSlipSolver<Dim>::place() {
 template <int Dim>
 void NoSlipSolver<Dim>::begin(const TimeStep& step, Vec density) {
   step_ = step;
-  fluid_density_ = density;
+  density_ = density;
+  local_densities_ = local_densities();
+}
+
+// What a patch's force would move by its kernel alone: the part of its impulse over that of the velocity.
+template <int Dim>
+Points<Dim> NoSlipSolver<Dim>::local_densities() const {
+  double least = 0, most = 0;
+  WASH_PETSC(VecMin(density_, nullptr, &least));
+  WASH_PETSC(VecMax(density_, nullptr, &most));
+  Points<Dim> densities(markers_.patch_count(), Point<Dim>::Constant(least));
+  if (least == most) return densities;
+  const petsc::GlobalVector impulse(grid_.face_dm()), velocity(grid_.face_dm());
+  WASH_PETSC(VecZeroEntries(impulse));
+  markers_.spread(Points<Dim>(densities.size(), Point<Dim>::Ones()), impulse);
+  WASH_PETSC(VecPointwiseDivide(velocity, impulse, density_));
+  const Points<Dim> of_impulse = markers_.means(interpolated(impulse)),
+                    of_velocity = markers_.means(interpolated(velocity));
+  for (std::size_t p = 0; p < densities.size(); ++p)
+    for (int c = 0; c < Dim; ++c)
+      if (of_velocity[p][c] != 0) densities[p][c] = of_impulse[p][c] / of_velocity[p][c];
+  return densities;
 }
 
 template <int Dim>
@@ -104,9 +123,11 @@ Points<Dim> NoSlipSolver<Dim>::slips(Vec velocity) const {
 template <int Dim>
 Points<Dim> NoSlipSolver<Dim>::approximate_forces(const Points<Dim>& slips) const {
   Points<Dim> forces = overlap_(slips);
-  const double scale = density_ * grid_.cell_volume() / step_.dt;
-  for (std::size_t p = 0; p < forces.size(); ++p)
-    forces[p] = markers_.acts(p) ? markers_.constrained(scale * forces[p], p) : Point<Dim>(Point<Dim>::Zero());
+  const double volume_per_time = grid_.cell_volume() / step_.dt;
+  for (std::size_t p = 0; p < forces.size(); ++p) {
+    const Point<Dim> scale = local_densities_[p] * volume_per_time;
+    forces[p] = markers_.acts(p) ? markers_.constrained(scale.cwiseProduct(forces[p]), p) : Point<Dim>::Zero().eval();
+  }
   closed_.remove_from(forces);
   return forces;
 }
@@ -117,7 +138,7 @@ void NoSlipSolver<Dim>::accelerate(const Points<Dim>& forces, Vec velocity) cons
   WASH_PETSC(VecZeroEntries(density_of_force));
   markers_.spread(forces, density_of_force);
   const FaceView<Dim> u(grid_.face_dm(), velocity);
-  const ConstFaceView<Dim> f(grid_.face_dm(), density_of_force), rho(grid_.face_dm(), fluid_density_);
+  const ConstFaceView<Dim> f(grid_.face_dm(), density_of_force), rho(grid_.face_dm(), density_);
   grid_.for_each_inner_face(
       [&](const Index<Dim>& face, auto c) { u(face, c) += step_.dt * f(face, c) / rho(face, c); });
 }
@@ -129,9 +150,14 @@ Points<Dim> NoSlipSolver<Dim>::response(const Points<Dim>& forces) const {
   WASH_PETSC(VecZeroEntries(increment));
   accelerate(forces, increment);
   projection_->project_increment(increment);
+  return without_unreachable(interpolated(increment));
+}
+
+template <int Dim>
+Points<Dim> NoSlipSolver<Dim>::interpolated(Vec increment) const {
   const petsc::LocalVector local(grid_.wide_face_dm(), increment);
   markers_.boundary().fill_homogeneous(local);
-  return without_unreachable(markers_.transfer().interpolate(local));
+  return markers_.transfer().interpolate(local);
 }
 
 template <int Dim>

@@ -18,12 +18,12 @@ namespace washfsi {
 template <int Dim>
 class NoSlipSolver {
  public:
-  /// The markers stay alive; `density` [kg/m3] is the water's. Collective.
-  NoSlipSolver(const Grid<Dim>& grid, const WallMarkers<Dim>& markers, const BodyTreatment& treatment, double density);
+  /// The markers stay alive. Collective.
+  NoSlipSolver(const Grid<Dim>& grid, const WallMarkers<Dim>& markers, const BodyTreatment& treatment);
 
   /// Call it after the markers have been placed. Collective.
   void place();
-  /// Begins a step with this density on faces [kg/m3], which stays alive.
+  /// Begins a step with this density on faces [kg/m3], which stays alive. Collective.
   void begin(const TimeStep& step, Vec density);
 
   /// The mean slip U - J u over each patch, without the part that no force can change. Collective.
@@ -49,18 +49,21 @@ class NoSlipSolver {
   static PetscErrorCode judge(KSP solver, PetscInt iteration, PetscReal norm, KSPConvergedReason* reason, void* self);
   void create_solver();
   Points<Dim> response(const Points<Dim>& forces) const;
+  Points<Dim> interpolated(Vec increment) const;
+  Points<Dim> local_densities() const;
   Points<Dim> without_unreachable(const Points<Dim>& of_markers) const;
 
   const Grid<Dim>& grid_;
   const WallMarkers<Dim>& markers_;
-  double slip_tolerance_, density_;
+  double slip_tolerance_;
   ClosedWalls<Dim> closed_;
   OverlapInverse<Dim> overlap_;
   petsc::Matrix matrix_;
   petsc::Solver solver_;
   petsc::Vector right_, solution_;
   TimeStep step_;                     ///< current step
-  Vec fluid_density_ = nullptr;       ///< density on faces in the current step [kg/m3]
+  Vec density_ = nullptr;             ///< density on faces in the current step [kg/m3]
+  Points<Dim> local_densities_;       ///< that of each patch, for forces along each axis [kg/m3]
   Projection* projection_ = nullptr;  ///< set while the solver runs
   double slip_left_ = 0;              ///< rms slip at which the solver stops [m/s]
 };

@@ -22,15 +22,15 @@ constexpr int most_rounds = 3;
 
 // Where water slides along walls, the part of the forces to which markers hardly respond would accumulate, since it
 // acts on other water in the next step: forces are halved when the water has passed a quarter of a cell.
-constexpr double forgets = 4;  // [1/cell]
+constexpr double decay_per_cell = 4;  // [1/cell]
 
 }  // namespace
 
 template <int Dim>
 WallForces<Dim>::WallForces(const Grid<Dim>& grid, const Boundary<Dim>& boundary, const std::vector<Body<Dim>>& bodies,
-                            const BodyTreatment& treatment, double density)
+                            const BodyTreatment& treatment)
     : markers_(grid, boundary, bodies, treatment, treatment.limits_advection || treatment.inner_water_slides),
-      solver_(grid, markers_, treatment, density),
+      solver_(grid, markers_, treatment),
       recycled_(grid.comm(), solver_.overlap()),
       limits_advection_(treatment.limits_advection),
       forces_(markers_.patch_count(), Point<Dim>::Zero()),
@@ -63,7 +63,7 @@ template <int Dim>
 void WallForces<Dim>::accept() {
   Points<Dim> next = forces_;  // without the sliding part, lest it return when the patch no longer slides
   for (std::size_t p = 0; p < next.size(); ++p)
-    next[p] = markers_.constrained(next[p], p) / (1 + forgets * markers_.slide(p).passes);
+    next[p] = markers_.constrained(next[p], p) / (1 + decay_per_cell * markers_.slide(p).passes);
   previous_ = markers_.turned(next, false);
 }
 

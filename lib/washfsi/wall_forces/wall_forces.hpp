@@ -18,9 +18,9 @@ namespace washfsi {
 template <int Dim>
 class WallForces : public ForceField {
  public:
-  /// Collective. `density` [kg/m3] is the water's.
+  /// Collective.
   WallForces(const Grid<Dim>& grid, const Boundary<Dim>& boundary, const std::vector<Body<Dim>>& bodies,
-             const BodyTreatment& treatment, double density);
+             const BodyTreatment& treatment);
 
   /// Places the markers as the bodies are at `time`. Collective.
   void place(double time);

@@ -95,7 +95,7 @@ Points<Dim> WallMarkers<Dim>::turned(const Points<Dim>& values, bool into_space)
 }
 
 template <int Dim>
-Points<Dim> WallMarkers<Dim>::shared_out(const Points<Dim>& of_patches) const {
+Points<Dim> WallMarkers<Dim>::marker_forces(const Points<Dim>& of_patches) const {
   Points<Dim> result(states_.size(), Point<Dim>::Zero());
   for_each_acting([&](std::size_t p, std::size_t m) { result[m] = shares_[p] * constrained(of_patches[p], p); });
   return result;

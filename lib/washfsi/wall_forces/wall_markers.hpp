@@ -51,11 +51,11 @@ class WallMarkers {
   /// Turns vectors of patches from the frames of their bodies into space, or back.
   Points<Dim> turned(const Points<Dim>& values, bool into_space) const;
   /// Distributes forces of patches over their acting markers.
-  Points<Dim> shared_out(const Points<Dim>& of_patches) const;
-  /// Means over the acting markers of each patch: the adjoint of `shared_out`.
+  Points<Dim> marker_forces(const Points<Dim>& of_patches) const;
+  /// Means over the acting markers of each patch: the adjoint of `marker_forces`.
   Points<Dim> means(const Points<Dim>& of_markers) const;
   /// force += S F. Collective.
-  void spread(const Points<Dim>& of_patches, Vec force) const { transfer_.spread(shared_out(of_patches), force); }
+  void spread(const Points<Dim>& of_patches, Vec force) const { transfer_.spread(marker_forces(of_patches), force); }
   /// J u at the markers as they were placed last; `time` is that of the velocity. Collective.
   Points<Dim> water_velocities(Vec velocity, double time) const;
 
