@@ -210,7 +210,8 @@ def reynolds_rows():
     yield from wash_rows("5.5.5.2, rings", APART, apart, {**dict.fromkeys(TWO, ""), "re1.2e2": "aligned, to 11 cycles", "re1.2e3": "rings, different phases",
                                                           "re1.2e4": "rings not as dominant"}, 2, ", 2 cycles")
     yield from wash_rows("5.5.5.2, with the agitator", TURNING, turning, dict.fromkeys(TWO, "") | {"re1.2e6": "more pronounced with Re"}, 2)
-    yield from wash_rows("5.5.5.2, bottom", LOW, low, dict.fromkeys(TWO, "") | {"re1.2e6": "some stayed there"}, 2, ", 2 cycles")
+    yield from wash_rows("5.5.5.2, bottom", LOW, low, dict.fromkeys(TWO, "") | {"re1.2e6": "some stayed there"}, 2, ", 2 cycles",
+                         slack=3)  # one of sixteen towels more or less there for half of the time
     yield from wash_rows("5.5.5.2, bottom", CRASH, cycles_run, {"re1.2e6": "stress discontinuous after 2"}, 5.5, ", of 5.5 cycles", 0.2,
                          numerics=(TODAY,), not_run="not run: 0.9 h on one core")
     yield from wash_rows("5.5.5.2, drum", "torque on the drum, rms of two cycles [N m]", drum_torque, dict.fromkeys(TWO, ""), 2)
