@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "support/fibre_in_water.hpp"
-#include "washfsi/contact/cushion.hpp"
+#include "washfsi/contact/body_contact.hpp"
 #include "washfsi/shapes/primitives.hpp"
 #include "washfsi/support/collective.hpp"
 
@@ -14,7 +14,7 @@ double depth_before_a_roller(const std::string& scheme, Mobility mobility, doubl
   CaseOptions<2> options = fibre_in_water(0.093, 0);
   options.model.grid.shape.cells = {32, 64};
   options.model.grid.shape.upper = {0.32, 0.64};
-  options.model.surrounding_forces.push_back(Cushion<2>::maker({.pressure = 2e4, .distance = 0.01}));
+  options.model.surrounding_forces.push_back(BodyContact<2>::maker({.pressure = 2e4, .distance = 0.01}));
   std::vector<Body<2>> bodies(1);
   bodies[0].name = "roller";
   bodies[0].shape = std::make_unique<Sphere<2>>(0.04);
@@ -34,7 +34,7 @@ double depth_before_a_roller(const std::string& scheme, Mobility mobility, doubl
   return largest(PETSC_COMM_WORLD, deepest);
 }
 
-// However long the step: the cushion is solved for together with the cloth's own forces.
+// However long the step: penalty contact is solved for together with the cloth's own forces.
 TEST(Contact, KeepsTheClothBeforeARollerThatMovesIntoIt) {
   for (const double courant : {0.1, 0.5}) {
     EXPECT_EQ(depth_before_a_roller("semi_implicit", Mobility::matrix, courant), 0);

@@ -20,7 +20,7 @@ BALL = ["-grid_cells", "12,12,12", "-grid_upper", "1,1,1", *PERIODIC["x"], *PERI
         "0.4,0.4,0.2", "-slat_angular_speed", 2, "-time_step", 0.01, "-time_end", 0.05, "-output_interval", 100, *TIGHT]
 FALL = ["-grid_cells", "32,32", "-grid_upper", "1,1", *PERIODIC["x"], "-fluid", "none", "-gravity", "0,-1", "-cloth_drag", 1, "-bodies",
         "post", "-post_radius", 0.2, "-cloths", "towel", "-towel_size", 0.5, "-towel_markers", 20, "-towel_ke", 100, "-towel_kb", 1e-3,
-        "-towel_excess_mass", 1, "-contact", "cushion", "-contact_friction", 0.3, "-contact_distance", 0.03, "-contact_pressure", 20, "-time_step", 2e-3,
+        "-towel_excess_mass", 1, "-contact", "penalty", "-contact_friction", 0.3, "-contact_distance", 0.03, "-contact_pressure", 20, "-time_step", 2e-3,
         "-time_end", 0.8]
 
 

@@ -19,7 +19,7 @@ from tables import ARGUMENTS, OPTIONS, SOURCE, print_record, print_record_head, 
 from wash_runs import CYCLE, STRESSES, read_centers
 
 MACHINE = SOURCE / "inputs" / "thesis" / "wash33.opts"
-WITH_MASK = ("-body_method", "mapping", "-contact", "cushion", "-contact_pressure", 1e5, "-contact_distance", 0.01,
+WITH_MASK = ("-body_method", "mapping", "-contact", "penalty", "-contact_pressure", 1e5, "-contact_distance", 0.01,
              "-advection_steps", 2, "-time_cfl", 0.7)
 INTERVAL = 1e-3  # between measurements: the default's step [s]
 SPACING = 0.025  # of the markers [m]

@@ -46,7 +46,7 @@ void Barrier<Dim>::begin_step(const StepStart<Dim>& start) {
     // then the nearest images may be others now
     if (!covers(start.positions) || farthest_from_places(start.positions) > distance()) {
       reaches_.assign(start.positions.size(), near_.least_reach());
-      look_round(start.positions);
+      find_near(start.positions);
     }
     const Points<Dim> all = known(start.positions);
     if (!distances().has_started() || start.lagged.dt > 0) near_.follow_distances(all);
@@ -56,18 +56,18 @@ void Barrier<Dim>::begin_step(const StepStart<Dim>& start) {
   reaches_.clear();
   for (const auto& velocity : start.velocities)
     reaches_.push_back(std::max(near_.least_reach(), to_spare * start.dt * velocity.norm()));
-  look_round(start.positions);
+  find_near(start.positions);
   const Points<Dim> all = known(start.positions);
   places_of_blocks_.lay_out(near_, all);
   near_.follow_distances(all);
-  friction_.begin(rubbing_pairs(all, options_.damping), all, start.dt, start.share);
+  friction_.begin(friction_pairs(all, options_.damping), all, start.dt, start.share);
   seen_.clear();
 }
 
 // The friction pairs: what touches now.
 template <int Dim>
-std::vector<typename PairFriction<Dim>::Pair> Barrier<Dim>::rubbing_pairs(const Points<Dim>& all,
-                                                                          double damping) const {
+std::vector<typename PairFriction<Dim>::Pair> Barrier<Dim>::friction_pairs(const Points<Dim>& all,
+                                                                           double damping) const {
   std::vector<typename PairFriction<Dim>::Pair> pairs;
   if (options_.friction > 0 || damping > 0)
     for (const Touch<Dim>& touch : near_.at(all))
@@ -93,16 +93,16 @@ template <int Dim>
 void Barrier<Dim>::begin_explicit_friction(const Points<Dim>& all, const StepStart<Dim>& start) {
   seen_.clear();
   if (start.lagged.dt == 0 || options_.friction == 0) return friction_.begin({}, all, 0);
-  friction_.begin_explicit(rubbing_pairs(all, 0), near_.search().known(), all, known(start.velocities),
+  friction_.begin_explicit(friction_pairs(all, 0), near_.search().known(), all, known(start.velocities),
                            near_.search().known().values(start.lagged.mobilities), start.lagged.dt);
 }
 
 template <int Dim>
-void Barrier<Dim>::look_round(const Points<Dim>& positions, Before before) {
+void Barrier<Dim>::find_near(const Points<Dim>& positions, Before before) {
   const petsc::LogPart part("contact_search");
   has_looked_ = true;
   places_ = positions;
-  near_.look_round(positions, reaches_, before);
+  near_.find_near(positions, reaches_, before);
   touches_.clear();
   seen_.clear();
 }
@@ -141,7 +141,7 @@ void Barrier<Dim>::cover(const Points<Dim>& from, const Points<Dim>& motion) {
   for (std::size_t m = 0; m < positions.size(); ++m)
     reaches_[m] = std::max(reaches_[m], to_spare * (positions[m] - places_[m]).norm());
   const std::vector<std::size_t> before = near_.search().known().numbers();
-  look_round(Points<Dim>(places_), Before::keep);
+  find_near(Points<Dim>(places_), Before::keep);
   friction_.renumber([&](std::size_t marker) { return near_.search().known().place_of(before[marker]); });
 }
 

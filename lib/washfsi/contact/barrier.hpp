@@ -56,7 +56,7 @@ class Barrier : public ContactForce<Dim> {
   TightestContact tightest() const override;
 
  private:
-  void look_round(const Points<Dim>& positions, Before before = Before::forget);
+  void find_near(const Points<Dim>& positions, Before before = Before::forget);
   bool covers(const Points<Dim>& positions) const;
   double farthest_from_places(const Points<Dim>& positions) const;
   void cover(const Points<Dim>& from, const Points<Dim>& motion);
@@ -65,7 +65,7 @@ class Barrier : public ContactForce<Dim> {
   template <class Visit>
   void visit_own(const Facing<Dim>& facing, const Visit& visit) const;
   void add_curvatures(const Points<Dim>& all, std::vector<StiffnessBlock<Dim>>& blocks) const;
-  std::vector<typename PairFriction<Dim>::Pair> rubbing_pairs(const Points<Dim>& all, double damping) const;
+  std::vector<typename PairFriction<Dim>::Pair> friction_pairs(const Points<Dim>& all, double damping) const;
   double mass_of(const Touch<Dim>& touch) const;
   void begin_explicit_friction(const Points<Dim>& all, const StepStart<Dim>& start);
 

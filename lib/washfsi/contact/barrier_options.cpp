@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "washfsi/cloth/facets.hpp"
-#include "washfsi/contact/cushion.hpp"
+#include "washfsi/contact/body_contact.hpp"
 #include "washfsi/support/errors.hpp"
 #include "washfsi/support/format_text.hpp"
 #include "washfsi/support/text.hpp"
@@ -40,8 +40,8 @@ MakeForce<Dim> barrier_of_bodies(const BarrierOptions& options, bool in_water) {
     if (distance == 0)
       distance =
           std::max(share_of(least_spacing(around.cloths), usual), in_water ? around.grid.spacing().minCoeff() : 0.0);
-    return Cushion<Dim>::maker(
-        {options.stiffness, distance, CushionLaw::barrier, options.body_friction, options.damping})(around);
+    return BodyContact<Dim>::maker(
+        {options.stiffness, distance, BodyContactLaw::barrier, options.body_friction, options.damping})(around);
   };
 }
 

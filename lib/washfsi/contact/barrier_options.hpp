@@ -20,9 +20,9 @@ struct BarrierOptions {
 template <int Dim>
 double barrier_distance(const BarrierOptions& options, const Cloths<Dim>& cloths);
 
-/// The barrier of bodies and sides of the box: a cushion with the same law. In water it begins a cell off: nearer cloth
-/// moves with the water beside the wall. From half of that distance on, about the motion of water and bodies in a step,
-/// it also sees bodies between markers.
+/// The barrier of bodies and sides of the box: `BodyContact` with the same law. In water it begins a cell off: nearer
+/// cloth moves with the water beside the wall. From half of that distance on, about the motion of water and bodies in a
+/// step, it also sees bodies between markers.
 template <int Dim>
 MakeForce<Dim> barrier_of_bodies(const BarrierOptions& options, bool in_water);
 

@@ -9,10 +9,10 @@
 namespace washfsi {
 
 template <int Dim>
-void BarrierTouches<Dim>::look_round(const Points<Dim>& positions, const std::vector<double>& reaches, Before before) {
+void BarrierTouches<Dim>::find_near(const Points<Dim>& positions, const std::vector<double>& reaches, Before before) {
   const auto of_surfaces = [this](std::size_t marker, std::size_t other) { return distance_of(marker, other); };
   const auto of_pairs = [&](std::size_t marker, std::size_t other) { return of_guards * of_surfaces(marker, other); };
-  search_.look_round(positions, reaches, 2 * distances_.usual(), before);
+  search_.find_near(positions, reaches, 2 * distances_.usual(), before);
   pairs_ = search_.pairs(of_pairs, of_guards * distances_.usual());
   samples_ = search_.samples(of_surfaces, distances_.usual());
 }

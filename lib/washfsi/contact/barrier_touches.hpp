@@ -39,7 +39,7 @@ class BarrierTouches {
 
   /// Searches for what may touch while each of this rank's markers moves from its place by its reach at most.
   /// Collective.
-  void look_round(const Points<Dim>& positions, const std::vector<double>& reaches, Before before);
+  void find_near(const Points<Dim>& positions, const std::vector<double>& reaches, Before before);
   /// Returns what touches at these places of all known markers. No communication.
   std::vector<Touch<Dim>> at(const Points<Dim>& all) const;
 

@@ -10,7 +10,7 @@ namespace washfsi {
 
 const ChoiceNames<ContactKind>& names_of(ContactKind) {
   static const ChoiceNames<ContactKind> names{
-      {"none", ContactKind::none}, {"cushion", ContactKind::cushion}, {"barrier", ContactKind::barrier}};
+      {"none", ContactKind::none}, {"penalty", ContactKind::penalty}, {"barrier", ContactKind::barrier}};
   return names;
 }
 
@@ -24,30 +24,32 @@ void mark_unused(Options& options, const ContactOptions& contact) {
   if (contact.kind != ContactKind::barrier)
     options.mark_idle(kind, {"contact_body_distance", "contact_stiffness", "contact_friction", "contact_body_friction",
                              "contact_damping"});
-  if (contact.kind != ContactKind::cushion) options.mark_idle(kind, {"contact_pressure"});
+  if (contact.kind != ContactKind::penalty) options.mark_idle(kind, {"contact_pressure"});
   if (contact.kind == ContactKind::none) options.mark_idle(kind, {"contact_distance"});
-  if (contact.kind == ContactKind::cushion && contact.pressure == 0)
-    options.mark_idle("-contact_pressure is 0, which makes no cushion", {"contact_distance"});
 }
 
 }  // namespace
 
 ContactOptions ContactOptions::from_options(Options& options) {
   ContactOptions contact;
+  bool is_chosen = false;
+  options.alias_value("contact", "cushion", "penalty");
   options.block("", "Contact of cloths", [&](OptionBlock& block) {
+    is_chosen = block.given("contact");
     block.choice(
         "contact", contact.kind,
-        "what keeps cloth out of others: only water; a cushion on bodies and walls; or a barrier between cloths, "
-        "which none passes, and on bodies and walls");
+        "what keeps cloth out of others: only water; penalty contact with bodies and walls, which is the default "
+        "with a contact pressure; or a barrier between cloths, which none passes, and on bodies and walls");
   });
   options.block("contact_", "Contact of cloths", [&](OptionBlock& block) {
-    block.real("distance", contact.distance, "m", non_negative,
-               "at which contact begins; 0: 0.01 of the cushion, 0.16 of the least spacing of markers of the barrier");
+    block.real(
+        "distance", contact.distance, "m", non_negative,
+        "at which contact begins; 0: 0.01 of penalty contact, 0.16 of the least spacing of markers of the barrier");
     block.real("body_distance", contact.body_distance, "m", non_negative,
                "at which the barrier of bodies and walls begins; 0: 0.4 of the least spacing of markers, and in "
                "water at least the least width of a cell");
     block.real("pressure", contact.pressure, "Pa", non_negative,
-               "push of the cushion on cloth at a body's surface; 0: no cushion");
+               "of penalty contact, on cloth at a body's surface; 0: there is none");
     block.real("stiffness", contact.stiffness, "Pa", positive, "of the barrier");
     block.real("friction", contact.friction, "-", coefficient, "coefficient between cloths, with the barrier");
     block.real("body_friction", contact.body_friction, "-", coefficient,
@@ -62,6 +64,10 @@ ContactOptions ContactOptions::from_options(Options& options) {
     block.real("verify_interval", contact.verify_interval, "s", non_negative,
                "between counts of the cloths' intersections, with the barrier; 0: after each step");
   });
+  if (!is_chosen && contact.pressure > 0) contact.kind = ContactKind::penalty;
+  if (contact.kind == ContactKind::penalty && contact.pressure == 0 && !options.help())
+    throw InputError("-contact penalty: needs -contact_pressure, above 0");
+  options.record("contact", name_of(contact.kind));
   mark_unused(options, contact);
   return contact;
 }
@@ -97,10 +103,10 @@ std::vector<MakeForce<Dim>> ContactOptions::forces(bool in_water) const {
     return {within_reach<Dim>("-contact_body_distance", body_distance, barrier_of_bodies<Dim>(barrier, in_water)),
             Barrier<Dim>::maker(barrier)};
   }
-  CushionOptions cushion;
-  cushion.pressure = pressure;
-  if (distance > 0) cushion.distance = distance;
-  return {within_reach<Dim>("-contact_distance", distance, Cushion<Dim>::maker(cushion))};
+  BodyContactOptions penalty;
+  penalty.pressure = pressure;
+  if (distance > 0) penalty.distance = distance;
+  return {within_reach<Dim>("-contact_distance", distance, BodyContact<Dim>::maker(penalty))};
 }
 
 template std::vector<MakeForce<2>> ContactOptions::forces<2>(bool) const;

@@ -2,24 +2,24 @@
 #pragma once
 
 #include "washfsi/contact/barrier.hpp"
-#include "washfsi/contact/cushion.hpp"
+#include "washfsi/contact/body_contact.hpp"
 
 namespace washfsi {
 
 /// The kind of contact.
 enum class ContactKind {
   none,     ///< no contact force: water alone separates
-  cushion,  ///< penalty contact with bodies and sides of the box
+  penalty,  ///< penalty contact with bodies and sides of the box
   barrier,  ///< between cloths, which never pass through each other, and with bodies and sides of the box
 };
 const ChoiceNames<ContactKind>& names_of(ContactKind);
 
 /// All options of contact, prefix contact_.
 struct ContactOptions {
-  ContactKind kind = ContactKind::cushion;
-  double distance = 0;         ///< contact distance [m]; 0: the default of the kind
+  ContactKind kind = ContactKind::none;  ///< by default that of a contact pressure, if there is one
+  double distance = 0;                   ///< contact distance [m]; 0: the default of the kind
   double body_distance = 0;    ///< barrier's contact distance of bodies and sides of the box [m]; 0: its default
-  double pressure = 0;         ///< P0 of the cushion [Pa]; 0: no cushion
+  double pressure = 0;         ///< P0 of penalty contact [Pa]; 0: there is none
   double stiffness = 1e4;      ///< kappa of the barrier [Pa]
   double friction = 0.4;       ///< coefficient between cloths, with the barrier
   double body_friction = 0.2;  ///< coefficient on bodies and sides of the box

@@ -112,8 +112,8 @@ bool share_a_marker(const First& first, const Second& second) {
 }  // namespace
 
 template <int Dim>
-void PairSearch<Dim>::look_round(const Points<Dim>& positions, const std::vector<double>& reaches, double distance,
-                                 Before before) {
+void PairSearch<Dim>::find_near(const Points<Dim>& positions, const std::vector<double>& reaches, double distance,
+                                Before before) {
   if (known_.choose(positions, reaches, distance, before)) facets_ = Facets<Dim>(cloths_, known_);
   all_ = known_.values(positions);
   reaches_ = known_.values(reaches);

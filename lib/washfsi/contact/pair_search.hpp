@@ -45,21 +45,21 @@ class PairSearch {
   /// Gets all markers that may come as near as `distance` to a facet of this rank, while each marker moves from its
   /// place by its reach at most; places and reaches are those of this rank's markers. With `Before::keep` markers known
   /// so far stay known, perhaps at other indices. Collective.
-  void look_round(const Points<Dim>& positions, const std::vector<double>& reaches, double distance,
-                  Before before = Before::forget);
+  void find_near(const Points<Dim>& positions, const std::vector<double>& reaches, double distance,
+                 Before before = Before::forget);
   /// The pairs of facets that may come as near as their contact distance, which must be at most `most`; this must not
-  /// exceed the distance of the last `look_round`. No communication.
+  /// exceed the distance of the last `find_near`. No communication.
   std::vector<FacetPair<Dim>> pairs(const ContactDistance& distance, double most) const;
-  /// The samples of surfaces likewise; `most` is at most half of the distance of the last `look_round`. No
+  /// The samples of surfaces likewise; `most` is at most half of the distance of the last `find_near`. No
   /// communication.
   std::vector<SurfaceSample<Dim>> samples(const ContactDistance& distance, double most) const {
     return find_samples<Dim>(known_, facets_, all_, reaches_, distance, most, space_);
   }
 
-  /// The markers of the pairs, and their facets, valid until the next `look_round`.
+  /// The markers of the pairs, and their facets, valid until the next `find_near`.
   const NearMarkers<Dim>& known() const { return known_; }
   const Facets<Dim>& facets() const { return facets_; }
-  /// The place of a marker at the last `look_round` [m].
+  /// The place of a marker at the last `find_near` [m].
   const Point<Dim>& place(std::size_t marker) const { return all_[marker]; }
 
  private:
@@ -79,7 +79,7 @@ class PairSearch {
   PeriodicSpace<Dim> space_;
   NearMarkers<Dim> known_;
   Facets<Dim> facets_;
-  Points<Dim> all_;              ///< places of all known markers at the last `look_round` [m]
+  Points<Dim> all_;              ///< places of all known markers at the last `find_near` [m]
   std::vector<double> reaches_;  ///< their reaches from there [m]
 };
 

@@ -34,7 +34,7 @@ Films<Dim>::Films(const Grid<Dim>& grid, const Cloths<Dim>& cloths, PureLiquid l
 template <int Dim>
 typename Films<Dim>::Pairs Films<Dim>::nearest_pairs(const Points<Dim>& positions) {
   std::map<std::pair<std::size_t, std::size_t>, FacetPair<Dim>> nearest;
-  search_.look_round(positions, std::vector<double>(positions.size(), 0.0), cell_);
+  search_.find_near(positions, std::vector<double>(positions.size(), 0.0), cell_);
   for (const auto& pair : search_.pairs([this](std::size_t, std::size_t) { return cell_; }, cell_)) {
     const NearMarkers<Dim>& known = search_.known();
     const std::size_t other = known.piece_of(pair.markers.back());

@@ -14,9 +14,9 @@ namespace washfsi {
 
 namespace {
 
-constexpr double held_edges = 0.15;     // reach of no-slip sheets beyond the shares of their outermost markers [cells]
+constexpr double no_slip_edges = 0.15;  // reach of no-slip sheets beyond the shares of their outermost markers [cells]
 constexpr double sliding_edges = 0.35;  // the same where water slides along them, calibrated by a turbine
-constexpr double held_from = 0.3;       // mean depth of constrained faces beyond the constrained depth [cells]
+constexpr double no_slip_from = 0.3;    // mean depth of constrained faces beyond the constrained depth [cells]
 constexpr double smooth_bend = 0.25;    // bend above which a place belongs to an edge [cells]
 constexpr double eddies = 2.1;          // factor of stirred stress, from drag in creeping flow (cylinder, sphere)
 constexpr double narrow = 1.5;          // radius in cells up to which eddies are left out
@@ -32,25 +32,26 @@ double largest_of(const Eigen::Matrix<double, Dim, Dim>& symmetric) {
 }  // namespace
 
 template <int Dim>
-std::optional<Candidate<Dim>> Sinker<Dim>::sink(const Point<Dim>& seed) const {
+std::optional<Candidate<Dim>> MarkerRetraction<Dim>::retracted(const Point<Dim>& seed) const {
   const auto found = behind(seed, farthest);
   if (!found) return {};
   return is_in_sheet(*found) ? in_sheet(found->inmost, found->normal) : on_face(*found);
 }
 
 template <int Dim>
-std::optional<Candidate<Dim>> Sinker<Dim>::sink_behind_no_face(const Point<Dim>& seed) const {
+std::optional<Candidate<Dim>> MarkerRetraction<Dim>::retracted_without_face(const Point<Dim>& seed) const {
   const auto found = behind(seed, layout_.moments.sheet_reach());
   if (!found) return {};
   if (is_in_sheet(*found)) return in_sheet(found->inmost, found->normal);
   if (bending(curvatures(found->foot)) >= 0) return {};
-  const auto in_corner = sink(seed);
+  const auto in_corner = retracted(seed);
   return in_corner && in_corner->place == in_corner->foot ? in_corner : std::nullopt;
 }
 
 // Searches down to a depth in cells.
 template <int Dim>
-std::optional<typename Sinker<Dim>::Behind> Sinker<Dim>::behind(const Point<Dim>& seed, double deepest) const {
+std::optional<typename MarkerRetraction<Dim>::Behind> MarkerRetraction<Dim>::behind(const Point<Dim>& seed,
+                                                                                    double deepest) const {
   const double from_surface = shape_.distance(seed);
   if (from_surface < 0 || from_surface > reach * layout_.cell.maxCoeff()) return {};
   const Point<Dim> out = distance_gradient<Dim>(shape_, seed, fine * cell_);
@@ -63,24 +64,24 @@ std::optional<typename Sinker<Dim>::Behind> Sinker<Dim>::behind(const Point<Dim>
 }
 
 template <int Dim>
-Candidate<Dim> Sinker<Dim>::on_face(const Behind& behind) const {
+Candidate<Dim> MarkerRetraction<Dim>::on_face(const Behind& behind) const {
   const auto& [foot, normal, inmost, depth, along] = behind;
   // at an edge the way is that between its faces
   const Point<Dim> inwards = -distance_gradient<Dim>(shape_, foot, coarse * cell_).normalized();
   const Curvatures bent = curvatures(foot);
   const double bend = bending(bent);
   double flat = along * layout_.moments.retraction(depth / along);
-  const double held = is_held_behind(foot, inwards) ? held_stress(flat, bend) : 0;
+  const double inside = has_no_slip_behind(foot, inwards) ? no_slip_stress(flat, bend) : 0;
   const double stirred = layout_.inside.turns ? 0 : stirred_stress(largest_of<Dim>(bent), along);
-  flat /= 1 - std::min(most_stress, flat * std::max(held, stirred));
+  flat /= 1 - std::min(most_stress, flat * std::max(inside, stirred));
   return {foot + std::clamp(flat + bend, 0.0, depth) * inwards, foot,
           static_cast<int>(std::clamp(bend / (smooth_bend * cell_), 0.0, 2.0))};
 }
 
 template <int Dim>
-bool Sinker<Dim>::is_held_behind(const Point<Dim>& foot, const Point<Dim>& inwards) const {
+bool MarkerRetraction<Dim>::has_no_slip_behind(const Point<Dim>& foot, const Point<Dim>& inwards) const {
   if (std::isinf(layout_.inside.constrained_depth)) return false;
-  return -shape_.distance(foot + (layout_.inside.constrained_depth + held_from * cell_) * inwards) >
+  return -shape_.distance(foot + (layout_.inside.constrained_depth + no_slip_from * cell_) * inwards) >
          layout_.inside.constrained_depth;
 }
 
@@ -88,9 +89,9 @@ bool Sinker<Dim>::is_held_behind(const Point<Dim>& foot, const Point<Dim>& inwar
 // the slip, bends the velocity at the markers as the water before them does: they act from farther off by that part.
 // Here the inner water is sheared over the distance to the constrained water.
 template <int Dim>
-double Sinker<Dim>::held_stress(double flat, double bend) const {
+double MarkerRetraction<Dim>::no_slip_stress(double flat, double bend) const {
   const double curvature = 2 * bend / (layout_.moments.variance() * cell_ * cell_);
-  const double straight = layout_.inside.constrained_depth + held_from * cell_ - flat;
+  const double straight = layout_.inside.constrained_depth + no_slip_from * cell_ - flat;
   const double bent = std::min(straight * curvature / (1 - flat * curvature), 0.9);
   return (1 - bent) * (1 - bent) / (straight * (1 - 0.5 * bent));  // stiffness of the equivalent plane layer
 }
@@ -98,14 +99,14 @@ double Sinker<Dim>::held_stress(double flat, double bend) const {
 // Alternatively a slip that varies round a bent surface stirs the water within: mu 2/R times the slip for the two
 // eddies in a cylinder in creeping flow. Left out for narrow bodies, whose markers act on each other's water.
 template <int Dim>
-double Sinker<Dim>::stirred_stress(double curvature, double along) const {
+double MarkerRetraction<Dim>::stirred_stress(double curvature, double along) const {
   if (curvature <= 0) return 0;
   return eddies * curvature * std::clamp(1 / (curvature * along) - narrow, 0.0, 1.0);
 }
 
 // Finds the foot by Newton's method; nothing where the shape's distance is no true distance.
 template <int Dim>
-std::optional<Point<Dim>> Sinker<Dim>::foot_of(const Point<Dim>& seed) const {
+std::optional<Point<Dim>> MarkerRetraction<Dim>::foot_of(const Point<Dim>& seed) const {
   Point<Dim> place = seed;
   for (int step = 0; step < 6; ++step) {
     const double distance = shape_.distance(place);
@@ -120,8 +121,8 @@ std::optional<Point<Dim>> Sinker<Dim>::foot_of(const Point<Dim>& seed) const {
 
 // The deepest place on the way of steepest growth of the depth, and its depth; or a place at least so many cells deep.
 template <int Dim>
-std::pair<Point<Dim>, double> Sinker<Dim>::inmost_behind(const Point<Dim>& foot, const Point<Dim>& normal, double along,
-                                                         double deepest) const {
+std::pair<Point<Dim>, double> MarkerRetraction<Dim>::inmost_behind(const Point<Dim>& foot, const Point<Dim>& normal,
+                                                                   double along, double deepest) const {
   constexpr double slowest = 0.3;  // least growth of the depth; below, the way runs along a sheet's middle
   const double step = 0.1 * along;
   Point<Dim> inmost = foot, way = -normal;
@@ -143,7 +144,7 @@ std::pair<Point<Dim>, double> Sinker<Dim>::inmost_behind(const Point<Dim>& foot,
 
 // The place of largest depth between a place and the next step, where both sides are equally near.
 template <int Dim>
-Point<Dim> Sinker<Dim>::refined(const Point<Dim>& place, const Point<Dim>& way, double step) const {
+Point<Dim> MarkerRetraction<Dim>::refined(const Point<Dim>& place, const Point<Dim>& way, double step) const {
   const double here = -shape_.distance(place), there = -shape_.distance(place + step * way);
   return place + std::clamp(0.5 * (step + there - here), 0.0, step) * way;
 }
@@ -151,7 +152,7 @@ Point<Dim> Sinker<Dim>::refined(const Point<Dim>& place, const Point<Dim>& way, 
 // A sheet of markers acts beyond its edges as it acts before its faces: a place nearer to an edge than that, or found
 // from the edge's own face, is moved to the outline that the sheet may fill, or to the middle of a narrower sheet.
 template <int Dim>
-Candidate<Dim> Sinker<Dim>::in_sheet(Point<Dim> place, const Point<Dim>& out) const {
+Candidate<Dim> MarkerRetraction<Dim>::in_sheet(Point<Dim> place, const Point<Dim>& out) const {
   place = centred(place, sheet_normal<Dim>(shape_, place, layout_.cell));  // off the middle the normal is uncertain
   const Point<Dim> normal = sheet_normal<Dim>(shape_, place, layout_.cell);
   place = centred(place, normal);
@@ -170,7 +171,7 @@ Candidate<Dim> Sinker<Dim>::in_sheet(Point<Dim> place, const Point<Dim>& out) co
 
 // Finds the direction along a sheet in which it ends soonest.
 template <int Dim>
-Point<Dim> Sinker<Dim>::to_nearest_edge(const Point<Dim>& place, const Point<Dim>& normal) const {
+Point<Dim> MarkerRetraction<Dim>::to_nearest_edge(const Point<Dim>& place, const Point<Dim>& normal) const {
   Point<Dim> nearest = Point<Dim>::Zero();
   double least = std::numeric_limits<double>::max();
   const auto look = [&](const Point<Dim>& way) {
@@ -196,7 +197,7 @@ Point<Dim> Sinker<Dim>::to_nearest_edge(const Point<Dim>& place, const Point<Dim
 
 // Two edges that meet are a corner.
 template <int Dim>
-int Sinker<Dim>::sharpness(const Points<Dim>& edges) {
+int MarkerRetraction<Dim>::sharpness(const Points<Dim>& edges) {
   for (const Point<Dim>& edge : edges)
     if (std::abs(edge.dot(edges.front())) < 0.8) return 2;
   return edges.empty() ? 0 : 1;
@@ -204,13 +205,13 @@ int Sinker<Dim>::sharpness(const Points<Dim>& edges) {
 
 // Reach of the outermost markers of a sheet beyond themselves: half of their spacing, for which they stand, and more.
 template <int Dim>
-double Sinker<Dim>::beyond_edges(double along) const {
-  return (0.5 * sheet_mean_spacing<Dim> + (layout_.inner_water_slides ? sliding_edges : held_edges)) * along;
+double MarkerRetraction<Dim>::beyond_edges(double along) const {
+  return (0.5 * sheet_mean_spacing<Dim> + (layout_.inner_water_slides ? sliding_edges : no_slip_edges)) * along;
 }
 
 // Moves a place back from an edge ahead, or from anywhere to it; returns whether it did.
 template <int Dim>
-bool Sinker<Dim>::keep_within(Point<Dim>& place, const Point<Dim>& way, bool to_edge) const {
+bool MarkerRetraction<Dim>::keep_within(Point<Dim>& place, const Point<Dim>& way, bool to_edge) const {
   const double along = way.cwiseProduct(layout_.cell).norm();
   const double sheet = beyond_edges(along), most = sheet + along * layout_.moments.sheet_reach();
   const double ahead = extent(place, way, most, along);
@@ -226,14 +227,15 @@ bool Sinker<Dim>::keep_within(Point<Dim>& place, const Point<Dim>& way, bool to_
 
 // Moves a place midway between the two faces of a sheet.
 template <int Dim>
-Point<Dim> Sinker<Dim>::centred(const Point<Dim>& place, const Point<Dim>& normal) const {
+Point<Dim> MarkerRetraction<Dim>::centred(const Point<Dim>& place, const Point<Dim>& normal) const {
   const double along = normal.cwiseProduct(layout_.cell).norm();
   return place + 0.5 * (extent(place, normal, along, along) - extent(place, -normal, along, along)) * normal;
 }
 
 // Distance from a place in a sheet to the sheet's end in a direction.
 template <int Dim>
-double Sinker<Dim>::extent(const Point<Dim>& place, const Point<Dim>& tangent, double most, double along) const {
+double MarkerRetraction<Dim>::extent(const Point<Dim>& place, const Point<Dim>& tangent, double most,
+                                     double along) const {
   const double aside = 0.1 * along;  // allowance for a bent sheet
   double low = 0, high = most + aside;
   const auto beyond = [&](double way) { return shape_.distance(place + way * tangent) > aside; };
@@ -251,7 +253,7 @@ double Sinker<Dim>::extent(const Point<Dim>& place, const Point<Dim>& tangent, d
 }
 
 template <int Dim>
-Points<Dim> Sinker<Dim>::tangents(const Point<Dim>& normal) {
+Points<Dim> MarkerRetraction<Dim>::tangents(const Point<Dim>& normal) {
   if constexpr (Dim == 2) return {turned_left<2>(normal)};
   Points<Dim> result;
   if constexpr (Dim == 3) {
@@ -266,7 +268,7 @@ Points<Dim> Sinker<Dim>::tangents(const Point<Dim>& normal) {
 
 // Second differences of the distance over a cell [1/m].
 template <int Dim>
-typename Sinker<Dim>::Curvatures Sinker<Dim>::curvatures(const Point<Dim>& foot) const {
+typename MarkerRetraction<Dim>::Curvatures MarkerRetraction<Dim>::curvatures(const Point<Dim>& foot) const {
   const auto distance = [&](const Point<Dim>& aside) { return shape_.distance(foot + aside); };
   Curvatures result;
   for (int d = 0; d < Dim; ++d)
@@ -281,13 +283,13 @@ typename Sinker<Dim>::Curvatures Sinker<Dim>::curvatures(const Point<Dim>& foot)
 
 // 1/2 sum_d sigma^2 h_d^2 d2Phi/dx_d2 [m]
 template <int Dim>
-double Sinker<Dim>::bending(const Curvatures& curvatures) const {
+double MarkerRetraction<Dim>::bending(const Curvatures& curvatures) const {
   double sum = 0;
   for (int d = 0; d < Dim; ++d) sum += layout_.cell[d] * layout_.cell[d] * curvatures(d, d);
   return 0.5 * layout_.moments.variance() * sum;
 }
 
-template class Sinker<2>;
-template class Sinker<3>;
+template class MarkerRetraction<2>;
+template class MarkerRetraction<3>;
 
 }  // namespace washfsi

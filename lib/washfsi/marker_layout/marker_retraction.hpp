@@ -13,15 +13,15 @@ namespace washfsi {
 /// Retracts markers: finds their places behind the surface of a shape, or in the middle of a part thinner than the
 /// reach of its markers (`surface_markers`).
 template <int Dim>
-class Sinker {
+class MarkerRetraction {
  public:
-  Sinker(const Shape<Dim>& shape, const MarkerLayout<Dim>& layout)
+  MarkerRetraction(const Shape<Dim>& shape, const MarkerLayout<Dim>& layout)
       : shape_(shape), layout_(layout), cell_(layout.cell.minCoeff()) {}
   /// The place that belongs to a seed outside the shape; none for seeds beyond reach, or where the shape's distance is
   /// no true distance.
-  std::optional<Candidate<Dim>> sink(const Point<Dim>& seed) const;
+  std::optional<Candidate<Dim>> retracted(const Point<Dim>& seed) const;
   /// The place as above if it is its own foot: in the middle of a thin part, or in a corner between parts; else none.
-  std::optional<Candidate<Dim>> sink_behind_no_face(const Point<Dim>& seed) const;
+  std::optional<Candidate<Dim>> retracted_without_face(const Point<Dim>& seed) const;
 
   static constexpr double reach = 0.75;  ///< largest distance of seeds from the surface [cells]
 
@@ -36,8 +36,8 @@ class Sinker {
   std::optional<Behind> behind(const Point<Dim>& seed, double deepest) const;
   bool is_in_sheet(const Behind& behind) const { return behind.depth < behind.along * layout_.moments.sheet_reach(); }
   Candidate<Dim> on_face(const Behind& behind) const;
-  bool is_held_behind(const Point<Dim>& foot, const Point<Dim>& inwards) const;
-  double held_stress(double flat, double bend) const;
+  bool has_no_slip_behind(const Point<Dim>& foot, const Point<Dim>& inwards) const;
+  double no_slip_stress(double flat, double bend) const;
   double stirred_stress(double curvature, double along) const;
   std::optional<Point<Dim>> foot_of(const Point<Dim>& seed) const;
   std::pair<Point<Dim>, double> inmost_behind(const Point<Dim>& foot, const Point<Dim>& normal, double along,
@@ -60,7 +60,7 @@ class Sinker {
   double cell_;
 };
 
-extern template class Sinker<2>;
-extern template class Sinker<3>;
+extern template class MarkerRetraction<2>;
+extern template class MarkerRetraction<3>;
 
 }  // namespace washfsi

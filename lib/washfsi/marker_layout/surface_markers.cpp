@@ -56,21 +56,21 @@ class SeedCells {
   Box<Dim> box_{};
 };
 
-// The candidates that sink(seed) finds, in an order independent of the region, which decides between equally crowded
-// ones. Ranks take seeds in turns, since expensive ones are near each other.
-template <int Dim, class Sink>
+// The candidates that retracted(seed) finds, in an order independent of the region, which decides between equally
+// crowded ones. Ranks take seeds in turns, since expensive ones are near each other.
+template <int Dim, class Retracted>
 std::vector<Candidate<Dim>> candidates_of(const Shape<Dim>& shape, const MarkerLayout<Dim>& layout,
-                                          const SeedCells<Dim>& seeds, const Sink& sink) {
+                                          const SeedCells<Dim>& seeds, const Retracted& retracted) {
   std::vector<Index<Dim>> near;
   subdivide<Dim>(
-      seeds, seeds.box(), Sinker<Dim>::reach * layout.cell.maxCoeff(),
+      seeds, seeds.box(), MarkerRetraction<Dim>::reach * layout.cell.maxCoeff(),
       [&](const Point<Dim>& place) { return shape.distance(place); }, [](const Box<Dim>&, int) {},
       [&](const Index<Dim>& cell) { near.push_back(cell); });
   const auto rank = static_cast<std::size_t>(rank_of(layout.comm)),
              ranks = static_cast<std::size_t>(ranks_of(layout.comm));
   std::vector<Candidate<Dim>> mine;
   for (std::size_t n = rank; n < near.size(); n += ranks)
-    if (const auto candidate = sink(seeds.center(near[n]))) mine.push_back(*candidate);
+    if (const auto candidate = retracted(seeds.center(near[n]))) mine.push_back(*candidate);
   std::vector<Candidate<Dim>> candidates = of_all_ranks(layout.comm, mine);
   std::sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
     return std::lexicographical_compare(a.place.begin(), a.place.end(), b.place.begin(), b.place.end());
@@ -147,9 +147,9 @@ template <int Dim>
 MarkerPatches<Dim> patches_of_sheets(const Shape<Dim>& shape, const Bounds<Dim>& region,
                                      const MarkerLayout<Dim>& layout) {
   const SeedCells<Dim> seeds(region, layout.cell / sheet_seeds_a_cell<Dim>);
-  const Sinker<Dim> sinker(shape, layout);
-  const auto candidates = candidates_of<Dim>(shape, layout, seeds,
-                                             [&](const Point<Dim>& seed) { return sinker.sink_behind_no_face(seed); });
+  const MarkerRetraction<Dim> retraction(shape, layout);
+  const auto candidates = candidates_of<Dim>(
+      shape, layout, seeds, [&](const Point<Dim>& seed) { return retraction.retracted_without_face(seed); });
   const Mirror<Dim> mirror(shape, layout, candidates);
   const auto places =
       spread_evenly<Dim>(mirror.half(distinct<Dim>(candidates, seeds.spacing())), sheet_spacing<Dim> * layout.cell);
@@ -172,9 +172,9 @@ std::vector<Places<Dim>> places_of(const std::vector<Surface<Dim>>& parts) {
   std::vector<Places<Dim>> places;
   for (const auto& [shape, region, layout] : parts) {
     const SeedCells<Dim> seeds(region, layout.cell / seeds_a_cell<Dim>);
-    const Sinker<Dim> sinker(*shape, layout);
+    const MarkerRetraction<Dim> retraction(*shape, layout);
     const auto all =
-        candidates_of<Dim>(*shape, layout, seeds, [&](const Point<Dim>& seed) { return sinker.sink(seed); });
+        candidates_of<Dim>(*shape, layout, seeds, [&](const Point<Dim>& seed) { return retraction.retracted(seed); });
     const Mirror<Dim> mirror(*shape, layout, all);
     places.push_back({mirror.half(all), mirror});
   }

@@ -97,7 +97,7 @@ class EqualSlabs {
   /// Returns those edges or faces of all ranks that reach into this rank's slab, in ascending order along the axis.
   /// This rank contributes `count` of them, created by make(n) when needed. Collective.
   template <class Make>
-  auto shared_out(std::size_t count, const Make& make) const {
+  auto distributed(std::size_t count, const Make& make) const {
     std::vector<int> counts(static_cast<std::size_t>(ranks_), 0), next(counts.size(), 0);
     for (std::size_t n = 0; n < count; ++n)
       visit_slabs(make(n), [&](const auto&, std::size_t slab) { ++counts[slab]; });
@@ -161,8 +161,8 @@ void IntersectionCount<Dim>::count(const Points<Dim>& positions) {
   const auto face = [&](std::size_t n) {
     return thing<Dim>(mesh_.faces[n], places, mesh_.numbers, mesh_.piece_of_face[n]);
   };
-  const auto edges = slabs.shared_out(mesh_.edges.size(), edge);
-  const auto faces = slabs.shared_out(mesh_.faces.size(), face);
+  const auto edges = slabs.distributed(mesh_.edges.size(), edge);
+  const auto faces = slabs.distributed(mesh_.faces.size(), face);
   count_among(slabs, edges, faces);
   total_ = ordered_sum(cloths_.comm(), total_);
   share_example();

@@ -129,7 +129,7 @@ std::vector<long long> gathered(MPI_Comm comm, const std::vector<long long>& min
 // The number of nodes that a cell needs so that no thin part slips between them: the way through the body from the
 // surface nearest to a place must be longer than their spacing.
 template <int Dim>
-PetscInt nodes_wanted(const Point<Dim>& place, const Point<Dim>& spacing,
+PetscInt nodes_needed(const Point<Dim>& place, const Point<Dim>& spacing,
                       const std::function<double(const Point<Dim>&)>& distance) {
   const double step = 0.01 * spacing.minCoeff(), here = distance(place);
   if (std::abs(here) > 0.5 * spacing.maxCoeff()) return fewest_nodes;
@@ -153,7 +153,7 @@ PetscInt nodes_in(const Grid<Dim>& grid, const Index<Dim>& cell,
   for (unsigned part = 0; part < 1U << Dim; ++part) {
     Point<Dim> place = grid.cell_center(cell);
     for (int d = 0; d < Dim; ++d) place[d] += ((part >> d & 1U) != 0 ? 0.26 : -0.24) * grid.spacing()[d];
-    nodes = std::max(nodes, nodes_wanted<Dim>(place, grid.spacing(), distance));
+    nodes = std::max(nodes, nodes_needed<Dim>(place, grid.spacing(), distance));
   }
   return nodes;
 }

@@ -113,7 +113,7 @@ std::vector<std::string> cycle_lines(const Cycles& cycles) {
 std::vector<std::string> trust_lines(const Findings& findings, bool all) {
   std::vector<std::string> lines;
   for (const Finding& finding : findings)
-    if (all || finding.verdict != Verdict::ok || finding.telling == Telling::always) lines.push_back(line_of(finding));
+    if (all || finding.verdict != Verdict::ok || finding.display == Display::always) lines.push_back(line_of(finding));
   return lines;
 }
 

@@ -132,7 +132,7 @@ void Simulation<Dim>::run() {
       step();
       stopped = signals.requested(system_->model.grid.comm());
     }
-    keep_state();
+    save_checkpoint();
     end(stopped ? "stopped" : "finished");
   } catch (const DivergedError& error) {
     end("failed");
@@ -158,7 +158,7 @@ void Simulation<Dim>::step() {
   const double time = clock().time;
   if (all) results_->write_row(clock().step);
   if (due(run_.output_interval, time)) results_->write_frame(clock().step);
-  if (due(run_.checkpoint_interval, time)) keep_state();
+  if (due(run_.checkpoint_interval, time)) save_checkpoint();
   if (clock().step % 50 == 0) watch_step_bound();
   progress_.show({.step = clock().step,
                   .time = time,
@@ -170,7 +170,7 @@ void Simulation<Dim>::step() {
 
 // Writes a checkpoint, once per step, so that the previous one is of an earlier step.
 template <int Dim>
-void Simulation<Dim>::keep_state() {
+void Simulation<Dim>::save_checkpoint() {
   if (clock().step == kept_step_) return;
   kept_step_ = clock().step;
   write_checkpoint<Dim>(run_.output_dir, *system_, *measures_, state_);

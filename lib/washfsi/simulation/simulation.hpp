@@ -31,7 +31,7 @@ class Simulation {
   void print_banner();
   void check_only();
   void step();
-  void keep_state();
+  void save_checkpoint();
   void watch_step_bound();
   void check_markers() const;
   void check_velocity() const;

@@ -95,6 +95,12 @@ void Options::alias(const std::string& old_name, const std::string& name) {
   notes_.push_back("note: -" + old_name + " is the old name of -" + name);
 }
 
+void Options::alias_value(const std::string& name, const std::string& old_value, const std::string& value) {
+  if (petsc::option_value("", ("-" + name).c_str(), "") != old_value) return;
+  WASH_PETSC(PetscOptionsSetValue(nullptr, ("-" + name).c_str(), value.c_str()));
+  notes_.push_back("note: -" + name + " " + old_value + " is the old name of " + value);
+}
+
 std::string Options::as_given(const std::string& name) const {
   const auto old = old_names_.find(name);
   return old == old_names_.end() ? name : old->second;

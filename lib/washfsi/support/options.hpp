@@ -133,6 +133,8 @@ class Options {
   /// command line counts more than what is in a file, by either name. Errors: InputError if the user gave both in one
   /// place.
   void alias(const std::string& old_name, const std::string& name);
+  /// Lets an old value of an option stand for the present one; `notes` say so.
+  void alias_value(const std::string& name, const std::string& old_value, const std::string& value);
   /// All old names with the present ones.
   const std::vector<std::pair<std::string, std::string>>& aliases() const { return aliases_; }
   /// A name as the user gave it: the old one, perhaps.

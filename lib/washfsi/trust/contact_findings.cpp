@@ -19,7 +19,7 @@ Finding finding_on(const ContactForce<Dim>& contact) {
   finding.text = std::to_string(pairs) + (pairs == 1 ? " pair starts" : " pairs start") +
                  format_text(" nearer than %.3g m, from %.3g m: their contact begins there until they part",
                              distances.usual(), nearest->second);
-  finding.telling = Telling::always;
+  finding.display = Display::always;
   return finding;
 }
 

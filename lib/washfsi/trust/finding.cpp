@@ -18,7 +18,7 @@ namespace {
 Finding judge(const std::string& name, double value, const Limits& limits, const std::string& text,
               const std::string& advice, bool warns, bool fails) {
   const Verdict verdict = fails ? Verdict::fail : warns ? Verdict::warn : Verdict::ok;
-  return {name, text, verdict, value, fails ? *limits.fail : limits.warn, advice, Telling::in_doubt};
+  return {name, text, verdict, value, fails ? *limits.fail : limits.warn, advice, Display::in_doubt};
 }
 
 }  // namespace

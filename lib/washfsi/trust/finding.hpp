@@ -14,7 +14,7 @@ enum class Verdict { ok, warn, fail };
 std::string name_of(Verdict verdict);
 
 /// When the terminal of a run shows a finding: only if it is not ok, or always.
-enum class Telling { in_doubt, always };
+enum class Display { in_doubt, always };
 
 /// The result of one check.
 struct Finding {
@@ -25,7 +25,7 @@ struct Finding {
   Verdict verdict = Verdict::ok;
   double value = none, limit = none;  ///< number that was checked and its limit; `none` if there is none
   std::string advice;                 ///< advice to the user, where it is not ok
-  Telling telling = Telling::in_doubt;
+  Display display = Display::in_doubt;
 };
 
 using Findings = std::vector<Finding>;

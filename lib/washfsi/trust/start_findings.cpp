@@ -72,7 +72,7 @@ void add_flow(const Model<Dim>& model, const FlowScales& scales, Findings& findi
   findings.push_back({"Reynolds number",
                       format_text("%.3g, of %.3g m/s and %.3g m, %s", scales.reynolds, scales.speed, scales.length,
                                   scales.length_of.c_str()),
-                      Verdict::ok, scales.reynolds, Finding::none, "", Telling::always});
+                      Verdict::ok, scales.reynolds, Finding::none, "", Display::always});
   const double cell = scales.speed * h / nu, layer = 5 * scales.length / (root * h);
   if (!model.liquid.has_models())
     findings.push_back(

@@ -23,14 +23,14 @@ constexpr double viscous_layer = 5, turbulent_layer = 6;  // y+ at the matching 
 constexpr double inner_number = 0.25;                     // viscous number nu dt/h^2 within bodies
 constexpr double inside_below = 0.01;                     // share of fluid below which a cell is within a body
 
-enum Kept : std::size_t { far, near };
+enum Filtered : std::size_t { far, near };
 
 double smooth_step(double x) {
   x = std::clamp(x, 0.0, 1.0);
   return x * x * (3 - 2 * x);
 }
 
-double holds_by(double y_plus) {
+double no_slip_share(double y_plus) {
   return smooth_step((y_plus - viscous_layer) / (turbulent_layer - viscous_layer));
 }
 
@@ -153,7 +153,7 @@ void BodyWallLaw<Dim>::tell_patches(double step) {
   std::vector<double> sums(2 * faces + 2, 0.0);
   for (std::size_t p = 0; p < points_.size(); ++p) {
     if (!acts_[p]) continue;
-    const double part = holds_by(y_plus_[p]);
+    const double part = no_slip_share(y_plus_[p]);
     sums[2 * faces] += part;
     sums[2 * faces + 1] += 1;
     if (points_[p].at_edge) continue;

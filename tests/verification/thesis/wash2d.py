@@ -108,7 +108,7 @@ def rows():
 
 
 def claims():
-    """Stress falls with the spacing; stiffer cloths are smoother; today's cushion keeps cloths out of the bodies."""
+    """Stress falls with the spacing; stiffer cloths are smoother; today's penalty contact keeps cloths out of the bodies."""
     names = [f"{cells} x {cells}" for cells in TABLE]
     yield checks.falls("5.4-3", names[:3], quantity=STRESS)
     yield checks.falls("5.4-3", names[2:], quantity=STRESS, numerics=(TODAY,))

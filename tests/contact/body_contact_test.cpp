@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "washfsi/contact/cushion.hpp"
+#include "washfsi/contact/body_contact.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,9 +13,9 @@ namespace {
 
 constexpr double at_markers = 0.02,
                  softness = 0.1;  // where contact begins [m], and below which part of that it is soft
-constexpr CushionOptions soft{.pressure = 100, .distance = 0.02};
-constexpr CushionOptions hard{.pressure = 100, .distance = 0.02, .law = CushionLaw::barrier};
-constexpr CushionOptions rough{.pressure = 100, .distance = 0.02, .law = CushionLaw::barrier, .friction = 0.4};
+constexpr BodyContactOptions soft{.pressure = 100, .distance = 0.02};
+constexpr BodyContactOptions hard{.pressure = 100, .distance = 0.02, .law = BodyContactLaw::barrier};
+constexpr BodyContactOptions rough{.pressure = 100, .distance = 0.02, .law = BodyContactLaw::barrier, .friction = 0.4};
 
 /// A box with walls from (-1, -1) to (4, 4) m, perhaps with a roller of radius 0.1 m at (1, 2), and a cloth in it.
 struct Room {
@@ -33,10 +33,10 @@ struct Room {
     group.sheet.ds = 0.01;
     return group;
   }
-  /// A cushion that has looked round at these places; the markers will move for dt.
-  std::unique_ptr<Cushion<2>> cushion(const Points<2>& places, double dt = 0,
-                                      const CushionOptions& options = soft) const {
-    auto result = std::make_unique<Cushion<2>>(options, Surroundings<2>{grid, boundary, bodies, cloths});
+  /// The contact force that has looked round at these places; the markers will move for dt.
+  std::unique_ptr<BodyContact<2>> contact_force(const Points<2>& places, double dt = 0,
+                                                const BodyContactOptions& options = soft) const {
+    auto result = std::make_unique<BodyContact<2>>(options, Surroundings<2>{grid, boundary, bodies, cloths});
     const Points<2> at_rest(places.size(), Point<2>::Zero()), far_off(places.size(), Point<2>(2.5, 3));
     result->begin_step({far_off, at_rest, 0, 0});  // what starts in contact would have a distance of its own
     result->begin_step({places, at_rest, 0, dt});
@@ -49,28 +49,29 @@ struct Room {
   Cloths<2> cloths;
 };
 
-Points<2> forces_of(const Cushion<2>& cushion, const Points<2>& places) {
+Points<2> forces_of(const BodyContact<2>& contact_force, const Points<2>& places) {
   Points<2> forces(places.size(), Point<2>::Zero());
-  cushion.add_force(places, {}, forces);
+  contact_force.add_force(places, {}, forces);
   return forces;
 }
 
-TEST(Cushion, PushesOutwardsWithinItsDistanceAndReactsOnTheBody) {
+TEST(BodyContact, PushesOutwardsWithinItsDistanceAndReactsOnTheBody) {
   const Room room(3);
-  const Points<2> places{{1.11, 2}, {1, 2.1}, {1.13, 2}};  // half way into the cushion, on the surface, outside
-  const auto cushion = room.cushion(places);
-  const Points<2> forces = forces_of(*cushion, places);
+  const Points<2> places{
+      {1.11, 2}, {1, 2.1}, {1.13, 2}};  // half way into the contact distance, on the surface, outside
+  const auto contact_force = room.contact_force(places);
+  const Points<2> forces = forces_of(*contact_force, places);
   EXPECT_NEAR(forces[0][0], 100 * 0.01 * 0.25, 1e-9);
   EXPECT_NEAR(forces[1][1], 100 * 0.01, 1e-9);
   EXPECT_EQ(forces[2].norm(), 0);
   ContactLoads<2> reactions{Loads<2>(1), {}};
-  cushion->add_reactions(places, reactions);
+  contact_force->add_reactions(places, reactions);
   EXPECT_LE((reactions.bodies[0].force + forces[0] + forces[1]).norm(), 1e-15);
   EXPECT_NEAR(reactions.bodies[0].torque[0], 0, 1e-9);  // all forces are radial
 }
 
 // Nearer than a cell the water beside a wall would hold the cloth; markers here are 0.01 m apart.
-TEST(Cushion, OfTheBarrierBeginsFartherOffThanThatBetweenCloths) {
+TEST(BodyContact, OfTheBarrierBeginsFartherOffThanThatBetweenCloths) {
   const Room room(1);
   const auto pushes = [&](double gap, double body_distance, bool in_water = false) {
     const Surroundings<2> around{room.grid, room.boundary, room.bodies, room.cloths};
@@ -93,38 +94,38 @@ TEST(Cushion, OfTheBarrierBeginsFartherOffThanThatBetweenCloths) {
 }
 
 // Then no mobilities are found either.
-TEST(Cushion, WithoutFrictionLeavesExplicitStepsAlone) {
+TEST(BodyContact, WithoutFrictionLeavesExplicitStepsAlone) {
   const Room room(1);
-  CushionOptions damped = hard;
+  BodyContactOptions damped = hard;
   damped.damping = 1;
   const Points<2> places{{1.11, 2}}, nearer{Point<2>(-1, 0)};
-  Cushion<2> cushion(damped, Surroundings<2>{room.grid, room.boundary, room.bodies, room.cloths});
-  cushion.begin_step({{{2.5, 3}}, nearer, 0, 0});
-  cushion.begin_step({places, nearer, 0, 0, {}, ExplicitStep{1e-3, {}}});
-  const Points<2> forces = forces_of(cushion, places);
-  EXPECT_EQ(forces, forces_of(*room.cushion(places, 0, hard), places));
+  BodyContact<2> contact_force(damped, Surroundings<2>{room.grid, room.boundary, room.bodies, room.cloths});
+  contact_force.begin_step({{{2.5, 3}}, nearer, 0, 0});
+  contact_force.begin_step({places, nearer, 0, 0, {}, ExplicitStep{1e-3, {}}});
+  const Points<2> forces = forces_of(contact_force, places);
+  EXPECT_EQ(forces, forces_of(*room.contact_force(places, 0, hard), places));
 }
 
-TEST(Cushion, PushesAwayFromTheWallsOfTheBox) {
+TEST(BodyContact, PushesAwayFromTheWallsOfTheBox) {
   const Room room(3, false);
   const Points<2> places{{-0.99, 2}, {2, 3.995}, {2, 2}};
-  const auto cushion = room.cushion(places);
-  const Points<2> forces = forces_of(*cushion, places);
+  const auto contact_force = room.contact_force(places);
+  const Points<2> forces = forces_of(*contact_force, places);
   EXPECT_NEAR(forces[0][0], 100 * 0.01 * 0.25, 1e-9);
   EXPECT_NEAR(forces[1][1], -100 * 0.01 * 0.5625, 1e-9);
   EXPECT_EQ(forces[2].norm(), 0);
   ContactLoads<2> reactions;
-  cushion->add_reactions(places, reactions);
+  contact_force->add_reactions(places, reactions);
   EXPECT_EQ(reactions.sides[0][0].force, -forces[0]);
   EXPECT_EQ(reactions.sides[1][1].force, -forces[1]);
 }
 
-TEST(Cushion, IsNotThereByDefault) {
+TEST(BodyContact, IsNotThereByDefault) {
   const Room room(2);
-  EXPECT_EQ(Cushion<2>::maker({})({room.grid, room.boundary, room.bodies, room.cloths}), nullptr);
+  EXPECT_EQ(BodyContact<2>::maker({})({room.grid, room.boundary, room.bodies, room.cloths}), nullptr);
 }
 
-/// Markers round a roller and at a wall, moved a little since the cushion looked round.
+/// Markers round a roller and at a wall, moved a little since the force looked round.
 struct Touching {
   Room room{40};
   Points<2> start, places;
@@ -140,38 +141,38 @@ struct Touching {
   }
 };
 
-double energy_of(const Cushion<2>& cushion, const Points<2>& places) {
+double energy_of(const BodyContact<2>& contact_force, const Points<2>& places) {
   std::vector<double> energy(1, 0.0);
-  cushion.add_energy(places, energy);
+  contact_force.add_energy(places, energy);
   return energy[0];
 }
 
-TEST(Cushion, ForceIsMinusTheGradientOfItsEnergy) {
+TEST(BodyContact, ForceIsMinusTheGradientOfItsEnergy) {
   const Touching touching;
-  for (const CushionOptions& options : {soft, hard, rough}) {
-    const auto cushion = touching.room.cushion(touching.start, 1, options);
-    const Points<2> forces = forces_of(*cushion, touching.places), direction = random_points<2>(40, 5);
+  for (const BodyContactOptions& options : {soft, hard, rough}) {
+    const auto contact_force = touching.room.contact_force(touching.start, 1, options);
+    const Points<2> forces = forces_of(*contact_force, touching.places), direction = random_points<2>(40, 5);
     double slope = 0;
     for (std::size_t m = 0; m < 40; ++m) slope -= forces[m].dot(direction[m]);
     constexpr double e = 1e-6;
-    const double difference =
-        energy_of(*cushion, touching.places + e * direction) - energy_of(*cushion, touching.places - e * direction);
-    EXPECT_GT(energy_of(*cushion, touching.places), 1e-3);
+    const double difference = energy_of(*contact_force, touching.places + e * direction) -
+                              energy_of(*contact_force, touching.places - e * direction);
+    EXPECT_GT(energy_of(*contact_force, touching.places), 1e-3);
     EXPECT_NEAR(difference / (2 * e), slope, 1e-7 * std::abs(slope));
   }
 }
 
-TEST(Cushion, StiffnessIsItsJacobianAndNeverNegative) {
+TEST(BodyContact, StiffnessIsItsJacobianAndNeverNegative) {
   const Touching touching;
-  for (const CushionOptions& options : {soft, hard}) {
-    const auto cushion = touching.room.cushion(touching.start, 1, options);
+  for (const BodyContactOptions& options : {soft, hard}) {
+    const auto contact_force = touching.room.contact_force(touching.start, 1, options);
     const Points<2> direction = random_points<2>(40, 6);
     constexpr double e = 1e-7;
-    const Points<2> more = forces_of(*cushion, touching.places + e * direction),
-                    less = forces_of(*cushion, touching.places - e * direction);
+    const Points<2> more = forces_of(*contact_force, touching.places + e * direction),
+                    less = forces_of(*contact_force, touching.places - e * direction);
     Points<2> rates(40, Point<2>::Zero()), products(40, Point<2>::Zero());
-    cushion->add_force_rates(touching.places, direction, rates);
-    cushion->visit_stiffness(
+    contact_force->add_force_rates(touching.places, direction, rates);
+    contact_force->visit_stiffness(
         touching.places, GeometricStiffness::all, [&](PetscInt row, PetscInt column, const StiffnessBlock<2>& block) {
           if (row == column) {
             EXPECT_GE(block.trace(), 0);
@@ -186,102 +187,102 @@ TEST(Cushion, StiffnessIsItsJacobianAndNeverNegative) {
 }
 
 // As hard as it is at a tenth of its distance, where a body has moved over a marker.
-TEST(Cushion, OfTheBarrierGoesOnWithinABody) {
-  double before = cushion_push(hard, -0.05, at_markers, softness).pressure;
+TEST(BodyContact, OfTheBarrierGoesOnWithinABody) {
+  double before = body_push(hard, -0.05, at_markers, softness).pressure;
   for (double distance = -0.05; distance < 0.021; distance += 1e-5) {
-    const CushionPush push = cushion_push(hard, distance, at_markers, softness);
+    const BodyPush push = body_push(hard, distance, at_markers, softness);
     EXPECT_TRUE(std::isfinite(push.energy));
     EXPECT_LE(push.pressure, before);
-    EXPECT_LE(before - push.pressure, 1.01e-5 * cushion_push(hard, 0, at_markers, softness).stiffness);
+    EXPECT_LE(before - push.pressure, 1.01e-5 * body_push(hard, 0, at_markers, softness).stiffness);
     before = push.pressure;
   }
   EXPECT_EQ(before, 0);
 }
 
 // A body runs over a marker that is pressed against it with more than the soft part bears.
-TEST(Cushion, IsSharpenedUntilTheSolutionLiesOutside) {
+TEST(BodyContact, IsSharpenedUntilTheSolutionLiesOutside) {
   Room room(1);
   room.bodies[0].motion.translation = {0.03, 0};
-  const auto cushion = room.cushion({{1.085, 2}}, 1, hard);
+  const auto contact_force = room.contact_force({{1.085, 2}}, 1, hard);
   const double surface = 1 + 0.1, load = 50 * 100 * 0.01;
   const auto solution = [&] {
     double inside = surface - 0.05, outside = surface + 0.02;
     while (outside - inside > 1e-9) {
       const double middle = 0.5 * (inside + outside);
-      (forces_of(*cushion, {{middle, 2}})[0][0] > load ? inside : outside) = middle;
+      (forces_of(*contact_force, {{middle, 2}})[0][0] > load ? inside : outside) = middle;
     }
     return outside;
   };
   EXPECT_LT(solution(), surface);
   int times = 0;
-  while (cushion->sharpen({{solution(), 2}})) ASSERT_LT(++times, 5);
+  while (contact_force->sharpen({{solution(), 2}})) ASSERT_LT(++times, 5);
   EXPECT_GE(times, 1);
-  EXPECT_NEAR(cushion_push(hard, solution() - surface, at_markers).pressure * 0.01, load, 0.02 * load);
-  EXPECT_FALSE(cushion->sharpen({{surface + 0.01, 2}}));
+  EXPECT_NEAR(body_push(hard, solution() - surface, at_markers).pressure * 0.01, load, 0.02 * load);
+  EXPECT_FALSE(contact_force->sharpen({{surface + 0.01, 2}}));
 }
 
 // A face that rests on the left edge of a block turns about it, down on the right one.
-TEST(Cushion, SeesWhereAFaceTurnsTo) {
+TEST(BodyContact, SeesWhereAFaceTurnsTo) {
   Room room(2);
   room.bodies[0].shape = std::make_unique<Cuboid<2>>(Point<2>(0.2, 0.2));
   const auto sloped = [](double left, double right) {  // above the edges of the block, which are 0.2 m apart
     return Points<2>{{0.7, 2.1 + 2 * left - right}, {1.3, 2.1 + 2 * right - left}};
   };
-  const auto cushion = room.cushion(sloped(0.006, 0.009), 1, hard);
+  const auto contact_force = room.contact_force(sloped(0.006, 0.009), 1, hard);
   const Points<2> turned = sloped(0.006, 1e-4);
-  EXPECT_FALSE(cushion->sharpen(sloped(0.006, 0.006)));
-  const double before = forces_of(*cushion, turned)[1][1];
-  EXPECT_TRUE(cushion->sharpen(turned));
-  EXPECT_GT(forces_of(*cushion, turned)[1][1], 2 * before);
+  EXPECT_FALSE(contact_force->sharpen(sloped(0.006, 0.006)));
+  const double before = forces_of(*contact_force, turned)[1][1];
+  EXPECT_TRUE(contact_force->sharpen(turned));
+  EXPECT_GT(forces_of(*contact_force, turned)[1][1], 2 * before);
 }
 
 // A marker on the turning roller, which goes along it by some way in a step of 1 s more than the surface does.
-TEST(Cushion, FrictionIsThatOfCoulombOnAMovingBody) {
+TEST(BodyContact, FrictionIsThatOfCoulombOnAMovingBody) {
   constexpr double turn = 0.02;  // [rad/s]
   Room room(1);
   room.bodies[0].motion.angular_speed = turn;
   const Points<2> start{{1.11, 2}};
-  const double pressed = 0.01 * cushion_push(rough, 0.01, at_markers, softness).pressure;
+  const double pressed = 0.01 * body_push(rough, 0.01, at_markers, softness).pressure;
   for (const double slide : {-5e-3, -2e-4, 0.0, 2e-4, 5e-3}) {
-    const auto smooth = room.cushion(start, 1, hard), cushion = room.cushion(start, 1, rough);
+    const auto smooth = room.contact_force(start, 1, hard), contact_force = room.contact_force(start, 1, rough);
     const Points<2> end{start[0] + Point<2>(0, 0.11 * turn + slide)};
-    cushion->linearise(end);
-    const Point<2> pull = forces_of(*cushion, end)[0] - forces_of(*smooth, end)[0];
+    contact_force->linearise(end);
+    const Point<2> pull = forces_of(*contact_force, end)[0] - forces_of(*smooth, end)[0];
     const double part = std::min(1.0, std::abs(slide) / 1e-3), share = std::copysign(part * (2 - part), slide);
     EXPECT_NEAR(pull[1], -0.4 * pressed * share, 1e-9 * pressed);
     EXPECT_NEAR(pull[0], 0, 1e-9 * pressed);
     MarkerContact contact(1);
-    cushion->add_marker_contact(end, contact);
+    contact_force->add_marker_contact(end, contact);
     EXPECT_NEAR(contact.friction_power[0], -pull[1] * slide, 1e-9 * pressed);
     EXPECT_EQ(contact.area[0], 0.01);
     ContactLoads<2> loads{Loads<2>(1), {}};
-    cushion->add_reactions(end, loads);
-    EXPECT_LE((loads.bodies[0].force + forces_of(*cushion, end)[0]).norm(), 1e-12);
+    contact_force->add_reactions(end, loads);
+    EXPECT_LE((loads.bodies[0].force + forces_of(*contact_force, end)[0]).norm(), 1e-12);
   }
 }
 
 // It slides over a side that moves along itself only as far as it goes another way.
-TEST(Cushion, FrictionOnASideIsOverTheWayOfThatSide) {
+TEST(BodyContact, FrictionOnASideIsOverTheWayOfThatSide) {
   Sides<2> sides;
   sides[1][0].velocity = {0.3, 0};
   const Room room(1, false);
   const Boundary<2> boundary(room.grid, sides);
-  Cushion<2> cushion(rough, {room.grid, boundary, room.bodies, room.cloths});
+  BodyContact<2> contact_force(rough, {room.grid, boundary, room.bodies, room.cloths});
   const Points<2> start{{1, -0.99}}, at_rest{Point<2>::Zero()}, with_it{{1.03, -0.99}}, far_off{{1, 0}};
-  cushion.begin_step({far_off, at_rest, 0, 0});
-  cushion.begin_step({start, at_rest, 0, 0.1});
-  EXPECT_NEAR(forces_of(cushion, with_it)[0][0], 0, 1e-12);
-  EXPECT_NEAR(forces_of(cushion, start)[0][0], 0.4 * 0.01 * cushion_push(rough, 0.01, at_markers, softness).pressure,
+  contact_force.begin_step({far_off, at_rest, 0, 0});
+  contact_force.begin_step({start, at_rest, 0, 0.1});
+  EXPECT_NEAR(forces_of(contact_force, with_it)[0][0], 0, 1e-12);
+  EXPECT_NEAR(forces_of(contact_force, start)[0][0], 0.4 * 0.01 * body_push(rough, 0.01, at_markers, softness).pressure,
               1e-12);
 }
 
 // What a marker is pushed with does not depend on where in the step the surface was looked at, but for its curvature.
-TEST(Cushion, SeesASurfaceThatTheMarkerComesNearToInTheStep) {
+TEST(BodyContact, SeesASurfaceThatTheMarkerComesNearToInTheStep) {
   const Room room(1);
-  const Points<2> start{{1.13, 2}}, end{{1.105, 2}};  // from outside into the cushion
-  EXPECT_EQ(forces_of(*room.cushion(start, 1), start)[0].norm(), 0);
-  const Point<2> seen_from_start = forces_of(*room.cushion(start, 1), end)[0];
-  const Point<2> seen_at_end = forces_of(*room.cushion(end), end)[0];
+  const Points<2> start{{1.13, 2}}, end{{1.105, 2}};  // from outside into the contact distance
+  EXPECT_EQ(forces_of(*room.contact_force(start, 1), start)[0].norm(), 0);
+  const Point<2> seen_from_start = forces_of(*room.contact_force(start, 1), end)[0];
+  const Point<2> seen_at_end = forces_of(*room.contact_force(end), end)[0];
   EXPECT_LE((seen_from_start - seen_at_end).norm(), 1e-6 * seen_at_end.norm());
 }
 

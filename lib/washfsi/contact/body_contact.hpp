@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "washfsi/contact/cushion_law.hpp"
+#include "washfsi/contact/body_contact_law.hpp"
 #include "washfsi/contact/friction.hpp"
 #include "washfsi/contact/tangent_planes.hpp"
 
@@ -22,11 +22,11 @@ namespace washfsi {
 /// (contact/pair_distances.hpp). Friction is that of the barrier between cloths (contact/friction.hpp), with the normal
 /// force of the step's start and the motion relative to the surface in the step.
 template <int Dim>
-class Cushion : public ContactForce<Dim> {
+class BodyContact : public ContactForce<Dim> {
  public:
-  Cushion(const CushionOptions& options, const Surroundings<Dim>& surroundings);
+  BodyContact(const BodyContactOptions& options, const Surroundings<Dim>& surroundings);
   /// Returns what creates the force; it creates none if the pressure is 0.
-  static MakeForce<Dim> maker(const CushionOptions& options);
+  static MakeForce<Dim> maker(const BodyContactOptions& options);
 
   Dependence dependence() const override { return Dependence::potential; }
   std::string origin() const override { return "-contact_pressure"; }
@@ -39,7 +39,7 @@ class Cushion : public ContactForce<Dim> {
                        const AddMarkerBlock<Dim>& add) const override;
   void add_bound(std::span<StiffnessBound> bounds) const override;
   void linearise(const Points<Dim>& positions) override { friction_.linearise(ways(with_halo(positions))); }
-  bool has_step_limit() const override { return options_.law == CushionLaw::barrier; }
+  bool has_step_limit() const override { return options_.law == BodyContactLaw::barrier; }
   double step_limit(const Points<Dim>& from, const Points<Dim>& motion) override;
   bool sharpen(const Points<Dim>& positions) override;
   PairDistances& distances() override { return distances_; }
@@ -52,7 +52,7 @@ class Cushion : public ContactForce<Dim> {
  private:
   using Plane = TangentPlane<Dim>;
   /// A friction pair: a point of a cloth that slides on a plane in this step.
-  struct Rubbing {
+  struct SlidingPoint {
     Plane plane;
     Point<Dim> way;  ///< motion of the surface in the step; in an explicit step, relative to the point [m]
   };
@@ -74,10 +74,10 @@ class Cushion : public ContactForce<Dim> {
   double gap(const Plane& plane, const Points<Dim>& all) const {
     return plane.distance + plane.normal.dot(plane.place(all) - plane.start);
   }
-  CushionPush push(const Plane& plane, double gap) const;
-  CushionPush push(const Plane& plane, const Points<Dim>& all) const { return push(plane, gap(plane, all)); }
+  BodyPush push(const Plane& plane, double gap) const;
+  BodyPush push(const Plane& plane, const Points<Dim>& all) const { return push(plane, gap(plane, all)); }
 
-  CushionOptions options_;
+  BodyContactOptions options_;
   Surroundings<Dim> around_;
   PairDistances distances_;
   TangentPlanes<Dim> planes_near_;
@@ -85,11 +85,11 @@ class Cushion : public ContactForce<Dim> {
   Points<Dim> start_;  ///< places of all markers at the step's start, with those of the halo [m]
   std::vector<Plane> planes_;
   bool has_faces_ = false;  ///< whether any rank has a plane of a face
-  std::vector<Rubbing> rubbing_;
+  std::vector<SlidingPoint> sliding_;
   Friction<Dim> friction_;
 };
 
-extern template class Cushion<2>;
-extern template class Cushion<3>;
+extern template class BodyContact<2>;
+extern template class BodyContact<3>;
 
 }  // namespace washfsi

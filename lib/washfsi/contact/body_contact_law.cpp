@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "washfsi/contact/cushion_law.hpp"
+#include "washfsi/contact/body_contact_law.hpp"
 
 #include <algorithm>
 
@@ -20,9 +20,9 @@ BarrierValue softened_barrier(double s, double soft) {
 
 }  // namespace
 
-CushionPush cushion_push(const CushionOptions& options, double distance, double begins, double soft) {
+BodyPush body_push(const BodyContactOptions& options, double distance, double begins, double soft) {
   const double p = options.pressure, d = begins;
-  if (options.law == CushionLaw::barrier) {
+  if (options.law == BodyContactLaw::barrier) {
     const BarrierValue b = softened_barrier(distance / d, soft);
     return {p * d * b.value, -p * b.first, p / d * b.second};
   }

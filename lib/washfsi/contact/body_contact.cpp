@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "washfsi/contact/cushion.hpp"
+#include "washfsi/contact/body_contact.hpp"
 
 #include <algorithm>
 #include <map>
@@ -19,21 +19,21 @@ constexpr double sharper = 0.25;    // the next share over that within which the
 }  // namespace
 
 template <int Dim>
-MakeForce<Dim> Cushion<Dim>::maker(const CushionOptions& options) {
+MakeForce<Dim> BodyContact<Dim>::maker(const BodyContactOptions& options) {
   return [options](const Surroundings<Dim>& surroundings) -> std::unique_ptr<MarkerForce<Dim>> {
-    return options.pressure > 0 ? std::make_unique<Cushion>(options, surroundings) : nullptr;
+    return options.pressure > 0 ? std::make_unique<BodyContact>(options, surroundings) : nullptr;
   };
 }
 
 template <int Dim>
-Cushion<Dim>::Cushion(const CushionOptions& options, const Surroundings<Dim>& surroundings)
+BodyContact<Dim>::BodyContact(const BodyContactOptions& options, const Surroundings<Dim>& surroundings)
     : options_(options),
       around_(surroundings),
       distances_(options.distance),
-      planes_near_(surroundings, options.law == CushionLaw::barrier) {}
+      planes_near_(surroundings, options.law == BodyContactLaw::barrier) {}
 
 template <int Dim>
-Points<Dim> Cushion<Dim>::with_halo(const Points<Dim>& values) const {
+Points<Dim> BodyContact<Dim>::with_halo(const Points<Dim>& values) const {
   if (!has_faces_) return values;
   Points<Dim> all = values;
   const Points<Dim> halo = around_.cloths.with_halo(values);
@@ -42,7 +42,7 @@ Points<Dim> Cushion<Dim>::with_halo(const Points<Dim>& values) const {
 }
 
 template <int Dim>
-void Cushion<Dim>::begin_step(const StepStart<Dim>& start) {
+void BodyContact<Dim>::begin_step(const StepStart<Dim>& start) {
   time_ = start.time;
   has_faces_ = planes_near_.sees_faces();
   const Points<Dim> all = with_halo(start.positions), velocities = with_halo(start.velocities);
@@ -58,8 +58,8 @@ void Cushion<Dim>::begin_step(const StepStart<Dim>& start) {
 
 // Only a barrier is so stiff that it would throw off cloth that starts within it.
 template <int Dim>
-void Cushion<Dim>::follow_distances() {
-  if (options_.law != CushionLaw::barrier) return;
+void BodyContact<Dim>::follow_distances() {
+  if (options_.law != BodyContactLaw::barrier) return;
   const std::size_t cloths = around_.cloths.pieces().size(), bodies = around_.bodies.size();
   const bool starts = !distances_.has_started();
   if (starts || !distances_.less().empty()) {
@@ -76,15 +76,15 @@ void Cushion<Dim>::follow_distances() {
 }
 
 template <int Dim>
-double Cushion<Dim>::begins_over_usual(const Plane& plane) const {
+double BodyContact<Dim>::begins_over_usual(const Plane& plane) const {
   if (distances_.less().empty()) return 1;
   return distances_.of(plane.piece, plane.thing(around_.cloths.pieces().size(), around_.bodies.size())) /
          options_.distance;
 }
 
 template <int Dim>
-bool Cushion<Dim>::sharpen(const Points<Dim>& positions) {
-  if (options_.law != CushionLaw::barrier) return false;
+bool BodyContact<Dim>::sharpen(const Points<Dim>& positions) {
+  if (options_.law != BodyContactLaw::barrier) return false;
   has_faces_ = planes_near_.sees_faces();
   const Points<Dim> all = with_halo(positions);
   const bool is_harder = soften_less(all), is_denser = add_missed(all);
@@ -94,7 +94,7 @@ bool Cushion<Dim>::sharpen(const Points<Dim>& positions) {
 
 // The barrier begins to be soft nearer to the surface where the solution lies deep in its soft part.
 template <int Dim>
-bool Cushion<Dim>::soften_less(const Points<Dim>& all) {
+bool BodyContact<Dim>::soften_less(const Points<Dim>& all) {
   bool is_harder = false;
   for (Plane& plane : planes_) {
     const double least = sharper * plane.soft;
@@ -107,7 +107,7 @@ bool Cushion<Dim>::soften_less(const Points<Dim>& all) {
 
 // Adds planes where faces have come nearer to bodies than their planes show, as they turn about the place of these.
 template <int Dim>
-bool Cushion<Dim>::add_missed(const Points<Dim>& all) {
+bool BodyContact<Dim>::add_missed(const Points<Dim>& all) {
   if (!planes_near_.sees_faces()) return false;
   std::map<std::pair<std::size_t, std::size_t>, double> least;
   for (const Plane& plane : planes_)
@@ -132,18 +132,18 @@ bool Cushion<Dim>::add_missed(const Points<Dim>& all) {
 // Uses the normal forces of the step's start; with dt = 0 nothing slides. In an explicit step markers and surfaces
 // slide as they do at its start.
 template <int Dim>
-void Cushion<Dim>::begin_friction(const StepStart<Dim>& start, const Points<Dim>& velocities) {
-  rubbing_.clear();
+void BodyContact<Dim>::begin_friction(const StepStart<Dim>& start, const Points<Dim>& velocities) {
+  sliding_.clear();
   const bool held = start.lagged.dt > 0;
   const double dt = held ? start.lagged.dt : start.dt, damping = held ? 0 : options_.damping;
   std::vector<FrictionPair<Dim>> pairs;
   if (dt > 0 && (options_.friction > 0 || damping > 0))
     for (const Plane& plane : planes_) {
-      const CushionPush before = push(plane, plane.before);
+      const BodyPush before = push(plane, plane.before);
       if (before.pressure == 0) continue;
       const double limit = options_.friction * before.pressure;
       const Point<Dim> way = dt * planes_near_.velocity_of_surface(plane, time_ - 0.5 * start.dt);
-      rubbing_.push_back({plane, held ? Point<Dim>(way - dt * plane.place(velocities)) : way});
+      sliding_.push_back({plane, held ? Point<Dim>(way - dt * plane.place(velocities)) : way});
       double mobility = 0;
       if (held)
         visit_own(plane,
@@ -156,37 +156,38 @@ void Cushion<Dim>::begin_friction(const StepStart<Dim>& start, const Points<Dim>
 }
 
 template <int Dim>
-Points<Dim> Cushion<Dim>::ways(const Points<Dim>& all) const {
+Points<Dim> BodyContact<Dim>::ways(const Points<Dim>& all) const {
   Points<Dim> ways;
-  for (const Rubbing& rubbing : rubbing_) ways.push_back(rubbing.plane.place(all) - rubbing.plane.start - rubbing.way);
+  for (const SlidingPoint& sliding : sliding_)
+    ways.push_back(sliding.plane.place(all) - sliding.plane.start - sliding.way);
   return ways;
 }
 
 // Calls visit(plane, friction force there).
 template <int Dim>
 template <class Visit>
-void Cushion<Dim>::visit_friction(const Points<Dim>& all, const Visit& visit) const {
+void BodyContact<Dim>::visit_friction(const Points<Dim>& all, const Visit& visit) const {
   const std::vector<FrictionForce<Dim>> forces = friction_.forces(ways(all));
-  for (std::size_t r = 0; r < forces.size(); ++r) visit(rubbing_[r].plane, forces[r]);
+  for (std::size_t r = 0; r < forces.size(); ++r) visit(sliding_[r].plane, forces[r]);
 }
 
 // Calls visit(index among the plane's markers, index among this rank's).
 template <int Dim>
 template <class Visit>
-void Cushion<Dim>::visit_own(const Plane& plane, const Visit& visit) const {
+void BodyContact<Dim>::visit_own(const Plane& plane, const Visit& visit) const {
   for (std::size_t i = 0; i < plane.count(); ++i)
     if (plane.own[i] != SeenFaces<Dim>::none) visit(i, static_cast<std::size_t>(plane.own[i]));
 }
 
 // The push on the area that the point stands for.
 template <int Dim>
-CushionPush Cushion<Dim>::push(const Plane& plane, double gap) const {
-  const CushionPush push = cushion_push(options_, gap, plane.begins, plane.soft);
+BodyPush BodyContact<Dim>::push(const Plane& plane, double gap) const {
+  const BodyPush push = body_push(options_, gap, plane.begins, plane.soft);
   return {plane.area * push.energy, plane.area * push.pressure, plane.area * push.stiffness};
 }
 
 template <int Dim>
-void Cushion<Dim>::add_force(const Points<Dim>& positions, const Points<Dim>&, Points<Dim>& forces) const {
+void BodyContact<Dim>::add_force(const Points<Dim>& positions, const Points<Dim>&, Points<Dim>& forces) const {
   const Points<Dim> all = with_halo(positions);
   for (const Plane& plane : planes_) {
     const Point<Dim> force = push(plane, all).pressure * plane.normal;
@@ -198,7 +199,7 @@ void Cushion<Dim>::add_force(const Points<Dim>& positions, const Points<Dim>&, P
 }
 
 template <int Dim>
-void Cushion<Dim>::add_energy(const Points<Dim>& positions, std::span<double> of_groups) const {
+void BodyContact<Dim>::add_energy(const Points<Dim>& positions, std::span<double> of_groups) const {
   const Points<Dim> all = with_halo(positions);
   const auto add = [&](const Plane& plane, double energy) {
     if (plane.counts()) of_groups[around_.cloths.pieces()[plane.piece].group] += energy;
@@ -208,8 +209,8 @@ void Cushion<Dim>::add_energy(const Points<Dim>& positions, std::span<double> of
 }
 
 template <int Dim>
-void Cushion<Dim>::add_force_rates(const Points<Dim>& positions, const Points<Dim>& direction,
-                                   Points<Dim>& rates) const {
+void BodyContact<Dim>::add_force_rates(const Points<Dim>& positions, const Points<Dim>& direction,
+                                       Points<Dim>& rates) const {
   const Points<Dim> all = with_halo(positions), ways = with_halo(direction);
   const auto add = [&](const Plane& plane, const Point<Dim>& rate) {
     visit_own(plane, [&](std::size_t i, std::size_t m) { rates[m] -= plane.shares[i] * rate; });
@@ -224,8 +225,8 @@ void Cushion<Dim>::add_force_rates(const Points<Dim>& positions, const Points<Di
 // Visits one block for each marker, and for each two of a face, whether they touch anything or not: so the pattern
 // never changes.
 template <int Dim>
-void Cushion<Dim>::visit_stiffness(const Points<Dim>& positions, GeometricStiffness,
-                                   const AddMarkerBlock<Dim>& add) const {
+void BodyContact<Dim>::visit_stiffness(const Points<Dim>& positions, GeometricStiffness,
+                                       const AddMarkerBlock<Dim>& add) const {
   const Points<Dim> all = with_halo(positions);
   using Block = StiffnessBlock<Dim>;
   const auto& faces = planes_near_.faces().list();
@@ -257,17 +258,17 @@ void Cushion<Dim>::visit_stiffness(const Points<Dim>& positions, GeometricStiffn
 // The bound for a marker on the surface; with the barrier, which is singular there, for one at a third of d0 or where
 // the nearest one starts.
 template <int Dim>
-void Cushion<Dim>::add_bound(std::span<StiffnessBound> bounds) const {
-  double nearest = options_.law == CushionLaw::barrier ? options_.distance / 3 : 0;
-  if (options_.law == CushionLaw::barrier)
+void BodyContact<Dim>::add_bound(std::span<StiffnessBound> bounds) const {
+  double nearest = options_.law == BodyContactLaw::barrier ? options_.distance / 3 : 0;
+  if (options_.law == BodyContactLaw::barrier)
     for (const Plane& plane : planes_) nearest = std::min(nearest, plane.distance * options_.distance / plane.begins);
-  const CushionPush push = cushion_push(options_, nearest, options_.distance, soft_start);
+  const BodyPush push = body_push(options_, nearest, options_.distance, soft_start);
   for (StiffnessBound& bound : bounds) bound.stiffness += 0.25 * push.stiffness;
 }
 
 // A tenth of each distance remains. A soft barrier has no step limit.
 template <int Dim>
-double Cushion<Dim>::step_limit(const Points<Dim>& from, const Points<Dim>& motion) {
+double BodyContact<Dim>::step_limit(const Points<Dim>& from, const Points<Dim>& motion) {
   constexpr double kept = 0.1;
   const Points<Dim> starts = with_halo(from), ways = with_halo(motion);
   double part = 1;
@@ -280,7 +281,7 @@ double Cushion<Dim>::step_limit(const Points<Dim>& from, const Points<Dim>& moti
 }
 
 template <int Dim>
-void Cushion<Dim>::add_marker_contact(const Points<Dim>& positions, MarkerContact& contact) const {
+void BodyContact<Dim>::add_marker_contact(const Points<Dim>& positions, MarkerContact& contact) const {
   const Points<Dim> all = with_halo(positions);
   for (const Plane& plane : planes_) {
     const double pressed = push(plane, all).pressure;
@@ -297,7 +298,7 @@ void Cushion<Dim>::add_marker_contact(const Points<Dim>& positions, MarkerContac
 }
 
 template <int Dim>
-void Cushion<Dim>::add_reactions(const Points<Dim>& positions, ContactLoads<Dim>& loads) const {
+void BodyContact<Dim>::add_reactions(const Points<Dim>& positions, ContactLoads<Dim>& loads) const {
   const Points<Dim> all = with_halo(positions);
   for (const Plane& plane : planes_) add_reaction(plane, all, -push(plane, all).pressure * plane.normal, loads);
   visit_friction(all, [&](const Plane& plane, const FrictionForce<Dim>& friction) {
@@ -306,8 +307,8 @@ void Cushion<Dim>::add_reactions(const Points<Dim>& positions, ContactLoads<Dim>
 }
 
 template <int Dim>
-void Cushion<Dim>::add_reaction(const Plane& plane, const Points<Dim>& all, const Point<Dim>& reaction,
-                                ContactLoads<Dim>& loads) const {
+void BodyContact<Dim>::add_reaction(const Plane& plane, const Points<Dim>& all, const Point<Dim>& reaction,
+                                    ContactLoads<Dim>& loads) const {
   if (!plane.counts()) return;
   const Point<Dim> place = around_.grid.folded(plane.place(all));
   if (plane.body < loads.bodies.size())
@@ -318,7 +319,7 @@ void Cushion<Dim>::add_reaction(const Plane& plane, const Points<Dim>& all, cons
 
 // The tightest contact as the step begins.
 template <int Dim>
-TightestContact Cushion<Dim>::tightest() const {
+TightestContact BodyContact<Dim>::tightest() const {
   TightestContact tightest;
   for (const Plane& plane : planes_) {
     const double share = plane.distance / plane.begins;
@@ -331,7 +332,7 @@ TightestContact Cushion<Dim>::tightest() const {
   return tightest;
 }
 
-template class Cushion<2>;
-template class Cushion<3>;
+template class BodyContact<2>;
+template class BodyContact<3>;
 
 }  // namespace washfsi
