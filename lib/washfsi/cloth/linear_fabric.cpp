@@ -34,7 +34,7 @@ double symmetric_poisson(const OptionBlock& block, const std::vector<double>& gi
 LinearFabric LinearFabric::from_options(OptionBlock& block, std::size_t directions) {
   WarpWeft ke{8e3, 8e3}, kb{1e-5, 1e-5};
   read_warp_weft(block, "ke", ke, directions, "N/m", positive, "extensional stiffness");
-  read_warp_weft(block, "kb", kb, directions, "N m", non_negative, "bending stiffness");
+  read_warp_weft(block, "kb", kb, directions, "N m", non_negative, "bending stiffness (0: none)");
   if (directions == 1) return LinearFabric({.ke_s = ke[0], .kb_s = kb[0]});
   LinearModuli moduli{.ke_s = ke[0], .ke_r = ke[1], .kb_s = kb[0], .kb_r = kb[1]};
   std::vector<double> poisson{0};
@@ -42,8 +42,8 @@ LinearFabric LinearFabric::from_options(OptionBlock& block, std::size_t directio
   moduli.poisson = symmetric_poisson(block, poisson, ke[1] / ke[0]);
   moduli.ks = 0.5 * (1 - moduli.poisson) * std::sqrt(ke[0] * ke[1]);
   moduli.kt = (1 - moduli.poisson) * std::sqrt(kb[0] * kb[1]);
-  block.real("ks", moduli.ks, "N/m", non_negative, "shear stiffness; default: that of an isotropic sheet");
-  block.real("kt", moduli.kt, "N m", non_negative, "twisting stiffness; default: that of an isotropic sheet");
+  block.real("ks", moduli.ks, "N/m", non_negative, "shear stiffness; 0: none; default: that of an isotropic sheet");
+  block.real("kt", moduli.kt, "N m", non_negative, "twisting stiffness; 0: none; default: that of an isotropic sheet");
   return LinearFabric(moduli);
 }
 

@@ -127,12 +127,13 @@ ClothGroup<Dim> ClothGroup<Dim>::from_options(Options& options, const std::strin
       [&](OptionBlock& block) {
         block.integer("count", group.count, at_least_one, "number of cloths in this group");
         read_lattice(block, group);
-        block.real("excess_mass", group.excess_mass, "kg/m2", non_negative, "mass over that of the water displaced");
+        block.real("excess_mass", group.excess_mass, "kg/m2", non_negative,
+                   "mass over that of the water displaced; 0: it neither sinks nor rises, not with -fluid none");
         block.real("permeance", group.permeance, "m/(s Pa)", non_negative,
                    "speed of water through it over the jump of pressure; 0: tight (semi_implicit, implicit)");
         block.real("thickness", sheet.thickness, "m", positive, "thickness, for stresses");
         block.real("damping", sheet.damping, "s", non_negative,
-                   "Kelvin-Voigt time of the edges; the semi-implicit coupling does not use it");
+                   "Kelvin-Voigt time of the edges; 0: undamped; the semi-implicit coupling does not use it");
         block.choice("model", group.model, "elastic model: discrete energy, or the thesis's strong form");
         block.choice("shape", group.shape, Dim == 2 ? "at the start; an ellipse is a closed cloth" : "at the start",
                      shapes_in(Dim));

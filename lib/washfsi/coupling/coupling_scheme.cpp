@@ -109,7 +109,8 @@ void CouplingOptions::read_solution(Options& options) {
                "rms residual of the markers' velocities over the flow's speed (semi_implicit, implicit)");
     block.integer("sweeps", sweeps, at_least_one, "solves of the cloth and corrections at most (semi_implicit)");
     block.real("slip_tolerance", slip_tolerance, "-", {0.0, 1.0, false, "a number from 0 to 1"},
-               "slip between cloth and water below which no further sweep is made (semi_implicit)");
+               "slip between cloth and water below which no further sweep is made; 0: all of -coupling_sweeps are made "
+               "(semi_implicit)");
   });
 }
 

@@ -61,7 +61,7 @@ ModelOptions<Dim> ModelOptions<Dim>::from_options(Options& options, MassCarrier 
   options.block("", "Fluid or none", [&](OptionBlock& block) {
     block.choice("fluid", model.medium, "none: cloth alone, as in a vacuum or with a linear drag");
     block.real("cloth_drag", model.cloth_drag, "kg/(m2 s)", non_negative,
-               "without fluid: force per undeformed area and speed");
+               "without fluid: force per undeformed area and speed; 0: none, as in a vacuum");
   });
   options.block("", "Gravity", [&](OptionBlock& block) {
     block.template point<Dim>("gravity", model.gravity, "m/s2", "acceleration by gravity, acting on excess mass");

@@ -26,7 +26,8 @@ FluidOptions<Dim> FluidOptions<Dim>::from_options(Options& options) {
   constexpr Range tolerance{1e-15, 1e-2, false, "a number from 1e-15 to 0.01"};
   options.block("", "Fluid", [&](OptionBlock& block) {
     block.real("fluid_density", fluid.density, "kg/m3", positive, "density of the water");
-    block.real("fluid_viscosity", fluid.viscosity, "Pa s", non_negative, "dynamic viscosity of the water");
+    block.real("fluid_viscosity", fluid.viscosity, "Pa s", non_negative,
+               "dynamic viscosity of the water; 0: inviscid, not with -wall_model");
     block.boolean("fluid_projection", fluid.projection, "make the velocity divergence free");
     block.choice("advection", fluid.advection,
                  "scheme of the advection term; wide_central has less error on a given grid; upwind is bounded (van "

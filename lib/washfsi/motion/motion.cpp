@@ -124,7 +124,8 @@ template <int Dim>
 void MotionOptions<Dim>::read_speeds(OptionBlock& block) {
   block.template point<Dim>("center", motion.center, "m", "place of the body's centre, about which it turns");
   block.real("angular_speed", motion.angular_speed, "rad/s", any_number, "speed of rotation, or its largest value");
-  block.real("rpm", rpm, "1/min", any_number, "the same in revolutions per minute, instead of angular_speed");
+  block.real("rpm", rpm, "1/min", any_number,
+             "the same in revolutions per minute, instead of angular_speed; 0: angular_speed counts");
   block.template point<Dim>("velocity", motion.translation, "m/s", "velocity of the centre, or its largest value");
   block.real("frequency", motion.frequency, "Hz", non_negative, "of an oscillating motion; 0: steady");
 }
@@ -135,7 +136,7 @@ void MotionOptions<Dim>::read_programme(OptionBlock& block) {
              "time in which the speed of rotation is reached from rest, along half a cosine; 0: at once");
   block.real("stroke", strokes.stroke, "s", non_negative,
              "duration of turning one way, ramps included, before it turns the other way; 0: one way for ever");
-  block.real("pause", strokes.pause, "s", non_negative, "rest after each stroke");
+  block.real("pause", strokes.pause, "s", non_negative, "rest after each stroke; 0: none");
   block.file("speed_file", speed_file,
              "table of the speed of rotation instead: time in s, speed in rpm; linear between rows");
   PetscInt cycles = speed_file.empty() ? 0 : 1;

@@ -136,7 +136,7 @@ ShapeOptions<Dim> ShapeOptions<Dim>::from_options(Options& options, const std::s
         block.integer("mode", shape.mode, one_to_forty, "which bending mode of a free cloth");
         block.real("amplitude", shape.amplitude, "m", any_number, "of the mode, where it is largest");
         block.real("crumpling", shape.crumpling, "rad", {0.0, std::numbers::pi, false, "a number from 0 to pi"},
-                   "largest turn from edge to edge of crumpled cloth");
+                   "largest turn from edge to edge of crumpled cloth; 0: flat");
       },
       "cloths_");
   if (!(axes[0] > 0 && axes[1] > 0))

@@ -241,11 +241,14 @@ PlacementOptions<Dim> PlacementOptions<Dim>::from_options(Options& options, cons
         block.template point<Dim>("direction", placement.direction, "-", "direction of the cloths' s (line, stack)");
         if (Dim == 3)
           block.template point<Dim>("across", placement.across, "-", "direction of the cloths' r (line, stack)");
-        block.real("distance", placement.distance, "m", non_negative, "between neighbours (line, stack)");
-        block.real("inner_radius", placement.inner_radius, "m", non_negative, "where the cloths begin (radial)");
+        block.real("distance", placement.distance, "m", non_negative,
+                   "between neighbours; 0: end to end (line), all in one place (stack)");
+        block.real("inner_radius", placement.inner_radius, "m", non_negative,
+                   "where the cloths begin; 0: at the centre of the fan (radial)");
         block.real("shift", placement.shift, "m", non_negative,
-                   "largest random shift of a cloth along each axis (radial)");
-        block.real("tilt", placement.tilt, "rad", half_turn, "largest random turn of a cloth about each axis (radial)");
+                   "largest random shift of a cloth along each axis; 0: none (radial)");
+        block.real("tilt", placement.tilt, "rad", half_turn,
+                   "largest random turn of a cloth about each axis; 0: none (radial)");
         block.real("radius", placement.radius, "m", positive, "of the disc that holds the cloths (random)");
         if (Dim == 3)
           block.real("height", placement.height, "m", positive, "of the disc that holds the cloths (random)");

@@ -181,7 +181,8 @@ class ShapeReader {
   }
 
   void read_place(OptionBlock& block) {
-    block.real("rounding", rounding_, "m", non_negative, "grows the shape by this, so that its edges are round");
+    block.real("rounding", rounding_, "m", non_negative,
+               "grows the shape by this, so that its edges are round; 0: it stays as it is");
     block.template point<Dim>("offset", offset_, "m", "place of the shape's origin in its parent's frame");
     block.real("turn", turn_, "degrees", any_number, "turn about z in its parent's frame, counter-clockwise");
     block.integer("repeat", repeat_, copies, "copies, spread evenly about z of the parent's frame");

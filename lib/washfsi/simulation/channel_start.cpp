@@ -22,7 +22,7 @@ ChannelStartOptions ChannelStartOptions::from_options(Options& options) {
   options.block("", "Channel at the start", [&](OptionBlock& block) {
     block.choice("fluid_initial_profile", start.profile, "mean velocity of -fluid_initial channel");
     block.real("fluid_initial_disturbance", start.disturbance, "-", {0.0, 1.0, false, "a number from 0 to 1"},
-               "rms of the random vortices of -fluid_initial channel over its mean velocity, about");
+               "rms of the random vortices of -fluid_initial channel over its mean velocity, about; 0: none");
     block.integer("fluid_initial_seed", start.seed, non_negative_integer,
                   "of the random vortices of -fluid_initial channel; the same on any number of ranks");
   });

@@ -11,7 +11,8 @@ StatisticsOptions StatisticsOptions::from_options(Options& options) {
     block.boolean("statistics", statistics.take, "take means of velocity and pressure, stresses and spectra");
     block.names("statistics_axes", statistics.axes,
                 "axes along which the flow is homogeneous: means are taken along them; none given: all periodic ones");
-    block.real("statistics_start", statistics.start, "s", non_negative, "time from which they are taken");
+    block.real("statistics_start", statistics.start, "s", non_negative,
+               "time from which they are taken; 0: from the first step");
     block.real("statistics_interval", statistics.interval, "s", non_negative,
                "between samples, each weighed with the time since the one before; 0: each step");
     block.reals("statistics_spectra", statistics.spectra, 0, 20, "m",
