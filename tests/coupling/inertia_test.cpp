@@ -42,7 +42,7 @@ Point<2> momentum(const System<2>& system) {
 
 Point<2> given(const System<2>& system) {
   Point<2> sum = Point<2>::Zero();
-  for (const Point<2>& force : system.step.given) sum += force;
+  for (const Point<2>& force : system.step.force_on_water) sum += force;
   for (int c = 0; c < 2; ++c) sum[c] = ordered_sum(system.model.grid.comm(), sum[c]);
   return sum;
 }

@@ -41,7 +41,8 @@ class Bodies {
   void place(double time, Vec velocity, double time_of_velocity);
   /// The same without water: as a run that goes on finds them. Collective.
   void place(double time);
-  /// Before a step, after the law has seen the flow: lets the water slide where it has its friction. Collective.
+  /// Lets the water slide where the wall law has its friction; call it before a step, after the law has seen the flow.
+  /// Does nothing without a law. Collective.
   void let_water_slide();
 
   /// What they ask of the fluid's velocity; valid until they move.
@@ -55,13 +56,14 @@ class Bodies {
   /// The velocity u becomes H u + (1 - H) u_solid: what moves the markers of cloths. Collective.
   void apply(Vec velocity) const { mask_.apply(velocity); }
 
-  /// On faces, null without bodies: H; the share that lies in fluid; that which the mean pressure drives
-  /// (`StepFields`), null where it drives all.
+  /// H on faces; null without bodies.
   Vec fluid_fraction() const { return empty() ? nullptr : mask_.fluid_fraction(); }
+  /// The fluid volume fraction of faces; null without bodies.
   Vec fluid_share() const { return empty() ? nullptr : mask_.fluid_share(); }
+  /// The share of each face that the mean pressure gradient drives (`StepFields`); null where it drives all.
   Vec driven_share() const { return law_ ? mask_.fluid_share() : nullptr; }
-  /// On faces: how near they are to edges beside which central advection gives way; null if it does nowhere.
-  Vec limits_advection() const { return walls_ ? walls_->limits_advection() : nullptr; }
+  /// The weight of upwind advection on faces, 1 beside edges; null if advection is central everywhere.
+  Vec upwind_weight() const { return walls_ ? walls_->upwind_weight() : nullptr; }
   /// Least H of faces that count as wet.
   double dry_fraction() const { return walls_ ? Mask<Dim>::fraction_half_a_cell_behind : 0; }
 
@@ -77,7 +79,8 @@ class Bodies {
 
  private:
   void place_walls(double time);
-  /// Makes thin parts along which the water slides water to the mask, once mask and walls have been placed.
+  /// Counts thin parts along which the water slides as fluid in the mask; call it after mask and walls have been
+  /// placed.
   void count_sliding_water();
 
   const Grid<Dim>& grid_;

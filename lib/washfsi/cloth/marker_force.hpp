@@ -15,7 +15,8 @@ namespace washfsi {
 enum class Dependence {
   none,        ///< neither places nor velocities: constant over a step
   potential,   ///< on places alone: minus the gradient of its energy, with its Jacobian
-  places,      ///< on places alone, without an energy of its own; its Jacobian is only near the true one
+  places,      ///< on places alone, without an energy of its own; its Jacobian is approximate, which implicit schemes
+               ///< refuse
   velocities,  ///< on velocities too: dissipates energy of the cloth
 };
 
@@ -32,7 +33,7 @@ struct ExplicitStep {
   std::vector<double> mobilities;  ///< most speed per impulse of each of this rank's markers [1/kg]
 };
 
-/// The markers when a step begins, and the end of that step, at which a force is to act.
+/// What a force is told before a step: the markers at its start, and the time at which the force will act.
 template <int Dim>
 struct StepStart {
   const Points<Dim>&positions, &velocities;  ///< positions and velocities of this rank's markers [m, m/s]
@@ -40,7 +41,7 @@ struct StepStart {
   double dt;                                 ///< time for which the markers move until then [s]; 0: not at all
   Acceleration<Dim> acceleration = {};       ///< acceleration in the step; none where markers do not move
   ExplicitStep lagged = {};                  ///< the explicit step over which the forces at these places are constant
-  double share = 1;                          ///< share of the forces at the step's end in its mean force
+  double share = 1;                          ///< weight of these forces in the step's mean force
 };
 
 /// The quantities of a marker that bound the explicit step.
@@ -103,8 +104,8 @@ class MarkerForce {
   /// The share of a straight motion, from 0 to 1, that all markers can make without reaching such places. Afterwards
   /// what it has found near the markers is valid for all places on this way.
   virtual double step_limit(const Points<Dim>&, const Points<Dim>&) { return 1; }
-  /// Called with the solution of a step: sharpens what it took too simply in order to solve for these places, and
-  /// returns whether it did, so that the step has to be solved again. Collective.
+  /// Called with the solution of a step: refines what the force simplified for this step where these places show that
+  /// it was too simple. Returns whether it did; then the step has to be solved again. Collective.
   virtual bool sharpen(const Points<Dim>&) { return false; }
   /// Registers the state that it carries from step to step.
   virtual void register_state(StateList&) {}

@@ -48,8 +48,8 @@ template <int Dim>
 void spread_cloth(System<Dim>& system, const Points<Dim>& forces) {
   auto& [model, state, step] = system;
   WASH_PETSC(VecZeroEntries(step.force));
-  step.given = forces;
-  step.wall_reaction = model.transfer.spread_with_reaction(forces, step.force);
+  step.force_on_water = forces;
+  step.side_reaction = model.transfer.spread_with_reaction(forces, step.force);
 }
 
 template <int Dim>
@@ -59,24 +59,24 @@ void place_bodies(System<Dim>& system, double time) {
 }
 
 template <int Dim>
-void predict(System<Dim>& system, double dt) {
+void predict_water(System<Dim>& system, double dt) {
   auto& [model, state, step] = system;
   model.liquid.update_viscosity(
       {model.fluid.velocity(), state.clock.time, model.bodies.fluid_share(), model.fluid.last_step()},
       model.bodies.wall_law());
   model.bodies.let_water_slide();
-  model.water().predict(state.clock.next(dt), {.liquid = model.liquid.fields(),
-                                               .force = step.force,
-                                               .constraint = model.bodies.constraint(),
-                                               .nearness = model.nearness(),
-                                               .driven_share = model.bodies.driven_share()});
+  model.water_step().predict(state.clock.next(dt), {.liquid = model.liquid.fields(),
+                                                    .force = step.force,
+                                                    .constraint = model.bodies.constraint(),
+                                                    .upwind_weight = model.upwind_weight(),
+                                                    .driven_share = model.bodies.driven_share()});
 }
 
 template <int Dim>
 void move_water(System<Dim>& system, double dt) {
-  predict(system, dt);
-  system.model.water().project_between_walls();
-  system.model.water().enforce_no_slip();
+  predict_water(system, dt);
+  system.model.water_step().project_between_walls();
+  system.model.water_step().enforce_no_slip();
 }
 
 template <int Dim>
@@ -107,8 +107,8 @@ template void spread_cloth<2>(System<2>&, const Points<2>&);
 template void spread_cloth<3>(System<3>&, const Points<3>&);
 template void place_bodies<2>(System<2>&, double);
 template void place_bodies<3>(System<3>&, double);
-template void predict<2>(System<2>&, double);
-template void predict<3>(System<3>&, double);
+template void predict_water<2>(System<2>&, double);
+template void predict_water<3>(System<3>&, double);
 template void move_water<2>(System<2>&, double);
 template void move_water<3>(System<3>&, double);
 template Points<2> marker_velocities<2>(const Model<2>&, Vec, double);

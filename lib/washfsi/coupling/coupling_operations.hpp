@@ -7,8 +7,8 @@
 
 namespace washfsi {
 
-/// Begins a step of the forces on the cloths: they find what is near to these places. They act at `time`, until which
-/// the markers move for dt with this acceleration, and make up this share of the step's mean force.
+/// Prepares the forces for a step: each searches for contacts near these positions. They will act at `time`; until then
+/// the markers move for `dt` with this acceleration. `share` is the weight of these forces in the step's mean force.
 template <int Dim>
 void begin_step(System<Dim>& system, const Points<Dim>& positions, double time, double dt,
                 const Acceleration<Dim>& acceleration = {}, double share = 1);
@@ -31,7 +31,7 @@ void place_bodies(System<Dim>& system, double time);
 
 /// Phases 1 and 2 of the fluid's step with the liquid and the bodies as they are, and the step's force density.
 template <int Dim>
-void predict(System<Dim>& system, double dt);
+void predict_water(System<Dim>& system, double dt);
 /// All phases but the last, for schemes without further forces.
 template <int Dim>
 void move_water(System<Dim>& system, double dt);

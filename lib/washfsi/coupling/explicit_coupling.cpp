@@ -14,7 +14,7 @@ void ExplicitCoupling<Dim>::take(System<Dim>& system, double dt) {
 
   place_bodies(system, time + dt);
   move_water(system, dt);
-  model.water().finish();
+  model.water_step().finish();
 
   state.velocities = marker_velocities(model, model.fluid.velocity(), time + dt);
   state.positions = moved(system, dt * state.velocities);

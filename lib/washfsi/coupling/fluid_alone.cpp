@@ -9,7 +9,7 @@ template <int Dim>
 void FluidAlone<Dim>::take(System<Dim>& system, double dt) {
   place_bodies(system, system.state.clock.time + dt);
   move_water(system, dt);
-  system.model.water().finish();
+  system.model.water_step().finish();
 }
 
 template class FluidAlone<2>;

@@ -47,7 +47,7 @@ Points<Dim> ImplicitCoupling<Dim>::fluid_step(System<Dim>& system, double dt, co
   model.fluid.restore_pressure();
   move_water(system, dt);
   const Points<Dim> water = marker_velocities(model, model.fluid.next_velocity(), state.clock.time + dt);
-  return seepage_.present() ? water + seepage_.velocities(step.given) : water;
+  return seepage_.present() ? water + seepage_.velocities(step.force_on_water) : water;
 }
 
 template <int Dim>
@@ -127,8 +127,8 @@ void ImplicitCoupling<Dim>::take(System<Dim>& system, double dt) {
   Points<Dim> last;
   const Points<Dim> velocities =
       model.forces.have_step_limit() ? solve_by_sweeps(system, dt, last) : solve(system, dt, last);
-  if (seepage_.present()) system.step.seepage_power = seepage_.power(system.step.given);
-  model.water().finish();
+  if (seepage_.present()) system.step.seepage_power = seepage_.power(system.step.force_on_water);
+  model.water_step().finish();
   state.positions += dt * velocities;
   state.velocities = last;
 }

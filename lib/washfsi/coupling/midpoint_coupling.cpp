@@ -16,7 +16,7 @@ void MidpointCoupling<Dim>::take(System<Dim>& system, double dt) {
 
   place_bodies(system, time + dt);
   move_water(system, dt);
-  model.water().finish();
+  model.water_step().finish();
 
   const Points<Dim> after = marker_velocities(model, model.fluid.velocity(), time + dt);
   state.positions = moved(system, 0.5 * dt * (before + after));

@@ -46,7 +46,7 @@ bool cloth_limits(const ModelOptions<Dim>& options) {
 template <int Dim>
 FluidOptions<Dim> with_edges(const ModelOptions<Dim>& options, const Bodies<Dim>& bodies) {
   FluidOptions<Dim> fluid = options.fluid;
-  fluid.limits_at_edges = cloth_limits(options) || bodies.limits_advection();
+  fluid.limits_at_edges = cloth_limits(options) || bodies.upwind_weight();
   return fluid;
 }
 
@@ -124,8 +124,8 @@ void Model<Dim>::locate_cloth(const Points<Dim>& places) {
 }
 
 template <int Dim>
-Vec Model<Dim>::nearness() const {
-  const Vec of_walls = bodies.limits_advection();
+Vec Model<Dim>::upwind_weight() const {
+  const Vec of_walls = bodies.upwind_weight();
   if (!cloth_nearness || !of_walls) return cloth_nearness ? static_cast<Vec>(cloth_nearness) : of_walls;
   WASH_PETSC(VecPointwiseMax(cloth_nearness, cloth_nearness, of_walls));
   return cloth_nearness;

@@ -52,9 +52,9 @@ struct Model {
   void locate_cloth(const Points<Dim>& places);
   /// Nearness of faces to edges and cloth beside which central advection becomes upwind (`StepFields`); null if there
   /// are none. Collective.
-  Vec nearness() const;
+  Vec upwind_weight() const;
   /// The water's step between the walls.
-  WaterStep<Dim> water() { return {fluid, bodies.wall_forces()}; }
+  WaterStep<Dim> water_step() { return {fluid, bodies.wall_forces()}; }
 
   Grid<Dim> grid;
   std::vector<Body<Dim>> body_list;
@@ -67,10 +67,11 @@ struct Model {
   Transfer<Dim> transfer;
   bool has_fluid;  ///< false: cloth alone
   MassCarrier mass_carrier;
-  double cloth_drag;             ///< drag of cloth alone, per undeformed area and speed [kg/(m2 s)]
-  bool films_drain;              ///< whether films between cloths nearer than a cell drain
-  double verify_interval;        ///< between counts of the cloths' intersections [s]; 0: after each step
-  petsc::Vector cloth_nearness;  ///< nearness of faces to cloth; null where cloth does not limit advection
+  double cloth_drag;       ///< drag of cloth alone, per undeformed area and speed [kg/(m2 s)]
+  bool films_drain;        ///< whether films between cloths nearer than a cell drain
+  double verify_interval;  ///< between counts of the cloths' intersections [s]; 0: after each step
+  petsc::Vector
+      cloth_nearness;  ///< weight of upwind advection beside cloth, on faces; null where cloth does not limit advection
 };
 
 extern template struct ModelOptions<2>;

@@ -19,8 +19,8 @@ namespace {
 
 constexpr double least_share = 0.75;  // least share of the mobility with which any step is stable
 
-// Whether markers are packed so densely that the pressure resists much of the motion that their mobility, which
-// neglects it, allows: each has as many others within reach as if all were evenly spread over the box.
+// Whether more than three markers would lie within a kernel if all were spread evenly over the box. Then the pressure,
+// which the mobility neglects, resists much of the motion that the mobility allows.
 template <int Dim>
 bool is_packed(const Model<Dim>& model) {
   constexpr double many = 3;
@@ -66,7 +66,7 @@ double SemiImplicitCoupling<Dim>::step_bound(const System<Dim>&) const {
 }
 
 template <int Dim>
-void SemiImplicitCoupling<Dim>::weigh(const System<Dim>& system, double dt) {
+void SemiImplicitCoupling<Dim>::set_weights(const System<Dim>& system, double dt) {
   const double dt_before = system.model.fluid.last_step();
   weights_ = {};
   if (options_.order == 1 || dt_before == 0) return;
@@ -75,11 +75,12 @@ void SemiImplicitCoupling<Dim>::weigh(const System<Dim>& system, double dt) {
 }
 
 template <int Dim>
-void SemiImplicitCoupling<Dim>::find_known_water(const System<Dim>& system) {
+void SemiImplicitCoupling<Dim>::find_explicit_velocity(const System<Dim>& system) {
   if (weights_.end == 1) return;
   const FractionalStep<Dim>& fluid = system.model.fluid;
-  if (!known_water_) known_water_ = system.model.grid.face_vector();
-  WASH_PETSC(VecAXPBYPCZ(known_water_, weights_.start, weights_.before, 0, fluid.velocity(), fluid.velocity_before()));
+  if (!explicit_velocity_) explicit_velocity_ = system.model.grid.face_vector();
+  WASH_PETSC(
+      VecAXPBYPCZ(explicit_velocity_, weights_.start, weights_.before, 0, fluid.velocity(), fluid.velocity_before()));
 }
 
 template <int Dim>
@@ -88,31 +89,31 @@ Points<Dim> SemiImplicitCoupling<Dim>::water_velocities(const System<Dim>& syste
   const FractionalStep<Dim>& fluid = model.fluid;
   if (weights_.end == 1) return marker_velocities(model, fluid.next_velocity(), state.clock.time + dt);
   const petsc::GlobalVector mean(model.grid.face_dm());
-  WASH_PETSC(VecWAXPY(mean, weights_.end, fluid.next_velocity(), known_water_));
+  WASH_PETSC(VecWAXPY(mean, weights_.end, fluid.next_velocity(), explicit_velocity_));
   return marker_velocities(model, mean, state.clock.time + 0.5 * dt);
 }
 
 template <int Dim>
 Points<Dim> SemiImplicitCoupling<Dim>::reached_velocities(const System<Dim>& system, double dt) const {
   const Points<Dim> water = water_velocities(system, dt);
-  return seepage_.present() ? water + seepage_.velocities(system.step.given) : water;
+  return seepage_.present() ? water + seepage_.velocities(system.step.force_on_water) : water;
 }
 
 template <int Dim>
-Points<Dim> SemiImplicitCoupling<Dim>::move(System<Dim>& system, double dt, const Points<Dim>& free_velocities,
-                                            const Points<Dim>& forces) {
+Points<Dim> SemiImplicitCoupling<Dim>::solve_velocities(System<Dim>& system, double dt,
+                                                        const Points<Dim>& free_velocities, const Points<Dim>& forces) {
   const petsc::LogPart part("cloth_solve");
   const MPI_Comm comm = system.model.grid.comm();
   const double tolerance = options_.tolerance * std::hypot(norm(comm, free_velocities), norm(comm, velocities_));
-  if (options_.mobility == Mobility::row_sums) return move_by_row_sums(system, dt, free_velocities, forces, tolerance);
-  return system.model.forces.have_step_limit() ? move_by_forces(system, dt, free_velocities, forces, tolerance)
-                                               : move_by_matrix(system, dt, free_velocities, forces, tolerance);
+  if (options_.mobility == Mobility::row_sums) return solve_by_row_sums(system, dt, free_velocities, forces, tolerance);
+  return system.model.forces.have_step_limit() ? solve_by_forces(system, dt, free_velocities, forces, tolerance)
+                                               : solve_by_matrix(system, dt, free_velocities, forces, tolerance);
 }
 
 template <int Dim>
-Points<Dim> SemiImplicitCoupling<Dim>::move_by_forces(System<Dim>& system, double dt,
-                                                      const Points<Dim>& free_velocities, const Points<Dim>& forces,
-                                                      double tolerance) {
+Points<Dim> SemiImplicitCoupling<Dim>::solve_by_forces(System<Dim>& system, double dt,
+                                                       const Points<Dim>& free_velocities, const Points<Dim>& forces,
+                                                       double tolerance) {
   const typename ForceEquation<Dim>::Step step{
       system.model.forces, dt, system.state.positions, free_velocities, forces, mobility_, tolerance};
   std::vector<Points<Dim>> guesses{velocities_, free_velocities};
@@ -121,11 +122,11 @@ Points<Dim> SemiImplicitCoupling<Dim>::move_by_forces(System<Dim>& system, doubl
   return force_equation_.solve(step, guesses, system.step.cloth_iterations);
 }
 
-// V - U - dt M (F' - F) = 0
+// W - U - dt M (F' - F) = 0
 template <int Dim>
-Points<Dim> SemiImplicitCoupling<Dim>::move_by_matrix(System<Dim>& system, double dt,
-                                                      const Points<Dim>& free_velocities, const Points<Dim>& forces,
-                                                      double tolerance) {
+Points<Dim> SemiImplicitCoupling<Dim>::solve_by_matrix(System<Dim>& system, double dt,
+                                                       const Points<Dim>& free_velocities, const Points<Dim>& forces,
+                                                       double tolerance) {
   const Forces<Dim>& all = system.model.forces;
   const Points<Dim>& start = system.state.positions;
   const auto residual = [&](const Points<Dim>& velocities) {
@@ -150,18 +151,18 @@ Points<Dim> SemiImplicitCoupling<Dim>::move_by_matrix(System<Dim>& system, doubl
   return velocities;
 }
 
-// D^-1 (V - U) - dt (F' - F) = 0, the gradient of a potential
+// D^-1 (W - U) - dt (F' - F) = 0, the gradient of a potential
 template <int Dim>
-Points<Dim> SemiImplicitCoupling<Dim>::move_by_row_sums(System<Dim>& system, double dt,
-                                                        const Points<Dim>& free_velocities, const Points<Dim>& forces,
-                                                        double tolerance) {
+Points<Dim> SemiImplicitCoupling<Dim>::solve_by_row_sums(System<Dim>& system, double dt,
+                                                         const Points<Dim>& free_velocities, const Points<Dim>& forces,
+                                                         double tolerance) {
   Forces<Dim>& all = system.model.forces;
   const Points<Dim>& start = system.state.positions;
   const auto residual = [&](const Points<Dim>& velocities) {
-    const Points<Dim> moved = all.of_places(start + dt * velocities);
+    const Points<Dim> forces_at_end = all.of_places(start + dt * velocities);
     Points<Dim> result(velocities.size());
     for (std::size_t m = 0; m < result.size(); ++m)
-      result[m] = (velocities[m] - free_velocities[m]) / mobility_.row_sums()[m] - dt * (moved[m] - forces[m]);
+      result[m] = (velocities[m] - free_velocities[m]) / mobility_.row_sums()[m] - dt * (forces_at_end[m] - forces[m]);
     return result;
   };
   std::vector<double> inverse;
@@ -202,21 +203,21 @@ double SemiImplicitCoupling<Dim>::slip(MPI_Comm comm, const Points<Dim>& interpo
 
 // Lines 5 to 7: advances from the forces at the start to those at the end, with the water's velocity at the markers.
 template <int Dim>
-void SemiImplicitCoupling<Dim>::sweep(System<Dim>& system, double dt, Points<Dim> forces, Points<Dim> interpolated) {
+void SemiImplicitCoupling<Dim>::iterate(System<Dim>& system, double dt, Points<Dim> forces, Points<Dim> interpolated) {
   auto& [model, state, step] = system;
   const petsc::GlobalVector increment(model.grid.face_dm());
   for (PetscInt n = 0; n < options_.sweeps; ++n) {
-    velocities_ = move(system, dt, interpolated, forces);
+    velocities_ = solve_velocities(system, dt, interpolated, forces);
     step.evaluated_at = state.positions + dt * velocities_;
-    const Points<Dim> moved = model.forces.of_places(step.evaluated_at);
-    const Points<Dim> gained = weights_.end * (moved - forces);
+    const Points<Dim> forces_at_end = model.forces.of_places(step.evaluated_at);
+    const Points<Dim> gained = weights_.end * (forces_at_end - forces);
     WASH_PETSC(VecZeroEntries(increment));
-    step.wall_reaction += model.transfer.spread_with_reaction(gained, increment);
-    step.given += gained;
-    model.water().add_force(increment);
-    model.water().enforce_no_slip();
+    step.side_reaction += model.transfer.spread_with_reaction(gained, increment);
+    step.force_on_water += gained;
+    model.water_step().add_force(increment);
+    model.water_step().enforce_no_slip();
     WASH_PETSC(VecAXPY(step.force, 1.0, increment));
-    forces = moved;
+    forces = forces_at_end;
     interpolated = reached_velocities(system, dt);
     step.cloth_slip = slip(model.grid.comm(), interpolated);
     if (step.cloth_slip <= options_.slip_tolerance) break;
@@ -224,9 +225,10 @@ void SemiImplicitCoupling<Dim>::sweep(System<Dim>& system, double dt, Points<Dim
   }
 }
 
-// Forces at the step's end are weighted; inertia and friction, which are those of the step as a whole, must not be.
+// The end forces enter the mean force with the weight a. Inertia and friction act over the whole step: they are divided
+// by it.
 template <int Dim>
-void SemiImplicitCoupling<Dim>::begin_motion(System<Dim>& system, double dt) const {
+void SemiImplicitCoupling<Dim>::prepare_end_forces(System<Dim>& system, double dt) const {
   begin_step(system, system.state.positions, system.state.clock.time + dt, dt,
              options_.order == 1 ? backward_difference(system, dt) : centred_difference(system, dt), weights_.end);
 }
@@ -235,34 +237,34 @@ template <int Dim>
 void SemiImplicitCoupling<Dim>::take(System<Dim>& system, double dt) {
   auto& [model, state, step] = system;
   const double start = state.clock.time, end = start + dt;
-  weigh(system, dt);
-  find_known_water(system);
+  set_weights(system, dt);
+  find_explicit_velocity(system);
   begin_step(system, state.positions, start, 0);
   const Points<Dim> at_start = model.forces.of_places(state.positions);
   step.end_share = weights_.end;
   if (step.end_share < 1)
     step.contact_at_start = contact_loads<Dim>(model.forces, state.positions, model.bodies.size());
   const Points<Dim> forces = at_start + (1 / weights_.end) * last_inertia(system);
-  begin_motion(system, dt);
+  prepare_end_forces(system, dt);
   const Points<Dim> places = state.positions + 0.5 * dt * state.velocities;
   model.locate_cloth(places);
   spread_cloth(system, weights_.end * forces + weights_.start * at_start + weights_.before * state.forces_before +
                            model.forces.constant());
   place_bodies(system, end);
-  predict(system, dt);
-  model.water().project();
+  predict_water(system, dt);
+  model.water_step().project();
 
   velocities_ = state.velocities;
   change_ = at_start - (state.clock.step > 0 ? state.forces_before : at_start);  // as in the last step
   mobility_.find(model, places, options_.mobility_factor * weights_.end * weights_.end,
                  options_.mobility == Mobility::matrix);
-  seepage_.begin_step(state.positions, step.given);
+  seepage_.begin_step(state.positions, step.force_on_water);
   seepage_.add_to(mobility_, weights_.end / dt);
-  sweep(system, dt, forces, reached_velocities(system, dt));
-  if (seepage_.present()) step.seepage_power = seepage_.power(step.given);
+  iterate(system, dt, forces, reached_velocities(system, dt));
+  if (seepage_.present()) step.seepage_power = seepage_.power(step.force_on_water);
   state.velocities = options_.order == 1 ? velocities_ : extrapolated(system, dt, velocities_);
   state.forces_before = at_start;
-  model.water().finish();
+  model.water_step().finish();
   state.positions += dt * velocities_;
 }
 

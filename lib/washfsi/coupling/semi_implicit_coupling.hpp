@@ -6,11 +6,11 @@
 // stand for the time scheme, of force and velocity alike:
 //   order 1      (1, 0, 0)                              backward Euler
 //   order 2      (9/16, 7/16 - r/16, r/16)              r: this step over the last; the first step is backward Euler
-//   1. spread      S, J, rho at X^n + dt/2 V^n;  f = S (a F + b F^n + c F^(n-1) + weight, loads);  first F = F^n +
-//   I^n/a
+//   1. spread      S, J, rho at X^n + dt/2 V^n;  f = S (a F + b F^n + c F^(n-1) + L), L the constant loads. The first
+//                  guess is F = F^n + I^n/a, where I^n is the previous step's force of inertia
 //   2. fluid       u, p by the fractional step with f
-//   3. markers     U = J [H (a u + b u^n + c u^(n-1)) + (1-H) u_solid];  for permeable cloth + B f
-//                  (coupling/seepage.hpp), and M + a B/dt below
+//   3. markers     U = J [H (a u + b u^n + c u^(n-1)) + (1-H) u_solid]. For permeable cloth B f is
+//                  added to U, and M + a B/dt replaces M from line 4 on (coupling/seepage.hpp)
 //   4. mobility    M = factor times a^2 J H S / rho, a sparse matrix or a product that bounds the true mobility of the
 //                  markers, that of cloths lying on each other included; or, D, its row sums, a diagonal. Stable for
 //                  any step if factor >= 3/4 and the density is nearly uniform; a heavy plate needs 1
@@ -21,9 +21,10 @@
 //   7. slip        |W - U| / |W| with the new u; above a tolerance 5 and 6 again with that U, a few times at most; of
 //                  packed loads with 3/4 of M, since the pressure resists most of the remaining slip
 //   8. markers     X^(n+1) = X^n + dt W;  V^(n+1) = W, or, order 2, extrapolated to the end
-// Backward Euler damps as a Kelvin-Voigt time between dt and 2 dt does; -..._damping is not used. Order 2 leaves smooth
-// motions and damps stiff ones by three a step: the modified Crank-Nicolson/Adams-Bashforth weights of Ascher, Ruuth
-// and Wetton, SIAM J. Numer. Anal. 32 (1995) 797, on a constraint and on both sides of it.
+// Backward Euler damps like a Kelvin-Voigt time between dt and 2 dt; the scheme ignores -GROUP_damping. Order 2 leaves
+// smooth motions undamped and reduces stiff ones to a third in each step. It has the modified
+// Crank-Nicolson/Adams-Bashforth weights of Ascher, Ruuth and Wetton, SIAM J. Numer. Anal. 32 (1995) 797, for force and
+// velocity alike.
 #pragma once
 
 #include "washfsi/coupling/cloth_solver.hpp"
@@ -50,26 +51,28 @@ class SemiImplicitCoupling : public CouplingScheme<Dim> {
 
  private:
   void take(System<Dim>& system, double dt) override;
-  void weigh(const System<Dim>& system, double dt);
-  void find_known_water(const System<Dim>& system);
-  /// The water's mean velocity at the markers; with the velocity of seepage, the markers' own.
+  void set_weights(const System<Dim>& system, double dt);
+  void find_explicit_velocity(const System<Dim>& system);
+  /// Interpolates the step's mean velocity of the water to the markers.
   Points<Dim> water_velocities(const System<Dim>& system, double dt) const;
+  /// Adds the velocity of seepage B f to it.
   Points<Dim> reached_velocities(const System<Dim>& system, double dt) const;
-  void begin_motion(System<Dim>& system, double dt) const;
-  void sweep(System<Dim>& system, double dt, Points<Dim> forces, Points<Dim> interpolated);
-  /// Solves for V from U and F. Collective. Errors: DivergedError.
-  Points<Dim> move(System<Dim>& system, double dt, const Points<Dim>& free_velocities, const Points<Dim>& forces);
-  Points<Dim> move_by_matrix(System<Dim>& system, double dt, const Points<Dim>& free_velocities,
-                             const Points<Dim>& forces, double tolerance);
-  Points<Dim> move_by_forces(System<Dim>& system, double dt, const Points<Dim>& free_velocities,
-                             const Points<Dim>& forces, double tolerance);
-  Points<Dim> move_by_row_sums(System<Dim>& system, double dt, const Points<Dim>& free_velocities,
-                               const Points<Dim>& forces, double tolerance);
+  void prepare_end_forces(System<Dim>& system, double dt) const;
+  void iterate(System<Dim>& system, double dt, Points<Dim> forces, Points<Dim> interpolated);
+  /// Solves line 5 for W from U and F. Collective. Errors: DivergedError.
+  Points<Dim> solve_velocities(System<Dim>& system, double dt, const Points<Dim>& free_velocities,
+                               const Points<Dim>& forces);
+  Points<Dim> solve_by_matrix(System<Dim>& system, double dt, const Points<Dim>& free_velocities,
+                              const Points<Dim>& forces, double tolerance);
+  Points<Dim> solve_by_forces(System<Dim>& system, double dt, const Points<Dim>& free_velocities,
+                              const Points<Dim>& forces, double tolerance);
+  Points<Dim> solve_by_row_sums(System<Dim>& system, double dt, const Points<Dim>& free_velocities,
+                                const Points<Dim>& forces, double tolerance);
   double slip(MPI_Comm comm, const Points<Dim>& interpolated) const;
 
   CouplingOptions options_;
   StepWeights weights_;
-  petsc::Vector known_water_;  ///< the part of the mean velocity known before the step; null in first order
+  petsc::Vector explicit_velocity_;  ///< the part of the mean velocity known before the step; null in first order
   ClothSolver<Dim> solver_;
   ForceEquation<Dim> force_equation_;
   StepMobility<Dim> mobility_;  ///< M, D of the current step

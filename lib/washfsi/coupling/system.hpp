@@ -23,10 +23,10 @@ template <int Dim>
 struct StepRecord {
   petsc::Vector force;                            ///< force density of cloth on water, on faces [N/m3]
   Points<Dim> evaluated_at;                       ///< places at which the forces on the cloths were evaluated last [m]
-  double end_share = 1;                           ///< share of the forces at those places in the step's mean force
-  ContactLoads<Dim> contact_at_start;             ///< this rank's contact loads at the start, of the other share
-  Points<Dim> given;                              ///< force of each of this rank's markers on the water [N]
-  Point<Dim> wall_reaction = Point<Dim>::Zero();  ///< part of the cloth's force that sides of the box took [N]
+  double end_share = 1;                           ///< weight of the forces at those places in the mean force
+  ContactLoads<Dim> contact_at_start;             ///< this rank's contact loads at the start, with the other weight
+  Points<Dim> force_on_water;                     ///< force of each of this rank's markers on the water [N]
+  Point<Dim> side_reaction = Point<Dim>::Zero();  ///< part of the cloth's force that sides of the box took [N]
   double seepage_power = 0;                       ///< power lost by seepage through cloth [W; W/m in the plane]
   double cloth_slip = 0;                          ///< rms difference of cloth and water over the rms speed of cloth
   double cloth_iterations = 0;                    ///< evaluations of the cloths' equations in all steps so far
@@ -48,7 +48,7 @@ struct System {
     state.forces_before.assign(state.positions.size(), Point<Dim>::Zero());
     step.force = model.grid.face_vector();
     step.evaluated_at = state.positions;
-    step.given.assign(state.positions.size(), Point<Dim>::Zero());
+    step.force_on_water.assign(state.positions.size(), Point<Dim>::Zero());
     model.add_forces(options, state.positions);
     model.locate_cloth(state.positions);
   }

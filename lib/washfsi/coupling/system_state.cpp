@@ -34,7 +34,7 @@ void register_record(System<Dim>& system, StateList& list) {
   constexpr auto retake = StateEntry::Use::retake;
   list.add(vector_entry("/record/force", field_slab(system.model.grid, Dim), step.force)).use = retake;
   list.add(points_entry<Dim>("/record/evaluated_at", slab, step.evaluated_at)).use = retake;
-  list.add(points_entry<Dim>("/record/given", slab, step.given)).use = retake;
+  list.add(points_entry<Dim>("/record/given", slab, step.force_on_water)).use = retake;
 }
 
 template <int Dim>
@@ -76,7 +76,7 @@ void SavedStart<Dim>::restore() const {
   if (!knows_cover_) system_.model.boundary.forget_cover();
   StepRecord<Dim>& step = system_.step;
   step.cloth_slip = step.seepage_power = 0;
-  step.wall_reaction.setZero();
+  step.side_reaction.setZero();
 }
 
 template void register_state<2>(System<2>&, StateList&);

@@ -147,7 +147,7 @@ void FractionalStep<Dim>::advect(Vec local_velocity, Vec density) {
   if (limits_at_edges_) {
     const petsc::LocalVector local(grid_.face_dm());
     WASH_PETSC(VecZeroEntries(local));  // beyond the box too
-    WASH_PETSC(DMGlobalToLocal(grid_.face_dm(), fields_.nearness, INSERT_VALUES, local));
+    WASH_PETSC(DMGlobalToLocal(grid_.face_dm(), fields_.upwind_weight, INSERT_VALUES, local));
     const ConstFaceView<Dim> near(grid_.face_dm(), local);
     replace_advection(beside_positive(grid_.owned(), near), u, rho, WallsideFlux<Dim, ConstFaceView<Dim>>(near));
   }
@@ -200,7 +200,7 @@ void FractionalStep<Dim>::project_increment(Vec increment) {
   {
     const petsc::LocalVector local(grid_.face_dm(), increment);
     boundary_.fill_homogeneous(local);
-    find_divergence(local);
+    find_minus_divergence(local);
   }
   const petsc::GlobalVector phi(grid_.cell_dm());
   WASH_PETSC(VecZeroEntries(phi));
@@ -210,7 +210,7 @@ void FractionalStep<Dim>::project_increment(Vec increment) {
 }
 
 template <int Dim>
-void FractionalStep<Dim>::find_divergence(Vec local_velocity) {
+void FractionalStep<Dim>::find_minus_divergence(Vec local_velocity) {
   const ConstFaceView<Dim> u(grid_.face_dm(), local_velocity);
   const CellView<Dim> r(grid_.cell_dm(), minus_divergence_);
   const Spacing<Dim> h(grid_.spacing());
@@ -231,12 +231,12 @@ void FractionalStep<Dim>::add_viscous_pressure() {
 }
 
 // Solves for phi and the pressure that make the intermediate velocity divergence free; phi contains a guess. Leaves
-// minus the former divergence times the cell volume.
+// -div u* times the cell volume, which `add_viscous_pressure` needs.
 template <int Dim>
 void FractionalStep<Dim>::solve_pressure(Vec phi) {
   {
     const GhostedVelocity<Dim> local(boundary_, grid_.face_dm(), intermediate_, step_.end());
-    find_divergence(local);
+    find_minus_divergence(local);
   }
   const double tolerance =
       poisson_.is_direct() ? 0 : pressure_tolerance_ * largest_speed() / grid_.spacing().minCoeff();

@@ -38,10 +38,10 @@ struct StepFields {
   Vec force = nullptr;
   Constraint<Dim> constraint;
   const ForceField* further_force = nullptr;  ///< acts beside `force` from the start of the step, if there is one
-  /// With `limits_at_edges`, nearness of faces to edges and thin parts: from 1 beside them to 0 beyond the reach of
-  /// their forces.
-  Vec nearness = nullptr;
-  /// Share of each face that the gradient of the mean pressure drives; the constraint takes the rest (`driving.hpp`).
+  /// The weight of upwind advection on faces with `limits_at_edges`: from 1 beside edges and thin parts to 0 beyond the
+  /// kernels of their markers.
+  Vec upwind_weight = nullptr;
+  /// The share of each face that the mean pressure gradient drives; bodies take its force on the rest (`driving.hpp`).
   /// Null if it drives all.
   Vec driven_share = nullptr;
 };
@@ -65,8 +65,8 @@ class FractionalStep : public Projection {
   void predict(const TimeStep& step, const StepFields<Dim>& fields);
   /// Phase 3: makes the intermediate velocity divergence free and updates the pressure. Collective.
   void project();
-  /// Phase 3b: adds a further force density (faces) to the projected velocity; `project_again` follows. Solids take the
-  /// part that acts on them. Collective.
+  /// Phase 3b: adds a further force density (faces) to the projected velocity; `project_again` follows. The part
+  /// (1 - H) f acts on solids: it is subtracted from the constraint force. Collective.
   void add_force(Vec force);
   void project_again() override;
   void project_increment(Vec increment) override;
@@ -113,7 +113,7 @@ class FractionalStep : public Projection {
                          const Flux& flux);
   double largest_speed() const;
   void solve_pressure(Vec phi);
-  void find_divergence(Vec local_velocity);
+  void find_minus_divergence(Vec local_velocity);
   void add_viscous_pressure();
 
   const Grid<Dim>& grid_;

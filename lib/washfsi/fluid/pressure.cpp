@@ -129,8 +129,8 @@ void PressureSolver<Dim>::set_density(Vec density, Vec fluid_fraction) {
   if (is_direct()) return;
   const bool nearly_uniform = find_ratio(density, fluid_fraction);
   if (!assembled_) return;
-  // Where the density varies little, the preconditioner of the uniform one serves; otherwise it follows each step.
-  // A function of this step's density alone, so that a restarted run has the same preconditioner.
+  // If the density is nearly uniform, the preconditioner for uniform density is kept; otherwise it is assembled in each
+  // step. The choice depends on this step's density alone, so that a restarted run makes the same one.
   if (nearly_uniform && assembled_is_uniform_) return;
   assembled_is_uniform_ = nearly_uniform;
   assemble();
@@ -213,7 +213,7 @@ void PressureSolver<Dim>::apply(Vec x, Vec y) {
   });
 }
 
-// With uniform density the transform is exact: nothing is left for CG.
+// With uniform density the transform is exact (`TransformSolver::solve`): nothing is left for CG.
 template <int Dim>
 void PressureSolver<Dim>::solve_directly(Vec minus_divergence, Vec phi) const {
   PC pc = nullptr;

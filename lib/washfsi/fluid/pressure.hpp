@@ -10,17 +10,18 @@ namespace washfsi {
 
 /// The projection's Poisson equation (2.2-11, 2.2-28) for phi = dt q / rho_f:
 ///   -div( (rho_f/rho) grad phi ) = -div u*,   n . grad phi = 0 on the boundary,    each times the cell volume,
-/// so that u* - (rho_f/rho) grad phi has the solver's residual per volume as its divergence. Matrix-free CG, PETSc
-/// prefix pressure_; an assembled matrix serves preconditioners that need entries (hypre, mg, gamg). Where the density
-/// is uniform the default preconditioner, the transform, solves it alone, unless -pressure_ksp_ options want CG.
+/// After the correction u* - (rho_f/rho) grad phi the divergence is the solver's residual over the cell volume.
+/// Matrix-free CG, PETSc prefix pressure_; an assembled matrix serves preconditioners that need entries (hypre, mg,
+/// gamg). Where the density is uniform the default preconditioner, the transform, solves it alone, unless
+/// -pressure_ksp_ options want CG.
 template <int Dim>
 class PressureSolver {
  public:
   /// Collective.
   explicit PressureSolver(const Grid<Dim>& grid);
 
-  /// Takes the face densities [kg/m3] of this step, if they have changed. With the fluid's share H on faces, the
-  /// equation is that of (4.2-9), H/rho in place of 1/rho, H not below 1e-2. Collective.
+  /// Sets the face densities [kg/m3] of this step; does nothing if they have not changed. With the fluid's share H on
+  /// faces, the equation is that of (4.2-9), H/rho in place of 1/rho, H not below 1e-2. Collective.
   void set_density(Vec density, Vec fluid_fraction = nullptr);
 
   /// rho_f: the least of the densities set last [kg/m3].

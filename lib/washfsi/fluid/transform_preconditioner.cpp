@@ -10,8 +10,6 @@
 
 namespace washfsi {
 
-namespace {}  // namespace
-
 template <int Dim>
 TransformSolver<Dim>::TransformSolver(const Grid<Dim>& grid, const TransformLayouts<Dim>& layouts) : grid_(grid) {
   for (const auto& layout : layouts) passes_.push_back(pass(layout));

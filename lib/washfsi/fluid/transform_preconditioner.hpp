@@ -4,8 +4,8 @@
 // transforms: cosine (DCT-II) along directions between boundaries, real Fourier along periodic ones. In their basis the
 // 3-, 5- or 7-point Laplacian is diagonal,  lambda = sum_d (2 - 2 cos(pi k_d / n_d)) / h_d^2  (2 pi k_d / n_d when
 // periodic), for any n_d.
-// Layout after layout transforms its axes, the last divides by lambda, and back again (`transform_layout.hpp`). The
-// grid and the layouts exchange data by PetscSF built once.
+// Each layout transforms its axes (`transform_layout.hpp`). After the last the coefficients are divided by lambda, and
+// the transforms are undone in reverse order. The grid and the layouts exchange data by PetscSF built once.
 #pragma once
 
 #include <memory>

@@ -42,7 +42,8 @@ class Mask {
   static constexpr double fraction_half_a_cell_behind = 0.0908;
 
   Vec fluid_fraction() const { return fraction_; }  ///< H, on faces; null without bodies, as the others
-  /// The share of each face that lies in fluid: H, except in direct forcing, where H is 0 only far behind the walls.
+  /// The fluid volume fraction of each face. With direct forcing it differs from H, which is 0 only deep inside bodies,
+  /// where the mask constrains the water.
   Vec fluid_share() const { return share_ ? share_ : fraction_; }
   Vec solid_velocity() const { return solid_velocity_; }  ///< on faces [m/s]
   /// The cover of the box's sides by bodies, whose velocity they have by the bodies' share. Valid as long as `posed`.

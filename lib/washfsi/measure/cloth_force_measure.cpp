@@ -44,7 +44,7 @@ Points<Dim> ClothForceMeasure<Dim>::sums_of_groups(const Points<Dim>& forces) co
 
 template <int Dim>
 void ClothForceMeasure<Dim>::observe(const Observation<Dim>&) {
-  by_water_ = sums_of_groups(-1.0 * system_.step.given);
+  by_water_ = sums_of_groups(-1.0 * system_.step.force_on_water);
   Points<Dim> forces(system_.model.cloths.owned(), Point<Dim>::Zero());
   springs_->add_force(system_.step.evaluated_at, {}, forces);
   by_springs_ = sums_of_groups(forces);

@@ -84,8 +84,8 @@ bool StepChoice<Dim>::may_shorten() const {
   return run_.time_cfl > 0 && system_.model.has_fluid && system_.state.clock.step < first_steps;
 }
 
-// A step is chosen for the flow before it, and its CFL number may be a little larger. The last trial is accepted in any
-// case.
+// The length is chosen from the flow before the step, so the CFL number may exceed the aim by a quarter; otherwise the
+// step is repeated, shorter. The last trial is accepted in any case.
 template <int Dim>
 void StepChoice<Dim>::advance(RunState& state) const {
   constexpr double more = 1.25, below_most = 0.95;

@@ -2,7 +2,7 @@
 //
 // Direct forcing: markers on the walls of bodies exert forces on the water, so that it does not slip along them. A step
 //   1. begins with the forces of the previous step, which turn with their body (`add_to` the explicit terms)
-//   2. corrects most of the slip of the velocity before its projection (`reduce_slip`)
+//   2. corrects most of the slip before the last projection (`reduce_slip`)
 //   3. after the projection removes the slip beyond the tolerance (`enforce_no_slip`): first by a few slip
 //      corrections, each followed by a projection, then by the Krylov solver (`no_slip_solver.hpp`).
 #pragma once
@@ -50,7 +50,7 @@ class WallForces : public ForceField {
   /// F of each patch of this rank [N; per unit depth in the plane].
   const Points<Dim>& forces() const { return forces_; }
   /// Nearness of faces to edges beside which central advection is limited, from 0 to 1; null if it is limited nowhere.
-  Vec limits_advection() const { return limits_advection_ ? markers_.nearness() : nullptr; }
+  Vec upwind_weight() const { return limits_advection_ ? markers_.nearness() : nullptr; }
 
   /// Registers the forces of the previous step and the recycled directions. Other bodies start without them.
   void register_state(StateList& state);
