@@ -96,7 +96,7 @@ void Options::alias(const std::string& old_name, const std::string& name) {
 }
 
 void Options::alias_value(const std::string& name, const std::string& old_value, const std::string& value) {
-  if (petsc::option_value("", ("-" + name).c_str(), "") != old_value) return;
+  if (petsc::option_value("", "-" + name, "") != old_value) return;
   WASH_PETSC(PetscOptionsSetValue(nullptr, ("-" + name).c_str(), value.c_str()));
   notes_.push_back("note: -" + name + " " + old_value + " is the old name of " + value);
 }
