@@ -25,6 +25,11 @@ class Options(ProgramTest):
         self.assertEqual(float(used["coupling_tolerance"]), 1e-4)
         self.assertNotIn("cloth_coupling", used)
 
+    def test_old_value_holds_and_says_so(self):
+        printed, used = self.resolved("-options_file", WASH, "-contact", "cushion", "-contact_pressure", 100)
+        self.assertIn("note: -contact cushion is the old name of penalty", printed)
+        self.assertEqual(used["contact"], "penalty")
+
     def test_new_name_on_the_command_line_overrides_the_old_one_in_a_file(self):
         case = self.folder / "case.opts"
         case.write_text("-cloth_coupling explicit\n", encoding="utf-8")

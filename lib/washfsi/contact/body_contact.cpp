@@ -2,8 +2,6 @@
 #include "washfsi/contact/body_contact.hpp"
 
 #include <algorithm>
-#include <map>
-#include <utility>
 
 #include "washfsi/support/collective.hpp"
 #include "washfsi/support/format_text.hpp"
@@ -42,6 +40,11 @@ Points<Dim> BodyContact<Dim>::with_halo(const Points<Dim>& values) const {
 }
 
 template <int Dim>
+void BodyContact<Dim>::find_whether_faces_touch() {
+  has_faces_ = any_rank(around_.cloths.comm(), std::ranges::any_of(planes_, &Plane::is_of_face));
+}
+
+template <int Dim>
 void BodyContact<Dim>::begin_step(const StepStart<Dim>& start) {
   time_ = start.time;
   has_faces_ = planes_near_.sees_faces();
@@ -49,8 +52,7 @@ void BodyContact<Dim>::begin_step(const StepStart<Dim>& start) {
   std::vector<double> speeds;
   for (const auto& velocity : velocities) speeds.push_back(velocity.norm());
   planes_ = planes_near_.find(all, speeds, options_.distance, time_, start.dt);
-  start_ = all;
-  has_faces_ = any_rank(around_.cloths.comm(), std::ranges::any_of(planes_, &Plane::is_of_face));
+  find_whether_faces_touch();
   follow_distances();
   for (Plane& plane : planes_) plane.soft = plane.distance < soft_start * plane.begins ? soft_start : 0;
   begin_friction(start, velocities);
@@ -88,7 +90,7 @@ bool BodyContact<Dim>::sharpen(const Points<Dim>& positions) {
   has_faces_ = planes_near_.sees_faces();
   const Points<Dim> all = with_halo(positions);
   const bool is_harder = soften_less(all), is_denser = add_missed(all);
-  has_faces_ = any_rank(around_.cloths.comm(), std::ranges::any_of(planes_, &Plane::is_of_face));
+  find_whether_faces_touch();
   return any_rank(around_.cloths.comm(), is_harder || is_denser);
 }
 
@@ -98,7 +100,7 @@ bool BodyContact<Dim>::soften_less(const Points<Dim>& all) {
   bool is_harder = false;
   for (Plane& plane : planes_) {
     const double least = sharper * plane.soft;
-    if (plane.soft == 0 || gap(plane, all) >= least * plane.begins) continue;
+    if (plane.soft == 0 || plane.gap(all) >= least * plane.begins) continue;
     plane.soft = least;
     is_harder = true;
   }
@@ -109,18 +111,8 @@ bool BodyContact<Dim>::soften_less(const Points<Dim>& all) {
 template <int Dim>
 bool BodyContact<Dim>::add_missed(const Points<Dim>& all) {
   if (!planes_near_.sees_faces()) return false;
-  std::map<std::pair<std::size_t, std::size_t>, double> least;
-  for (const Plane& plane : planes_)
-    if (plane.is_of_face()) {
-      double& of_face = least.try_emplace({plane.face, plane.body}, INFINITY).first->second;
-      of_face = std::min(of_face, gap(plane, all));
-    }
-  const auto known = [&](std::size_t face, std::size_t body) {
-    const auto found = least.find({face, body});
-    return found == least.end() ? INFINITY : found->second;
-  };
   const double within = soft_start * TangentPlanes<Dim>::of_faces * options_.distance;
-  std::vector<Plane> missed = planes_near_.missed(start_, all, options_.distance, within, time_, known);
+  std::vector<Plane> missed = planes_near_.missed(planes_, all, options_.distance, within, time_);
   for (Plane& plane : missed) {
     plane.begins *= begins_over_usual(plane);
     plane.soft = soft_start;
@@ -274,7 +266,7 @@ double BodyContact<Dim>::step_limit(const Points<Dim>& from, const Points<Dim>& 
   double part = 1;
   for (const Plane& plane : planes_) {
     if (plane.soft > 0) continue;
-    const double start = gap(plane, starts), nearer = -plane.normal.dot(plane.place(ways));
+    const double start = plane.gap(starts), nearer = -plane.normal.dot(plane.place(ways));
     if (nearer > (1 - kept) * start) part = std::min(part, (1 - kept) * start / nearer);
   }
   return -largest(around_.cloths.comm(), -part);
@@ -317,7 +309,7 @@ void BodyContact<Dim>::add_reaction(const Plane& plane, const Points<Dim>& all, 
     loads.sides[plane.axis][plane.end == End::upper ? 1 : 0].add(place - middle(), reaction);
 }
 
-// The tightest contact as the step begins.
+// The tightest contact as its planes were found.
 template <int Dim>
 TightestContact BodyContact<Dim>::tightest() const {
   TightestContact tightest;

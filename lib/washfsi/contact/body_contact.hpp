@@ -58,6 +58,7 @@ class BodyContact : public ContactForce<Dim> {
   };
   /// The values of this rank's markers, followed by those with halo where faces need these. Collective.
   Points<Dim> with_halo(const Points<Dim>& values) const;
+  void find_whether_faces_touch();
   void follow_distances();
   double begins_over_usual(const Plane& plane) const;
   bool soften_less(const Points<Dim>& all);
@@ -71,18 +72,14 @@ class BodyContact : public ContactForce<Dim> {
   Point<Dim> middle() const { return 0.5 * (around_.grid.lower() + around_.grid.upper()); }
   void add_reaction(const Plane& plane, const Points<Dim>& all, const Point<Dim>& reaction,
                     ContactLoads<Dim>& loads) const;
-  double gap(const Plane& plane, const Points<Dim>& all) const {
-    return plane.distance + plane.normal.dot(plane.place(all) - plane.start);
-  }
   BodyPush push(const Plane& plane, double gap) const;
-  BodyPush push(const Plane& plane, const Points<Dim>& all) const { return push(plane, gap(plane, all)); }
+  BodyPush push(const Plane& plane, const Points<Dim>& all) const { return push(plane, plane.gap(all)); }
 
   BodyContactOptions options_;
   Surroundings<Dim> around_;
   PairDistances distances_;
   TangentPlanes<Dim> planes_near_;
-  double time_ = 0;    ///< the step's end [s]
-  Points<Dim> start_;  ///< places of all markers at the step's start, with those of the halo [m]
+  double time_ = 0;  ///< the step's end [s]
   std::vector<Plane> planes_;
   bool has_faces_ = false;  ///< whether any rank has a plane of a face
   std::vector<SlidingPoint> sliding_;

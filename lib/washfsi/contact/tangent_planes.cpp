@@ -2,26 +2,37 @@
 #include "washfsi/contact/tangent_planes.hpp"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 namespace washfsi {
 
-/// One search, with the bodies at both ends of a step.
+/// The markers and the bodies at a step's end.
 template <int Dim>
 struct TangentPlanes<Dim>::Look {
-  const Points<Dim>& all;
-  const std::vector<double> speeds;
-  double distance, dt;
-  PosedBodies<Dim> start, end;
-  std::vector<std::vector<double>> distances = {};  ///< distances of all places from each body at the step's end [m]
-
-  // The distance within which a point may come into contact in the step, with a margin of as much.
-  double reach(double contact, double speed) const { return dt > 0 ? 2 * (contact + dt * speed) : contact; }
-  void find_distances(const Grid<Dim>& grid) {
+  Look(const Points<Dim>& places, PosedBodies<Dim> bodies, const Grid<Dim>& grid, double contact_distance)
+      : all(places), end(std::move(bodies)), distance(contact_distance) {
     for (std::size_t body = 0; body < end.size(); ++body) {
       std::vector<double>& of_body = distances.emplace_back();
       for (const auto& place : all) of_body.push_back(end.distance(body, grid.folded(place)));
     }
   }
+
+  const Points<Dim>& all;
+  PosedBodies<Dim> end;
+  double distance;
+  std::vector<std::vector<double>> distances;  ///< distances of all places from each body at the step's end [m]
+};
+
+/// A search from the step's start on.
+template <int Dim>
+struct TangentPlanes<Dim>::StepLook : Look {
+  PosedBodies<Dim> start;
+  const std::vector<double>& speeds;
+  double dt;
+
+  // The distance within which a point may come into contact in the step, with a margin of as much.
+  double reach(double contact, double speed) const { return dt > 0 ? 2 * (contact + dt * speed) : contact; }
 };
 
 template <int Dim>
@@ -31,9 +42,10 @@ TangentPlanes<Dim>::TangentPlanes(const Surroundings<Dim>& around, bool sees_fac
 template <int Dim>
 std::vector<TangentPlane<Dim>> TangentPlanes<Dim>::find(const Points<Dim>& all, const std::vector<double>& speeds,
                                                         double distance, double time, double dt) const {
-  Look look{
-      all, speeds, distance, dt, PosedBodies<Dim>(around_.bodies, time - dt), PosedBodies<Dim>(around_.bodies, time)};
-  look.find_distances(around_.grid);
+  const StepLook look{{all, PosedBodies<Dim>(around_.bodies, time), around_.grid, distance},
+                      PosedBodies<Dim>(around_.bodies, time - dt),
+                      speeds,
+                      dt};
   std::vector<TangentPlane<Dim>> planes;
   add_markers(look, planes);
   if (sees_faces_) add_faces(look, planes);
@@ -41,7 +53,7 @@ std::vector<TangentPlane<Dim>> TangentPlanes<Dim>::find(const Points<Dim>& all, 
 }
 
 template <int Dim>
-void TangentPlanes<Dim>::add_markers(const Look& look, std::vector<TangentPlane<Dim>>& planes) const {
+void TangentPlanes<Dim>::add_markers(const StepLook& look, std::vector<TangentPlane<Dim>>& planes) const {
   const Cloths<Dim>& cloths = around_.cloths;
   for (std::size_t m = 0; m < cloths.owned(); ++m) {
     TangentPlane<Dim> plane;
@@ -82,7 +94,7 @@ void TangentPlanes<Dim>::add_sides(const TangentPlane<Dim>& marker, double reach
 
 // The body has run over the point if it contains it at the end and did not at the start.
 template <int Dim>
-void TangentPlanes<Dim>::set_plane(const Look& look, TangentPlane<Dim>& plane) const {
+void TangentPlanes<Dim>::set_plane(const StepLook& look, TangentPlane<Dim>& plane) const {
   const Point<Dim> place = around_.grid.folded(plane.start);
   const double step = 1e-3 * look.distance;
   plane.before = look.start.distance(plane.body, place);
@@ -100,13 +112,13 @@ void TangentPlanes<Dim>::set_plane(const Look& look, TangentPlane<Dim>& plane) c
 }
 
 template <int Dim>
-void TangentPlanes<Dim>::add_faces(const Look& look, std::vector<TangentPlane<Dim>>& planes) const {
+void TangentPlanes<Dim>::add_faces(const StepLook& look, std::vector<TangentPlane<Dim>>& planes) const {
   for (std::size_t face = 0; face < faces_.list().size(); ++face)
     for (std::size_t body = 0; body < look.end.size(); ++body) add_face(look, face, body, planes);
 }
 
 template <int Dim>
-void TangentPlanes<Dim>::add_face(const Look& look, std::size_t number, std::size_t body,
+void TangentPlanes<Dim>::add_face(const StepLook& look, std::size_t number, std::size_t body,
                                   std::vector<TangentPlane<Dim>>& planes) const {
   const auto& face = faces_.list()[number];
   double speed = 0;
@@ -160,22 +172,27 @@ TangentPlane<Dim> TangentPlanes<Dim>::plane_of_face(const Look& look, std::size_
 
 // The body's surface is straight about the place where the face is now.
 template <int Dim>
-std::vector<TangentPlane<Dim>> TangentPlanes<Dim>::missed(const Points<Dim>& start, const Points<Dim>& now,
-                                                          double distance, double within, double time,
-                                                          const KnownGap& known) const {
-  Look look{now, {}, distance, 0, PosedBodies<Dim>(around_.bodies, time), PosedBodies<Dim>(around_.bodies, time)};
-  look.find_distances(around_.grid);
+std::vector<TangentPlane<Dim>> TangentPlanes<Dim>::missed(const std::vector<TangentPlane<Dim>>& known,
+                                                          const Points<Dim>& now, double distance, double within,
+                                                          double time) const {
+  std::map<std::pair<std::size_t, std::size_t>, double> gaps;  // least ones of faces and bodies
+  for (const auto& plane : known) {
+    if (!plane.is_of_face()) continue;
+    double& least = gaps.try_emplace({plane.face, plane.body}, INFINITY).first->second;
+    least = std::min(least, plane.gap(now));
+  }
+  const Look look(now, PosedBodies<Dim>(around_.bodies, time), around_.grid, distance);
   std::vector<TangentPlane<Dim>> planes;
   for (std::size_t face = 0; face < faces_.list().size(); ++face)
     for (std::size_t body = 0; body < look.end.size(); ++body) {
       const NearestInFace<Dim> found = nearest(look, face, body, within);
-      if (found.distance >= within || found.distance >= 0.5 * known(face, body)) continue;
+      const auto gap = gaps.find({face, body});
+      if (found.distance >= within || (gap != gaps.end() && found.distance >= 0.5 * gap->second)) continue;
       TangentPlane<Dim> plane = plane_of_face(look, face, found);
-      const Point<Dim> place = plane.place(now);
       plane.body = body;
-      plane.start = plane.place(start);
-      plane.normal = look.end.normal(body, around_.grid.folded(place), 1e-3 * distance);
-      plane.distance = plane.before = found.distance + plane.normal.dot(plane.start - place);
+      plane.start = plane.place(now);
+      plane.before = plane.distance;
+      plane.normal = look.end.normal(body, around_.grid.folded(plane.start), 1e-3 * distance);
       planes.push_back(plane);
     }
   return planes;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <functional>
-
 #include "washfsi/contact/contact_force.hpp"
 #include "washfsi/contact/nearest_in_face.hpp"
 #include "washfsi/contact/seen_faces.hpp"
@@ -40,6 +38,8 @@ struct TangentPlane {
     for (std::size_t i = 1; i < count(); ++i) sum += shares[i] * all[markers[i]];
     return sum;
   }
+  /// The distance of the point at these places of the markers [m].
+  double gap(const Points<Dim>& all) const { return distance + normal.dot(place(all) - start); }
   /// The number of its body or side as a thing, after those of all cloths.
   std::size_t thing(std::size_t cloths, std::size_t bodies) const {
     return cloths + body + (body < bodies ? 0 : 2 * static_cast<std::size_t>(axis) + (end == End::upper ? 1 : 0));
@@ -62,12 +62,10 @@ class TangentPlanes {
   /// `speeds` [m/s] are of the markers and those with halo. No communication.
   std::vector<TangentPlane<Dim>> find(const Points<Dim>& all, const std::vector<double>& speeds, double distance,
                                       double time, double dt) const;
-  /// The least gap of the known planes of a face from a body [m]; infinite without one.
-  using KnownGap = std::function<double(std::size_t face, std::size_t body)>;
-  /// Finds the planes at the step's end `time` where faces whose markers moved from `start` to `now` are nearer to
-  /// bodies than `within` and than half of the known gap; `distance` is the contact distance. No communication.
-  std::vector<TangentPlane<Dim>> missed(const Points<Dim>& start, const Points<Dim>& now, double distance,
-                                        double within, double time, const KnownGap& known) const;
+  /// Finds the planes at the step's end `time` where with the markers at `now` faces are nearer to bodies than `within`
+  /// and than half of what the known planes show; `distance` is the contact distance. No communication.
+  std::vector<TangentPlane<Dim>> missed(const std::vector<TangentPlane<Dim>>& known, const Points<Dim>& now,
+                                        double distance, double within, double time) const;
   const SeenFaces<Dim>& faces() const { return faces_; }
   bool sees_faces() const { return sees_faces_; }
   /// The velocity of the surface at a plane at some time [m/s].
@@ -75,13 +73,14 @@ class TangentPlanes {
 
  private:
   struct Look;
-  void add_markers(const Look& look, std::vector<TangentPlane<Dim>>& planes) const;
-  void add_faces(const Look& look, std::vector<TangentPlane<Dim>>& planes) const;
-  void add_face(const Look& look, std::size_t face, std::size_t body, std::vector<TangentPlane<Dim>>& planes) const;
+  struct StepLook;
+  void add_markers(const StepLook& look, std::vector<TangentPlane<Dim>>& planes) const;
+  void add_faces(const StepLook& look, std::vector<TangentPlane<Dim>>& planes) const;
+  void add_face(const StepLook& look, std::size_t face, std::size_t body, std::vector<TangentPlane<Dim>>& planes) const;
   NearestInFace<Dim> nearest(const Look& look, std::size_t face, std::size_t body, double reach) const;
   TangentPlane<Dim> plane_of_face(const Look& look, std::size_t face, const NearestInFace<Dim>& found) const;
   void add_sides(const TangentPlane<Dim>& marker, double reach, std::vector<TangentPlane<Dim>>& planes) const;
-  void set_plane(const Look& look, TangentPlane<Dim>& plane) const;
+  void set_plane(const StepLook& look, TangentPlane<Dim>& plane) const;
 
   Surroundings<Dim> around_;
   bool sees_faces_;

@@ -3,13 +3,11 @@
 
 #include <functional>
 
+#include "washfsi/cloth/forces.hpp"
 #include "washfsi/cloth/sheet.hpp"
 #include "washfsi/support/petsc.hpp"
 
 namespace washfsi {
-
-/// How many times a step is solved again at most because its forces were sharpened.
-constexpr int most_sharpenings = 8;
 
 /// An equation for one vector per marker, its velocity or a force. All of its functions are collective and take this
 /// rank's part.
@@ -32,5 +30,16 @@ struct ClothEquation {
   /// Whether a residual is small enough; by default its 2-norm decides.
   std::function<bool(const Points<Dim>& residual)> is_solved = {};
 };
+
+/// Solves a step, and again while its forces are sharpened at the solution, a few times at most. solve() returns the
+/// places of this rank's markers at the solution. Collective.
+template <int Dim, class Solve>
+void solve_sharply(Forces<Dim>& forces, const Solve& solve) {
+  constexpr int most_sharpenings = 8;
+  for (int left = most_sharpenings;; --left) {
+    const Points<Dim> places = solve();
+    if (left == 0 || !forces.sharpen(places)) return;
+  }
+}
 
 }  // namespace washfsi

@@ -126,11 +126,12 @@ bool ForceEquation<Dim>::is_free(const Step& step, const Points<Dim>& all) const
 }
 
 template <int Dim>
-Points<Dim> ForceEquation<Dim>::solve(const Step& step, const std::vector<Points<Dim>>& guesses, double& iterations) {
-  Points<Dim> all = solve_once(step, guesses, iterations);
-  for (int n = 0; n < most_sharpenings && step.all.sharpen(step.start + step.dt * all); ++n)
-    all = solve_once(step, {all}, iterations);
-  return all;
+Points<Dim> ForceEquation<Dim>::solve(const Step& step, std::vector<Points<Dim>> guesses, double& iterations) {
+  solve_sharply(step.all, [&] {
+    guesses = {solve_once(step, guesses, iterations)};
+    return step.start + step.dt * guesses[0];
+  });
+  return guesses[0];
 }
 
 // Starts from that guess within the step limit whose residual is smallest.

@@ -32,7 +32,7 @@ class ForceEquation {
   };
   /// Returns V, starting from the best of the guesses, with forces that are sharp there. Adds the evaluations to
   /// `iterations`. Collective. Errors: DivergedError.
-  Points<Dim> solve(const Step& step, const std::vector<Points<Dim>>& guesses, double& iterations);
+  Points<Dim> solve(const Step& step, std::vector<Points<Dim>> guesses, double& iterations);
 
   /// U + N y with a share of U. Collective.
   Points<Dim> velocities(const Step& step, double share, const Points<Dim>& change) const;

@@ -117,10 +117,10 @@ void ImplicitClothAlone<Dim>::solve(System<Dim>& system, double start, double dt
   begin_step(system, state.positions, start + dt, dt);
   const ClothEquation<Dim> equation = this->equation(system, dt);
   Points<Dim> velocities = guess(system, dt, equation);
-  for (int n = 0; n == 0 || (n <= most_sharpenings && model.forces.sharpen(step.evaluated_at)); ++n) {
-    step.cloth_iterations += static_cast<double>(solver_.solve(equation, tolerance(system, dt), velocities));
-    step.evaluated_at = state.positions + dt * velocities;
-  }
+  solve_sharply(model.forces, [&, &record = step, &from = state.positions] {
+    record.cloth_iterations += static_cast<double>(solver_.solve(equation, tolerance(system, dt), velocities));
+    return record.evaluated_at = from + dt * velocities;
+  });
   state.positions = step.evaluated_at;
   state.velocities = velocities;
 }

@@ -190,8 +190,10 @@ Points<Dim> SemiImplicitCoupling<Dim>::solve_by_row_sums(System<Dim>& system, do
       return all.step_limit(start + dt * from, dt * way);
     };
   }
-  for (int n = 0; n == 0 || (n <= most_sharpenings && all.sharpen(start + dt * velocities)); ++n)
+  solve_sharply(all, [&] {
     system.step.cloth_iterations += static_cast<double>(solver_.solve(equation, weight * tolerance, velocities));
+    return start + dt * velocities;
+  });
   return velocities;
 }
 

@@ -12,6 +12,7 @@
 #include "washfsi/support/collective.hpp"
 #include "washfsi/support/errors.hpp"
 #include "washfsi/support/krylov.hpp"
+#include "washfsi/support/vector_range.hpp"
 
 namespace washfsi {
 
@@ -122,10 +123,9 @@ void PressureSolver<Dim>::set_density(Vec density, Vec fluid_fraction) {
   const std::array versions{petsc::Version(density), petsc::Version(fluid_fraction)};
   if (versions == versions_) return;
   versions_ = versions;
-  double most = 0;
-  WASH_PETSC(VecMin(density, nullptr, &reference_density_));
-  WASH_PETSC(VecMax(density, nullptr, &most));
-  is_uniform_ = !fluid_fraction && most == reference_density_;
+  const VectorRange densities = range_of(density);
+  reference_density_ = densities.least;
+  is_uniform_ = !fluid_fraction && densities.is_uniform();
   if (is_direct()) return;
   const bool nearly_uniform = find_ratio(density, fluid_fraction);
   if (!assembled_) return;
@@ -155,10 +155,8 @@ bool PressureSolver<Dim>::find_ratio(Vec density, Vec fluid_fraction) {
   if (!ratio_) WASH_PETSC(DMCreateLocalVector(grid_.face_dm(), ratio_.put()));
   WASH_PETSC(DMGlobalToLocal(grid_.face_dm(), inner, INSERT_VALUES, ratio_));
   close_boundary_faces();
-  double least = 0, most = 0;
-  WASH_PETSC(VecMin(inner, nullptr, &least));
-  WASH_PETSC(VecMax(inner, nullptr, &most));
-  return least > 1 / 1.5 && most < 1.5;
+  const VectorRange ratios = range_of(inner);
+  return ratios.least > 1 / 1.5 && ratios.most < 1.5;
 }
 
 // Sets the ratio on boundary faces to 0: no flux through the sides of the box.

@@ -83,27 +83,26 @@ template <int Dim>
 void NoSlipSolver<Dim>::begin(const TimeStep& step, Vec density) {
   step_ = step;
   density_ = density;
-  local_densities_ = local_densities();
+  if (const petsc::Version version(density); version != density_version_) {
+    density_version_ = version;
+    densities_ = range_of(density);
+    local_densities_.assign(markers_.patch_count(), Point<Dim>::Constant(densities_.least));
+  }
+  if (!densities_.is_uniform()) find_local_densities();
 }
 
 // What a patch's force would move by its kernel alone: the part of its impulse over that of the velocity.
 template <int Dim>
-Points<Dim> NoSlipSolver<Dim>::local_densities() const {
-  double least = 0, most = 0;
-  WASH_PETSC(VecMin(density_, nullptr, &least));
-  WASH_PETSC(VecMax(density_, nullptr, &most));
-  Points<Dim> densities(markers_.patch_count(), Point<Dim>::Constant(least));
-  if (least == most) return densities;
+void NoSlipSolver<Dim>::find_local_densities() {
   const petsc::GlobalVector impulse(grid_.face_dm()), velocity(grid_.face_dm());
   WASH_PETSC(VecZeroEntries(impulse));
-  markers_.spread(Points<Dim>(densities.size(), Point<Dim>::Ones()), impulse);
+  markers_.spread(Points<Dim>(local_densities_.size(), Point<Dim>::Ones()), impulse);
   WASH_PETSC(VecPointwiseDivide(velocity, impulse, density_));
   const Points<Dim> of_impulse = markers_.means(interpolated(impulse)),
                     of_velocity = markers_.means(interpolated(velocity));
-  for (std::size_t p = 0; p < densities.size(); ++p)
+  for (std::size_t p = 0; p < local_densities_.size(); ++p)
     for (int c = 0; c < Dim; ++c)
-      if (of_velocity[p][c] != 0) densities[p][c] = of_impulse[p][c] / of_velocity[p][c];
-  return densities;
+      local_densities_[p][c] = of_velocity[p][c] != 0 ? of_impulse[p][c] / of_velocity[p][c] : densities_.least;
 }
 
 template <int Dim>

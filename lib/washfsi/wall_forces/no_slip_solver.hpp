@@ -9,6 +9,7 @@
 #pragma once
 
 #include "washfsi/fluid/projection.hpp"
+#include "washfsi/support/vector_range.hpp"
 #include "washfsi/wall_forces/closed_walls.hpp"
 #include "washfsi/wall_forces/overlap_inverse.hpp"
 #include "washfsi/wall_forces/wall_markers.hpp"
@@ -50,7 +51,7 @@ class NoSlipSolver {
   void create_solver();
   Points<Dim> response(const Points<Dim>& forces) const;
   Points<Dim> interpolated(Vec increment) const;
-  Points<Dim> local_densities() const;
+  void find_local_densities();
   Points<Dim> without_unreachable(const Points<Dim>& of_markers) const;
 
   const Grid<Dim>& grid_;
@@ -63,6 +64,8 @@ class NoSlipSolver {
   petsc::Vector right_, solution_;
   TimeStep step_;                     ///< current step
   Vec density_ = nullptr;             ///< density on faces in the current step [kg/m3]
+  petsc::Version density_version_;    ///< version of the density that was seen last
+  VectorRange densities_;             ///< its range [kg/m3]
   Points<Dim> local_densities_;       ///< that of each patch, for forces along each axis [kg/m3]
   Projection* projection_ = nullptr;  ///< set while the solver runs
   double slip_left_ = 0;              ///< rms slip at which the solver stops [m/s]
