@@ -24,7 +24,7 @@ constexpr const char* transform = "transform";  // the preconditioner that is th
 /// boundary.
 template <int Dim, class Ratio>
 void assemble_laplacian(const Grid<Dim>& grid, Mat matrix, const Ratio& ratio) {
-  const Point<Dim> h = grid.spacing();
+  const Point<Dim>& h = grid.spacing();
   const auto stencil_of = [](const Index<Dim>& cell) {
     MatStencil stencil{};
     stencil.i = cell[0];
