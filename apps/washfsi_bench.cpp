@@ -12,6 +12,7 @@
 #include "washfsi/fluid/fractional_step.hpp"
 #include "washfsi/simulation/results.hpp"
 #include "washfsi/support/program.hpp"
+#include "washfsi/wall_forces/water_step.hpp"
 
 namespace washfsi {
 namespace {
@@ -70,7 +71,7 @@ void run_cavity(MPI_Comm comm, const std::vector<double>& cells, const BenchOpti
   const double dt = 0.5 * grid.spacing().minCoeff();
   Clock clock;
   const auto advance = [&] {
-    fluid.advance(clock.next(dt), {liquid, force, {}});
+    WaterStep<Dim>(fluid, nullptr).advance(clock.next(dt), {liquid, force, {}});
     clock.advance(dt);
   };
   for (PetscInt n = 0; n < steps; ++n) advance();

@@ -38,7 +38,9 @@ void decay() {
   Clock clock;
   constexpr double dt = 2e-3;
   while (clock.step < 250) {
-    fluid.advance(clock.next(dt), {liquid.fields(), no_force, {}});
+    fluid.predict(clock.next(dt), {liquid.fields(), no_force, {}});
+    fluid.projection().project();
+    fluid.finish();
     clock.advance(dt);
   }
   const GhostedVelocity<2> velocity(boundary, grid.face_dm(), fluid.velocity(), clock.time);

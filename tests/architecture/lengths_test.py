@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files and functions of the library, of the Python module and of the report's page are short enough to see whole."""
+"""Files and functions of the library, of the Python module and of the report's page are short enough to see whole, and classes of
+the library small enough to hold in the head."""
+import collections
 import json
 import os
 import pathlib
@@ -11,6 +13,8 @@ SOURCE = pathlib.Path(os.environ["WASHFSI_SOURCE"])
 MOST_OF_A_FILE = 350
 MOST_OF_A_FUNCTION = 50
 MOST_OF_NINE_IN_TEN = 18
+MOST_FUNCTIONS_OF_A_CLASS = 20  # public and private, overloads counted
+MOST_MEMBERS_OF_A_CLASS = 15
 
 
 def sources():
@@ -49,10 +53,27 @@ def functions_of_others():
         yield tag["end"] - tag["line"] + 1, f"{pathlib.Path(tag['path']).relative_to(SOURCE)}: {tag['name']}"
 
 
+def large_classes():
+    """Every class of the library with too many functions or members, as a line of text. What is deleted is not counted."""
+    command = ["ctags", "--output-format=json", "--languages=C++", "--kinds-C++=pfm", "--fields=+Kn", "-f", "-",
+               *(str(path) for path in sources() if path.suffix == ".hpp")]
+    found = subprocess.run(command, check=True, capture_output=True, text=True).stdout.splitlines()
+    functions, members = collections.defaultdict(set), collections.defaultdict(set)
+    for tag in map(json.loads, found):
+        if tag.get("scopeKind") not in ("class", "struct") or "= delete" in tag["pattern"] or "static constexpr" in tag["pattern"]:
+            continue
+        counted = members if tag["kind"] == "member" else functions
+        counted[tag["scope"]].add((tag["name"], tag["pattern"]) if counted is functions else tag["name"])
+    for name in sorted({*functions, *members}):
+        if len(functions[name]) > MOST_FUNCTIONS_OF_A_CLASS or len(members[name]) > MOST_MEMBERS_OF_A_CLASS:
+            yield (f"{name} has {len(functions[name])} functions and {len(members[name])} members; at most "
+                   f"{MOST_FUNCTIONS_OF_A_CLASS} and {MOST_MEMBERS_OF_A_CLASS}")
+
+
 def main():
     """Lists what is too long."""
     lengths = sorted([*functions_of_others(), *functions_of_scripts()])
-    problems = list(long_files())
+    problems = [*long_files(), *large_classes()]
     problems += [f"{place} has {lines} lines; at most {MOST_OF_A_FUNCTION}" for lines, place in lengths
                  if lines > MOST_OF_A_FUNCTION]
     ninetieth = lengths[int(0.9 * len(lengths))][0]

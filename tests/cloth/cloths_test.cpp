@@ -5,6 +5,7 @@
 
 #include "support/cloth_forces.hpp"
 #include "support/random_points.hpp"
+#include "washfsi/cloth/sheet_states.hpp"
 #include "washfsi/support/collective.hpp"
 
 namespace washfsi::test {
@@ -42,10 +43,10 @@ void expect_same_as_undistributed(const std::vector<ClothGroup<Dim>>& groups, co
   ASSERT_EQ(all.marker_count(), static_cast<PetscInt>(x.size()));
   const Points<Dim> u = random_points<Dim>(x.size(), 12), anchors = random_points<Dim>(x.size(), 13);
   const auto part = [&](const Points<Dim>& values) { return part_of(mine, values); };
-  const Forces<Dim> of_all = cloth_forces(all, anchors), of_mine = cloth_forces(mine, part(anchors));
+  const ClothForces<Dim> of_all(all, anchors), of_mine(mine, part(anchors));
   const Points<Dim> whole = of_all.of_places(x), forces = of_mine.of_places(part(x));
   const Points<Dim> whole_damping = of_all.of_velocities(x, u), damping = of_mine.of_velocities(part(x), part(u));
-  const std::vector<MarkerState> whole_states = all.marker_states(x), states = mine.marker_states(part(x));
+  const std::vector<MarkerState> whole_states = marker_states(all, x), states = marker_states(mine, part(x));
   for (std::size_t m = 0; m < mine.owned(); ++m) {
     const std::size_t global = m + static_cast<std::size_t>(mine.begin());
     EXPECT_EQ(forces[m], whole[global]);
@@ -75,10 +76,10 @@ TEST(Cloths, StiffnessIsTheJacobianOfTheForces) {
   for (const bool closed : {false, true}) {
     const Cloths<2> cloths(PETSC_COMM_WORLD, two_groups(ElasticModel::energy, closed));
     const Points<2> x = crumpled_fibre<2>(34, 0.1, 11);
-    Forces<2> forces = cloth_forces(cloths, part_of(cloths, x));
+    ClothForces<2> forces(cloths, part_of(cloths, x));
     petsc::Matrix matrix;
-    forces.lay_out_stiffness(matrix);
-    forces.set_stiffness(part_of(cloths, x), GeometricStiffness::all, 1, matrix);
+    forces.stiffness().lay_out(matrix);
+    forces.stiffness().set(part_of(cloths, x), GeometricStiffness::all, 1, matrix);
     constexpr double e = 1e-6;
     for (std::size_t marker = 0; marker < 34; ++marker)
       for (int d = 0; d < 2; ++d) {
@@ -151,10 +152,10 @@ TEST(Cloths, StiffnessOfSheetsIsTheJacobianOfTheForces) {
   const Cloths<3> cloths(PETSC_COMM_WORLD, sheets(ElasticModel::energy));
   const Points<3> x = crumpled(cloths), u = random_points<3>(87, 23);
   const auto part = [&](const Points<3>& values) { return part_of(cloths, values); };
-  Forces<3> forces = cloth_forces(cloths, part(x));
+  ClothForces<3> forces(cloths, part(x));
   petsc::Matrix matrix;
-  forces.lay_out_stiffness(matrix);
-  forces.set_stiffness(part(x), GeometricStiffness::all, 1, matrix);
+  forces.stiffness().lay_out(matrix);
+  forces.stiffness().set(part(x), GeometricStiffness::all, 1, matrix);
   petsc::Vector direction, result;
   WASH_PETSC(MatCreateVecs(matrix, direction.put(), result.put()));
   double* values = nullptr;
@@ -199,7 +200,7 @@ TEST(Cloths, DeadLoadsAddUp) {
   groups[0].end_force_last = {0, 0.3};
   const Cloths<2> cloths(PETSC_COMM_WORLD, groups);
   std::vector<double> sum{0, 0};
-  const Forces<2> forces = cloth_forces(cloths, Points<2>(cloths.owned(), Point<2>::Zero()));
+  const ClothForces<2> forces(cloths, Points<2>(cloths.owned(), Point<2>::Zero()));
   for (const auto& force : forces.constant())
     for (int d = 0; d < 2; ++d) sum[static_cast<std::size_t>(d)] += force[d];
   sum = ordered_sum(PETSC_COMM_WORLD, sum);

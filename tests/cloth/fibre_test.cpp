@@ -4,6 +4,7 @@
 
 #include "support/elasticity.hpp"
 #include "washfsi/cloth/love.hpp"
+#include "washfsi/cloth/sheet_states.hpp"
 
 namespace washfsi::test {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "support/cloth_forces.hpp"
 #include "support/elasticity.hpp"
+#include "washfsi/cloth/sheet_states.hpp"
 #include "washfsi/support/collective.hpp"
 
 namespace washfsi::test {

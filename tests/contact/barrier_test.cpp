@@ -204,7 +204,7 @@ TYPED_TEST(BarrierTest, RefusesADistanceThatACellHasNoRoomFor) {
   const Stack<Dim> stack;
   const Surroundings<Dim> around{*stack.grid, *stack.boundary, stack.bodies, *stack.cloths};
   EXPECT_THROW(Barrier<Dim>({0.011, 1e4}, around), InputError);
-  EXPECT_DOUBLE_EQ(Barrier<Dim>({0, 1e4}, around).distance(), 0.16 * spacing);
+  EXPECT_DOUBLE_EQ(Barrier<Dim>({0, 1e4}, around).distances().usual(), 0.16 * spacing);
 }
 
 TYPED_TEST(BarrierTest, LeavesAFlatClothAlone) {

@@ -29,7 +29,7 @@ double depth_before_a_roller(const std::string& scheme, Mobility mobility, doubl
   while (system->state.clock.time < 0.15) {
     advance->advance(*system, courant * 0.01);
     for (const Point<2>& place : system->state.positions)
-      deepest = std::max(deepest, -nearest_distance<2>(system->model.bodies, place, system->state.clock.time));
+      deepest = std::max(deepest, -nearest_distance<2>(system->model.body_list, place, system->state.clock.time));
   }
   return largest(PETSC_COMM_WORLD, deepest);
 }

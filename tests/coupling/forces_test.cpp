@@ -15,7 +15,7 @@ class ChangingSpring : public MarkerForce<2> {
   ChangingSpring(const Cloths<2>& cloths, double stiffness, double change)
       : cloths_(cloths), stiffness_(stiffness), change_(change) {}
 
-  Dependence dependence() const override { return Dependence::potential; }
+  ForceKind kind() const override { return {.dependence = Dependence::potential}; }
   std::string origin() const override { return "a test"; }
   void begin_step(const StepStart<2>& start) override { changed_ = start.time > change_; }
   void add_force(const Points<2>& positions, const Points<2>&, Points<2>& forces) const override {
@@ -98,17 +98,17 @@ TEST(Forces, LayOutTheirStiffnessAnewWhenOthersMeet) {
   const Points<2>& x = system->state.positions;
   petsc::Matrix matrix;
   begin_step(*system, 0);
-  const std::vector<long> before = forces.pattern();
-  forces.lay_out_stiffness(matrix);
+  const std::vector<long> before = forces.stiffness().pattern();
+  forces.stiffness().lay_out(matrix);
   begin_step(*system, 2 * change);
-  EXPECT_NE(forces.pattern(), before);
-  forces.lay_out_stiffness(matrix);
-  forces.set_stiffness(x, GeometricStiffness::all, 1, matrix);
+  EXPECT_NE(forces.stiffness().pattern(), before);
+  forces.stiffness().lay_out(matrix);
+  forces.stiffness().set(x, GeometricStiffness::all, 1, matrix);
   petsc::Vector direction, product;
   WASH_PETSC(MatCreateVecs(matrix, direction.put(), product.put()));
   WASH_PETSC(VecSetRandom(direction, nullptr));
   WASH_PETSC(MatMult(matrix, direction, product));
-  const Points<2> expected = forces.stiffness_product(x, to_points<2>(direction)), found = to_points<2>(product);
+  const Points<2> expected = forces.stiffness().product(x, to_points<2>(direction)), found = to_points<2>(product);
   double largest = 0;
   for (const auto& value : expected) largest = std::max(largest, value.norm());
   for (std::size_t m = 0; m < x.size(); ++m) EXPECT_LE((found[m] - expected[m]).norm(), 1e-12 * largest);

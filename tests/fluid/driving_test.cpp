@@ -44,8 +44,7 @@ class Channel {
     WASH_PETSC(VecSet(none_held, 1.0));
     StepFields<Dim> fields{water_.liquid.fields(), water_.force, {none_held, water_.force}};
     fields.driven_share = shares;
-    fluid().advance(water_.clock.next(dt), fields);
-    water_.clock.advance(dt);
+    water_.take_step(dt, fields);
   }
   Point<Dim> bulk() { return mean_velocity<Dim>(grid_, fluid().velocity()); }
   FractionalStep<Dim>& fluid() { return water_.fluid; }

@@ -46,7 +46,7 @@ class DisturbedFlow {
     return gather<Dim, Dim>(grid_, grid_.face_dm(), fluid().velocity(), everywhere);
   }
   std::vector<double> pressure(bool everywhere = true) const {
-    return gather<Dim, 1>(grid_, grid_.cell_dm(), fluid().pressure(), everywhere);
+    return gather<Dim, 1>(grid_, grid_.cell_dm(), fluid().projection().pressure(), everywhere);
   }
 
  private:
@@ -221,7 +221,7 @@ TEST(OpenSides, ParabolicInflowBecomesPoiseuilleFlow) {
   Water<2> water(grid, boundary, options);
   for (int n = 0; n < 500; ++n) water.advance(0.02);
   const ConstFaceView<2> u(grid.face_dm(), water.fluid.velocity());
-  const ConstCellView<2> p(grid.cell_dm(), water.fluid.pressure());
+  const ConstCellView<2> p(grid.cell_dm(), water.fluid.projection().pressure());
   const double h = grid.spacing()[1];
   for_each<2>(grid.owned(), [&](const Index<2>& cell) {
     const double y = grid.face_center(cell, 0)[1];

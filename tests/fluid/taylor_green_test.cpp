@@ -117,7 +117,7 @@ TEST(TaylorGreen, UpwindAdvectionConverges) {
     shape.periodic = {true, true};
     ManufacturedRun<2> run(taylor_green<2>(), shape, {}, false, Advection::upwind);
     errors[level] = run.advance(0.01 / (1 << level), 20 << level);
-    EXPECT_GT(run.fluid().numerical_dissipation(), 0);
+    EXPECT_GT(run.fluid().advection().numerical_dissipation(), 0);
   }
   report("upwind", errors[0], errors[1]);
   EXPECT_GE(order(errors[0].velocity_rms, errors[1].velocity_rms), 1.5);

@@ -6,7 +6,7 @@
 #include "support/gather.hpp"
 #include "support/water.hpp"
 #include "washfsi/mask/control_volume.hpp"
-#include "washfsi/mask/mask.hpp"
+#include "washfsi/mask/mask_loads.hpp"
 #include "washfsi/shapes/combinations.hpp"
 #include "washfsi/shapes/primitives.hpp"
 #include "washfsi/support/collective.hpp"
@@ -134,12 +134,13 @@ class CircularCouette {
     });
     const double torque = 4 * std::numbers::pi * viscosity * (wi - wo) * ri * ri * ro * ro / (ro * ro - ri * ri);
     const double middle = water_.clock.time - 0.5 * dt;
-    auto loads = mask_.loads(water_.fluid.constraint_force(), water_.liquid.density(), water_.fluid.pressure(), middle);
+    auto loads = constraint_loads(mask_, water_.fluid.constraint_force(), water_.liquid.density(),
+                                  water_.fluid.projection().pressure(), middle);
     const auto of_markers = walls_ ? marker_loads(*walls_) : Loads<2>(loads.size());
     for (std::size_t b = 0; b < loads.size(); ++b) loads[b] += of_markers[b];
     const auto balance = control_volumes_.loads({water_.fluid.velocity_before(),
                                                  water_.fluid.velocity(),
-                                                 water_.fluid.pressure(),
+                                                 water_.fluid.projection().pressure(),
                                                  water_.liquid.density(),
                                                  water_.force,
                                                  mask_.fluid_share(),

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "washfsi/mask/mask.hpp"
-
 #include <numbers>
 
 #include <gtest/gtest.h>
 
 #include "support/water.hpp"
+#include "washfsi/mask/mask_loads.hpp"
 #include "washfsi/shapes/combinations.hpp"
 #include "washfsi/shapes/primitives.hpp"
 #include "washfsi/shapes/vaned.hpp"
@@ -49,7 +48,8 @@ struct Couette {
   std::vector<Load<2>> step(double dt) {
     mask.update(water.clock.time + dt);
     water.advance(dt, mask.constraint());
-    return mask.loads(water.fluid.constraint_force(), water.liquid.density(), water.fluid.pressure(), water.clock.time);
+    return constraint_loads(mask, water.fluid.constraint_force(), water.liquid.density(),
+                            water.fluid.projection().pressure(), water.clock.time);
   }
 
   std::vector<Body<2>> bodies;

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "washfsi/mask/mask.hpp"
+#include "washfsi/mask/mask_loads.hpp"
 #include "washfsi/shapes/combinations.hpp"
 #include "washfsi/shapes/primitives.hpp"
 
@@ -90,7 +90,7 @@ TEST(WallLoads, OfTheWaterBesideABodyAreNotTheBodys) {
   WASH_PETSC(VecSet(velocity, 1));
   mask.apply(velocity);
   const GhostedVelocity<2> local_velocity(boundary, grid.face_dm(), velocity, 0);
-  const auto loads = mask.hidden_wall_shear(boundary, local_velocity, {viscosity}, 0);
+  const auto loads = hidden_wall_shear(mask, boundary, local_velocity, {viscosity}, 0);
   EXPECT_NEAR(loads[0].force[0], 0, 1e-12);
 }
 

@@ -11,14 +11,14 @@ namespace washfsi::test {
 
 /// The forces of cloths by themselves, held at the places of this rank's markers.
 template <int Dim>
-Forces<Dim> cloth_forces(const Cloths<Dim>& cloths, const Points<Dim>& anchors) {
-  Forces<Dim> forces(cloths);
-  forces.add(std::make_unique<Elasticity<Dim>>(cloths));
-  forces.add(std::make_unique<StrongElasticity<Dim>>(cloths));
-  forces.add(std::make_unique<HoldingSprings<Dim>>(cloths, anchors));
-  forces.add(std::make_unique<Damping<Dim>>(cloths));
-  forces.add(std::make_unique<DeadLoads<Dim>>(cloths, Point<Dim>::Zero()));
-  return forces;
-}
+struct ClothForces : Forces<Dim> {
+  ClothForces(const Cloths<Dim>& cloths, const Points<Dim>& anchors) : Forces<Dim>(cloths) {
+    this->add(std::make_unique<Elasticity<Dim>>(cloths));
+    this->add(std::make_unique<StrongElasticity<Dim>>(cloths));
+    this->add(std::make_unique<HoldingSprings<Dim>>(cloths, anchors));
+    this->add(std::make_unique<Damping<Dim>>(cloths));
+    this->add(std::make_unique<DeadLoads<Dim>>(cloths, Point<Dim>::Zero()));
+  }
+};
 
 }  // namespace washfsi::test

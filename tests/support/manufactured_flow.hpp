@@ -115,11 +115,11 @@ class ManufacturedRun {
   std::pair<petsc::Vector, petsc::Vector> final_state(double dt, int steps) {
     const petsc::Vector before = grid_.cell_vector();
     (void)advance(dt, steps - 1);
-    WASH_PETSC(VecCopy(water_.fluid.pressure(), before));
+    WASH_PETSC(VecCopy(water_.fluid.projection().pressure(), before));
     take_steps(dt, 1);
     petsc::Vector velocity = grid_.face_vector(), pressure = grid_.cell_vector();
     WASH_PETSC(VecCopy(water_.fluid.velocity(), velocity));
-    WASH_PETSC(VecCopy(water_.fluid.pressure(), pressure));
+    WASH_PETSC(VecCopy(water_.fluid.projection().pressure(), pressure));
     WASH_PETSC(VecAXPBY(pressure, -0.5, 1.5, before));
     return {std::move(velocity), std::move(pressure)};
   }
@@ -142,7 +142,7 @@ class ManufacturedRun {
 
   void set_exact_start(double dt) {
     const FaceView<Dim> u(grid_.face_dm(), water_.fluid.velocity());
-    const CellView<Dim> p(grid_.cell_dm(), water_.fluid.pressure());
+    const CellView<Dim> p(grid_.cell_dm(), water_.fluid.projection().pressure());
     for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) {
       for (int c = 0; c < Dim; ++c) u(cell, c) = exact_.velocity(grid_.face_center(cell, c), 0)[c];
       p(cell) = exact_.pressure(grid_.cell_center(cell), -dt / 2);
@@ -173,7 +173,7 @@ class ManufacturedRun {
 
   FlowError error(double dt) {
     const ConstFaceView<Dim> u(grid_.face_dm(), water_.fluid.velocity());
-    const ConstCellView<Dim> p(grid_.cell_dm(), water_.fluid.pressure());
+    const ConstCellView<Dim> p(grid_.cell_dm(), water_.fluid.projection().pressure());
     const double time = water_.clock.time, count = grid_.cell_count();
     double offset = 0;
     for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) {

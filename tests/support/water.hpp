@@ -18,7 +18,13 @@ struct Water {
 
   void advance(double dt, const Constraint<Dim>& constraint = {}) {
     liquid.update_viscosity({fluid.velocity(), clock.time, nullptr, fluid.last_step()});
-    fluid.advance(clock.next(dt), {liquid.fields(), force, constraint});
+    take_step(dt, {liquid.fields(), force, constraint});
+  }
+  /// Takes a step with these fields.
+  void take_step(double dt, const StepFields<Dim>& fields) {
+    fluid.predict(clock.next(dt), fields);
+    fluid.projection().project();
+    fluid.finish();
     clock.advance(dt);
   }
   /// The velocity now, its ghosts filled.

@@ -45,7 +45,7 @@ class Discs {
   double force_on(std::size_t body) {
     walls_.accept();
     double most = 0;
-    const PatchRange own = walls_.markers().own();
+    const PatchRange own = walls_.markers().layout().own();
     for (std::size_t p = own.begin; p < own.end; ++p)
       if (walls_.markers().layout().body_of(p) == body) most = std::max(most, walls_.previous()[p - own.begin].norm());
     return largest(PETSC_COMM_WORLD, most);

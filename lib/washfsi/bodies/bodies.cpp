@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/bodies/bodies.hpp"
 
+#include "washfsi/mask/mask_loads.hpp"
 #include "washfsi/wall_forces/marker_loads.hpp"
 
 namespace washfsi {
@@ -32,12 +33,6 @@ Bodies<Dim>::Bodies(const Grid<Dim>& grid, Boundary<Dim>& boundary, const std::v
 }
 
 template <int Dim>
-void Bodies<Dim>::place(double time) {
-  mask_.update(time);
-  place_walls(time);
-}
-
-template <int Dim>
 void Bodies<Dim>::place(double time, Vec velocity, double time_of_velocity) {
   place(time);
   if (!mask_.extrapolates()) return;
@@ -47,10 +42,11 @@ void Bodies<Dim>::place(double time, Vec velocity, double time_of_velocity) {
 
 // The sides beneath bodies move with them.
 template <int Dim>
-void Bodies<Dim>::place_walls(double time) {
+void Bodies<Dim>::place(double time) {
+  mask_.update(time);
   if (!walls_) return;
   const PosedBodies<Dim> posed(list_, time);
-  boundary_.cover_sides(time, mask_.cover(posed));
+  boundary_.covers().set(time, mask_.cover(posed));
   walls_->place(time);
   count_sliding_water();
 }
@@ -69,8 +65,9 @@ void Bodies<Dim>::let_water_slide() {
 
 template <int Dim>
 Loads<Dim> Bodies<Dim>::water_loads(const WaterAtBodies& water) const {
-  Loads<Dim> loads = mask_.loads(water.constraint_force, water.density, water.pressure, water.time - 0.5 * water.dt);
-  const Loads<Dim> beneath = mask_.hidden_wall_shear(boundary_, water.local_velocity, water.viscosity, water.time);
+  Loads<Dim> loads =
+      constraint_loads(mask_, water.constraint_force, water.density, water.pressure, water.time - 0.5 * water.dt);
+  const Loads<Dim> beneath = hidden_wall_shear(mask_, boundary_, water.local_velocity, water.viscosity, water.time);
   const Loads<Dim> of_markers = walls_ ? marker_loads(*walls_) : Loads<Dim>(loads.size());
   for (std::size_t b = 0; b < loads.size(); ++b) (loads[b] += beneath[b]) += of_markers[b];
   return loads;

@@ -28,14 +28,6 @@ class Bodies {
   Bodies(const Grid<Dim>& grid, Boundary<Dim>& boundary, const std::vector<Body<Dim>>& list,
          const BodyTreatment& treatment, const FluidOptions<Dim>& fluid);
 
-  const std::vector<Body<Dim>>& list() const { return list_; }
-  operator const std::vector<Body<Dim>>&() const { return list_; }
-  auto begin() const { return list_.begin(); }
-  auto end() const { return list_.end(); }
-  std::size_t size() const { return list_.size(); }
-  bool empty() const { return list_.empty(); }
-  const Body<Dim>& operator[](std::size_t body) const { return list_[body]; }
-
   /// Places the bodies as they are at `time`, with the velocity of the water before the step [m/s], at its time.
   /// Collective.
   void place(double time, Vec velocity, double time_of_velocity);
@@ -57,9 +49,9 @@ class Bodies {
   void apply(Vec velocity) const { mask_.apply(velocity); }
 
   /// H on faces; null without bodies.
-  Vec fluid_fraction() const { return empty() ? nullptr : mask_.fluid_fraction(); }
+  Vec fluid_fraction() const { return list_.empty() ? nullptr : mask_.fluid_fraction(); }
   /// The fluid volume fraction of faces; null without bodies.
-  Vec fluid_share() const { return empty() ? nullptr : mask_.fluid_share(); }
+  Vec fluid_share() const { return list_.empty() ? nullptr : mask_.fluid_share(); }
   /// The share of each face that the mean pressure gradient drives (`StepFields`); null where it drives all.
   Vec driven_share() const { return law_ ? mask_.fluid_share() : nullptr; }
   /// The weight of upwind advection on faces, 1 beside edges; null if advection is central everywhere.
@@ -78,7 +70,6 @@ class Bodies {
   void register_state(StateList& state);
 
  private:
-  void place_walls(double time);
   /// Counts thin parts along which the water slides as fluid in the mask; call it after mask and walls have been
   /// placed.
   void count_sliding_water();

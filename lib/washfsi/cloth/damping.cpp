@@ -14,9 +14,9 @@ Damping<Dim>::Damping(const Cloths<Dim>& cloths)
 template <int Dim>
 void Damping<Dim>::add_force(const Points<Dim>& positions, const Points<Dim>& velocities, Points<Dim>& forces) const {
   if (!any_) return;
-  const Points<Dim> x = cloths_.with_halo(positions), u = cloths_.with_halo(velocities);
-  cloths_.add_by_patch(cloths_.patches(), forces, [&](const Patch& patch, std::span<Point<Dim>> of_patch) {
-    add_damping_forces<Dim>(cloths_.group_of(patch).sheet, cloths_.seen(x, patch), cloths_.seen(u, patch), of_patch);
+  const Points<Dim> x = cloths_.lattices().with_halo(positions), u = cloths_.lattices().with_halo(velocities);
+  add_by_part(cloths_.lattices().parts(), forces, [&](const LatticePart& part, std::span<Point<Dim>> of_part) {
+    add_damping_forces<Dim>(cloths_.group_of(part).sheet, part.seen(x), part.seen(u), of_part);
   });
 }
 

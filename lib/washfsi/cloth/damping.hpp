@@ -13,7 +13,7 @@ class Damping : public MarkerForce<Dim> {
   /// The cloths must outlive it.
   explicit Damping(const Cloths<Dim>& cloths);
 
-  Dependence dependence() const override { return Dependence::velocities; }
+  ForceKind kind() const override { return {.dependence = Dependence::velocities}; }
   std::string origin() const override { return "-NAME_damping"; }
   void add_force(const Points<Dim>& positions, const Points<Dim>& velocities, Points<Dim>& forces) const override;
   void add_bound(std::span<StiffnessBound> bounds) const override;

@@ -25,11 +25,11 @@ Point<Dim> load_on(const ClothGroup<Dim>& group, PetscInt marker, double area) {
 
 template <int Dim>
 DeadLoads<Dim>::DeadLoads(const Cloths<Dim>& cloths, const Point<Dim>& gravity) {
-  for (const Patch& patch : cloths.patches()) {
-    const ClothGroup<Dim>& group = cloths.group_of(patch);
-    for (std::size_t i = patch.own_begin; i < patch.own_end; ++i) {
+  for (const LatticePart& part : cloths.lattices().parts()) {
+    const ClothGroup<Dim>& group = cloths.group_of(part);
+    for (std::size_t i = part.own_begin; i < part.own_end; ++i) {
       const std::size_t m = loads_.size();
-      const PetscInt marker = patch.markers[i] - cloths.pieces()[patch.piece].first;
+      const PetscInt marker = part.markers[i] - cloths.pieces()[part.piece].first;
       loads_.push_back(cloths.marker_masses()[m] * gravity + load_on(group, marker, cloths.marker_areas()[m]));
     }
   }

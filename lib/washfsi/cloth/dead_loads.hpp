@@ -14,7 +14,7 @@ class DeadLoads : public MarkerForce<Dim> {
   /// `gravity` in [m/s2].
   DeadLoads(const Cloths<Dim>& cloths, const Point<Dim>& gravity);
 
-  Dependence dependence() const override { return Dependence::none; }
+  ForceKind kind() const override { return {.dependence = Dependence::none}; }
   std::string origin() const override { return "-gravity, -NAME_load"; }
   void add_force(const Points<Dim>& positions, const Points<Dim>& velocities, Points<Dim>& forces) const override;
 

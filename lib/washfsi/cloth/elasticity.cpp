@@ -7,8 +7,8 @@ namespace washfsi {
 
 template <int Dim>
 Elasticity<Dim>::Elasticity(const Cloths<Dim>& cloths, ElasticModel model) : cloths_(cloths), model_(model) {
-  for (const Patch& patch : cloths.patches())
-    if (cloths.group_of(patch).model == model) patches_.push_back(patch);
+  for (const LatticePart& part : cloths.lattices().parts())
+    if (cloths.group_of(part).model == model) parts_.push_back(part);
 }
 
 template <int Dim>
@@ -20,40 +20,39 @@ std::string Elasticity<Dim>::origin() const {
 
 template <int Dim>
 void Elasticity<Dim>::add_force(const Points<Dim>& positions, const Points<Dim>&, Points<Dim>& forces) const {
-  const Points<Dim> x = cloths_.with_halo(positions);
-  cloths_.add_by_patch(patches_, forces, [&](const Patch& patch, std::span<Point<Dim>> of_patch) {
-    add_energy_forces<Dim>(cloths_.group_of(patch).sheet, cloths_.seen(x, patch), of_patch);
+  const Points<Dim> x = cloths_.lattices().with_halo(positions);
+  add_by_part(parts_, forces, [&](const LatticePart& part, std::span<Point<Dim>> of_part) {
+    add_energy_forces<Dim>(cloths_.group_of(part).sheet, part.seen(x), of_part);
   });
 }
 
 template <int Dim>
 void Elasticity<Dim>::add_energy(const Points<Dim>& positions, std::span<double> of_groups) const {
-  const Points<Dim> x = cloths_.with_halo(positions);
-  for (const Patch& patch : patches_)
-    of_groups[cloths_.pieces()[patch.piece].group] +=
-        elastic_energy<Dim>(cloths_.group_of(patch).sheet, cloths_.seen(x, patch), patch.own_begin, patch.own_end);
+  const Points<Dim> x = cloths_.lattices().with_halo(positions);
+  for (const LatticePart& part : parts_)
+    of_groups[cloths_.pieces()[part.piece].group] +=
+        elastic_energy<Dim>(cloths_.group_of(part).sheet, part.seen(x), part.own_begin, part.own_end);
 }
 
 template <int Dim>
 void Elasticity<Dim>::add_force_rates(const Points<Dim>& positions, const Points<Dim>& direction,
                                       Points<Dim>& rates) const {
-  const Points<Dim> x = cloths_.with_halo(positions), d = cloths_.with_halo(direction);
-  cloths_.add_by_patch(patches_, rates, [&](const Patch& patch, std::span<Point<Dim>> of_patch) {
-    add_energy_force_rates<Dim>(cloths_.group_of(patch).sheet, cloths_.seen(x, patch), cloths_.seen(d, patch),
-                                of_patch);
+  const Points<Dim> x = cloths_.lattices().with_halo(positions), d = cloths_.lattices().with_halo(direction);
+  add_by_part(parts_, rates, [&](const LatticePart& part, std::span<Point<Dim>> of_part) {
+    add_energy_force_rates<Dim>(cloths_.group_of(part).sheet, part.seen(x), part.seen(d), of_part);
   });
 }
 
 template <int Dim>
 void Elasticity<Dim>::visit_stiffness(const Points<Dim>& positions, GeometricStiffness geometric,
                                       const AddMarkerBlock<Dim>& add) const {
-  const Points<Dim> x = cloths_.with_halo(positions);
-  for (const Patch& patch : patches_)
-    add_energy_stiffness<Dim>(cloths_.group_of(patch).sheet, cloths_.seen(x, patch), geometric,
+  const Points<Dim> x = cloths_.lattices().with_halo(positions);
+  for (const LatticePart& part : parts_)
+    add_energy_stiffness<Dim>(cloths_.group_of(part).sheet, part.seen(x), geometric,
                               [&](std::size_t row, std::size_t column, const StiffnessBlock<Dim>& block) {
-                                if (row < patch.own_begin || row >= patch.own_end)
+                                if (row < part.own_begin || row >= part.own_end)
                                   return;  // another rank's, or incomplete here
-                                add(patch.markers[row], patch.markers[column], block);
+                                add(part.markers[row], part.markers[column], block);
                               });
 }
 
@@ -76,9 +75,9 @@ void Elasticity<Dim>::add_bound(std::span<StiffnessBound> bounds) const {
 template <int Dim>
 void StrongElasticity<Dim>::add_force(const Points<Dim>& positions, const Points<Dim>&, Points<Dim>& forces) const {
   const Cloths<Dim>& cloths = this->cloths();
-  const Points<Dim> x = cloths.with_halo(positions);
-  cloths.add_by_patch(this->patches(), forces, [&](const Patch& patch, std::span<Point<Dim>> of_patch) {
-    add_love_forces(cloths.group_of(patch).sheet, cloths.seen(x, patch), of_patch);
+  const Points<Dim> x = cloths.lattices().with_halo(positions);
+  add_by_part(this->parts(), forces, [&](const LatticePart& part, std::span<Point<Dim>> of_part) {
+    add_love_forces(cloths.group_of(part).sheet, part.seen(x), of_part);
   });
 }
 

@@ -13,9 +13,8 @@ class Elasticity : public MarkerForce<Dim> {
   /// The cloths must outlive it.
   explicit Elasticity(const Cloths<Dim>& cloths, ElasticModel model = ElasticModel::energy);
 
-  Dependence dependence() const override { return Dependence::potential; }
+  ForceKind kind() const override { return {.dependence = Dependence::potential, .is_elastic = true}; }
   std::string origin() const override;
-  bool is_elastic() const override { return true; }
   void add_force(const Points<Dim>& positions, const Points<Dim>& velocities, Points<Dim>& forces) const override;
   void add_energy(const Points<Dim>& positions, std::span<double> of_groups) const override;
   void add_force_rates(const Points<Dim>& positions, const Points<Dim>& direction, Points<Dim>& rates) const override;
@@ -26,12 +25,12 @@ class Elasticity : public MarkerForce<Dim> {
 
  protected:
   const Cloths<Dim>& cloths() const { return cloths_; }
-  const std::vector<Patch>& patches() const { return patches_; }
+  const std::vector<LatticePart>& parts() const { return parts_; }
 
  private:
   const Cloths<Dim>& cloths_;
   ElasticModel model_;
-  std::vector<Patch> patches_;  ///< patches of the groups with this model
+  std::vector<LatticePart> parts_;  ///< parts of the groups with this model
 };
 
 /// The thesis's strong form of elasticity (`love.hpp`), which has no energy: measured energy and approximate Jacobian
@@ -41,7 +40,7 @@ class StrongElasticity : public Elasticity<Dim> {
  public:
   explicit StrongElasticity(const Cloths<Dim>& cloths) : Elasticity<Dim>(cloths, ElasticModel::love) {}
 
-  Dependence dependence() const override { return Dependence::places; }
+  ForceKind kind() const override { return {.dependence = Dependence::places, .is_elastic = true}; }
   void add_force(const Points<Dim>& positions, const Points<Dim>& velocities, Points<Dim>& forces) const override;
 };
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <memory>
 
 #include "washfsi/cloth/cloths.hpp"
-#include "washfsi/cloth/marker_force.hpp"
-#include "washfsi/cloth/stiffness_rows.hpp"
+#include "washfsi/cloth/force_stiffness.hpp"
 
 namespace washfsi {
 
@@ -15,14 +15,14 @@ template <int Dim>
 class Forces {
  public:
   /// The cloths must outlive it.
-  explicit Forces(const Cloths<Dim>& cloths) : cloths_(cloths) {}
+  explicit Forces(const Cloths<Dim>& cloths) : cloths_(cloths), stiffness_(cloths, forces_) {}
+  Forces(const Forces&) = delete;
+  Forces& operator=(const Forces&) = delete;
 
   MPI_Comm comm() const { return cloths_.comm(); }
   /// Adds a force. No communication.
   void add(std::unique_ptr<MarkerForce<Dim>> force) { forces_.push_back(std::move(force)); }
   const std::vector<std::unique_ptr<MarkerForce<Dim>>>& list() const { return forces_; }
-  /// The first force without the Jacobian that an implicit treatment needs; null if there is none. No communication.
-  const MarkerForce<Dim>* without_jacobian() const;
 
   void begin_step(const StepStart<Dim>& start);
 
@@ -41,20 +41,9 @@ class Forces {
   /// 2-norm over all markers of the round-off that `of_places` may have.
   double round_off(const Points<Dim>& positions) const;
 
-  /// K d, with K minus the Jacobian of `of_places`.
-  Points<Dim> stiffness_product(const Points<Dim>& positions, const Points<Dim>& direction) const;
-  /// Creates a matrix with a row for each coordinate of each marker and the nonzero pattern of K; call it again when
-  /// `pattern` has changed.
-  void lay_out_stiffness(petsc::Matrix& matrix);
-  std::vector<long> pattern() const;
-  /// Whether any rank has left out blocks of K that are not in the pattern; and renews the pattern with these.
-  bool outgrow_pattern() const;
-  void renew_pattern();
-  /// Sets a matrix, laid out for this pattern, to factor times K.
-  void set_stiffness(const Points<Dim>& positions, GeometricStiffness geometric, double factor, Mat matrix) const;
-
-  /// Whether any force is of friction.
-  bool have_friction() const;
+  /// K, minus the Jacobian of `of_places`.
+  ForceStiffness<Dim>& stiffness() { return stiffness_; }
+  const ForceStiffness<Dim>& stiffness() const { return stiffness_; }
 
   /// Whether any force has a step limit; the share of a motion, from 0 to 1, that is within the limit for all markers;
   /// and the motion shortened only for those markers that exceed it.
@@ -64,11 +53,7 @@ class Forces {
   /// Sharpens the forces at the solution of a step; returns whether it has to be solved again.
   bool sharpen(const Points<Dim>& positions);
 
-  /// The stiffness and damping of each marker, which bound the explicit step.
-  std::vector<StiffnessBound> bounds() const;
-
  private:
-  bool is_of_places(const MarkerForce<Dim>& force) const;
   template <class Select>
   Points<Dim> sum_of(const Select& select, const Points<Dim>& positions, const Points<Dim>& velocities) const;
   template <class Select>
@@ -76,8 +61,22 @@ class Forces {
 
   const Cloths<Dim>& cloths_;
   std::vector<std::unique_ptr<MarkerForce<Dim>>> forces_;
-  StiffnessRows<Dim> rows_;  ///< rows of the pattern that was laid out last
+  ForceStiffness<Dim> stiffness_;
 };
+
+/// The first force without the Jacobian that an implicit treatment needs; null if there is none.
+template <int Dim>
+const MarkerForce<Dim>* without_jacobian(const Forces<Dim>& forces) {
+  for (const auto& force : forces.list())
+    if (force->kind().dependence == Dependence::places) return force.get();
+  return nullptr;
+}
+
+/// Whether any force is of friction.
+template <int Dim>
+bool have_friction(const Forces<Dim>& forces) {
+  return std::ranges::any_of(forces.list(), [](const auto& force) { return force->kind().has_friction; });
+}
 
 extern template class Forces<2>;
 extern template class Forces<3>;

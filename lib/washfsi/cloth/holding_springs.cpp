@@ -7,12 +7,12 @@ namespace washfsi {
 
 template <int Dim>
 HoldingSprings<Dim>::HoldingSprings(const Cloths<Dim>& cloths, const Points<Dim>& positions) : cloths_(cloths) {
-  for (const Patch& patch : cloths.patches()) {
-    const ClothGroup<Dim>& group = cloths.group_of(patch);
+  for (const LatticePart& part : cloths.lattices().parts()) {
+    const ClothGroup<Dim>& group = cloths.group_of(part);
     const std::vector<PetscInt> held = group.held_markers();
-    for (std::size_t i = patch.own_begin; i < patch.own_end; ++i) {
-      const std::size_t marker = patch.own_first + i - patch.own_begin;
-      if (std::binary_search(held.begin(), held.end(), patch.markers[i] - cloths.pieces()[patch.piece].first))
+    for (std::size_t i = part.own_begin; i < part.own_end; ++i) {
+      const std::size_t marker = part.own_first + i - part.own_begin;
+      if (std::binary_search(held.begin(), held.end(), part.markers[i] - cloths.pieces()[part.piece].first))
         springs_.push_back({marker, group.hold_stiffness, positions[marker]});
     }
   }

@@ -13,9 +13,8 @@ class HoldingSprings : public MarkerForce<Dim> {
   /// `positions` are those of this rank's markers at the start. The cloths must outlive it.
   HoldingSprings(const Cloths<Dim>& cloths, const Points<Dim>& positions);
 
-  Dependence dependence() const override { return Dependence::potential; }
+  ForceKind kind() const override { return {.dependence = Dependence::potential, .is_elastic = true}; }
   std::string origin() const override { return "-NAME_hold"; }
-  bool is_elastic() const override { return true; }
   void add_force(const Points<Dim>& positions, const Points<Dim>& velocities, Points<Dim>& forces) const override;
   void add_energy(const Points<Dim>& positions, std::span<double> of_groups) const override;
   void add_force_rates(const Points<Dim>& positions, const Points<Dim>& direction, Points<Dim>& rates) const override;

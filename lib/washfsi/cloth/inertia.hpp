@@ -18,7 +18,7 @@ class Inertia : public MarkerForce<Dim> {
   /// The cloths must outlive it.
   explicit Inertia(const Cloths<Dim>& cloths) : cloths_(cloths) {}
 
-  Dependence dependence() const override { return Dependence::potential; }
+  ForceKind kind() const override { return {.dependence = Dependence::potential}; }
   std::string origin() const override { return "-cloth_inertia"; }
   void begin_step(const StepStart<Dim>& start) override;
   void add_force(const Points<Dim>& positions, const Points<Dim>& velocities, Points<Dim>& forces) const override;

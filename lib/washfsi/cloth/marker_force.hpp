@@ -20,6 +20,14 @@ enum class Dependence {
   velocities,  ///< on velocities too: dissipates energy of the cloth
 };
 
+/// What a coupling scheme has to know of a force.
+struct ForceKind {
+  Dependence dependence;
+  bool is_elastic = false;      ///< whether its energy is stored in the cloth itself
+  bool has_friction = false;    ///< whether it has friction, which depends on the length of an explicit step
+  bool has_step_limit = false;  ///< whether it forbids some places to markers: schemes shorten motions to `step_limit`
+};
+
 /// The acceleration of a marker that moves with the mean velocity W in a step: rate W - known.
 template <int Dim>
 struct Acceleration {
@@ -64,14 +72,9 @@ class MarkerForce {
   MarkerForce& operator=(const MarkerForce&) = delete;
   virtual ~MarkerForce() = default;
 
-  virtual Dependence dependence() const = 0;
+  virtual ForceKind kind() const = 0;
   /// The option that created it, for messages.
   virtual std::string origin() const = 0;
-  /// Whether its energy is stored in the cloth itself.
-  virtual bool is_elastic() const { return false; }
-
-  /// Whether it has friction, which depends on the length of an explicit step.
-  virtual bool has_friction() const { return false; }
 
   /// Called before a step, by some schemes twice: finds what is near, valid until the next call. With dt = 0 at the
   /// step's start, for the forces there; with dt > 0 for those at the end, which may be solved for.
@@ -99,8 +102,6 @@ class MarkerForce {
   /// Adds to the bound of each marker.
   virtual void add_bound(std::span<StiffnessBound>) const {}
 
-  /// Whether it forbids some places to markers, so that a scheme must shorten their motions to `step_limit`.
-  virtual bool has_step_limit() const { return false; }
   /// The share of a straight motion, from 0 to 1, that all markers can make without reaching such places. Afterwards
   /// what it has found near the markers is valid for all places on this way.
   virtual double step_limit(const Points<Dim>&, const Points<Dim>&) { return 1; }
@@ -113,5 +114,12 @@ class MarkerForce {
   /// Shortens the motion of those markers that would reach forbidden places.
   virtual void shorten(const Points<Dim>&, Points<Dim>&) {}
 };
+
+/// Whether a force depends on places alone, with its Jacobian or an approximate one.
+template <int Dim>
+bool is_of_places(const MarkerForce<Dim>& force) {
+  const Dependence dependence = force.kind().dependence;
+  return dependence == Dependence::potential || dependence == Dependence::places;
+}
 
 }  // namespace washfsi

@@ -4,104 +4,16 @@
 #include <algorithm>
 #include <numeric>
 
-#include "washfsi/support/of_all_ranks.hpp"
+#include "washfsi/support/collective.hpp"
 
 namespace washfsi {
 
-namespace {
-
-constexpr std::size_t most_of_block = 32;  // markers in a block: boxes are small, and few compared to markers
-
-/// The markers of the facets that begin at some markers of a cloth: these, the next one, and the same in the next row.
-std::array<std::pair<std::size_t, std::size_t>, 2> runs(std::size_t first, std::size_t end, std::size_t width) {
-  return {std::pair{first, end + 1}, std::pair{first + width, end + width + 1}};
-}
-
-}  // namespace
-
 template <int Dim>
 NearMarkers<Dim>::NearMarkers(const Cloths<Dim>& cloths, const PeriodicSpace<Dim>& space)
-    : cloths_(cloths), space_(space) {
-  const auto owned = static_cast<PetscInt>(cloths.owned());
-  WASH_PETSC(PetscLayoutCreateFromSizes(cloths.comm(), owned, PETSC_DETERMINE, 1, layout_.put()));
-  const std::vector<Block> mine = own_blocks();
-  blocks_ = of_all_ranks(cloths.comm(), mine);
-  counts_ = of_all_ranks(cloths.comm(), std::vector<int>{static_cast<int>(2 * Dim * mine.size())});
-  starts_.resize(counts_.size());
-  std::exclusive_scan(counts_.begin(), counts_.end(), starts_.begin(), 0);
+    : cloths_(cloths), blocks_(cloths, space) {
   std::vector<std::size_t> own(cloths.owned());
   std::iota(own.begin(), own.end(), static_cast<std::size_t>(cloths.begin()));
   know(std::move(own));
-}
-
-template <int Dim>
-std::vector<typename NearMarkers<Dim>::Block> NearMarkers<Dim>::own_blocks() const {
-  std::vector<Block> blocks;
-  for (const Patch& patch : cloths_.patches()) {
-    const std::size_t begin = static_cast<std::size_t>(cloths_.begin()) + patch.own_first,
-                      end = begin + patch.own_end - patch.own_begin;
-    for (std::size_t first = begin; first < end; first += most_of_block)
-      blocks.push_back({patch.piece, first, std::min(first + most_of_block, end)});
-  }
-  return blocks;
-}
-
-// Boxes of the facets that begin at a block's markers, with half of the distance round them.
-template <int Dim>
-std::vector<Bounds<Dim>> NearMarkers<Dim>::own_boxes(const Points<Dim>& positions, const std::vector<double>& reaches,
-                                                     double distance) const {
-  const Points<Dim> places = cloths_.with_halo(positions);
-  const std::vector<double> margins = cloths_.with_halo(reaches);
-  std::vector<Bounds<Dim>> boxes;
-  for (const Patch& patch : cloths_.patches()) {
-    const std::size_t width = cloths_.group_of(patch).sheet.width;
-    for (std::size_t first = patch.own_begin; first < patch.own_end; first += most_of_block) {
-      const std::size_t end = std::min(first + most_of_block, patch.own_end);
-      std::vector<Bounds<Dim>> of_markers;
-      for (const auto& [begin, stop] : runs(first, end, width))
-        for (std::size_t m = begin; m < std::min(stop, patch.markers.size()); ++m) {
-          const std::size_t place = patch.first_in_halo + m;
-          of_markers.push_back(
-              Bounds<Dim>::round(places[place], Point<Dim>::Constant(margins[place] + 0.5 * distance)));
-        }
-      boxes.push_back(hull(of_markers));
-    }
-  }
-  return boxes;
-}
-
-template <int Dim>
-std::vector<Bounds<Dim>> NearMarkers<Dim>::of_all_blocks(const std::vector<Bounds<Dim>>& own) const {
-  static_assert(sizeof(Bounds<Dim>) == 2 * Dim * sizeof(double));
-  std::vector<Bounds<Dim>> all(blocks_.size());
-  MPI_Allgatherv(own.data(), static_cast<int>(2 * Dim * own.size()), MPI_DOUBLE, all.data(), counts_.data(),
-                 starts_.data(), MPI_DOUBLE, cloths_.comm());
-  return all;
-}
-
-template <int Dim>
-std::vector<std::size_t> NearMarkers<Dim>::markers_near(const std::vector<Bounds<Dim>>& own) const {
-  std::vector<Bounds<Dim>> boxes = of_all_blocks(own);
-  Point<Dim> mean = Point<Dim>::Zero();
-  for (const auto& box : boxes) mean += (box.upper - box.lower) / static_cast<double>(boxes.size());
-  const NearSearch<Dim> search(std::move(boxes), mean, hull(own), space_);
-  std::vector<char> is_near(blocks_.size(), 0);
-  for (const auto& box : own) search.visit_near(box, [&](std::size_t block) { is_near[block] = 1; });
-  std::vector<std::size_t> markers;
-  for (std::size_t b = 0; b < blocks_.size(); ++b)
-    if (is_near[b]) add_markers(blocks_[b], markers);
-  return markers;
-}
-
-// Adds the markers of a block's facets; a closed cloth continues at its start.
-template <int Dim>
-void NearMarkers<Dim>::add_markers(const Block& block, std::vector<std::size_t>& markers) const {
-  const Piece& piece = cloths_.pieces()[block.piece];
-  const Sheet& sheet = cloths_.groups()[piece.group].sheet;
-  const auto start = static_cast<std::size_t>(piece.first), count = static_cast<std::size_t>(piece.count);
-  for (const auto& [begin, stop] : runs(block.first - start, block.end - start, sheet.width))
-    for (std::size_t m = begin; m < (sheet.closed ? stop : std::min(stop, count)); ++m)
-      markers.push_back(start + m % count);
 }
 
 template <int Dim>
@@ -109,7 +21,7 @@ bool NearMarkers<Dim>::choose(const Points<Dim>& positions, const std::vector<do
                               Before before) {
   if (ranks_of(cloths_.comm()) == 1) return false;  // all markers are its own
   const petsc::LogPart part("near_markers");
-  std::vector<std::size_t> markers = markers_near(own_boxes(positions, reaches, distance));
+  std::vector<std::size_t> markers = blocks_.markers_near(positions, reaches, distance);
   for (std::size_t m = 0; m < cloths_.owned(); ++m) markers.push_back(static_cast<std::size_t>(cloths_.number_of(m)));
   if (before == Before::keep) markers.insert(markers.end(), numbers_.begin(), numbers_.end());
   std::sort(markers.begin(), markers.end());
@@ -135,7 +47,7 @@ void NearMarkers<Dim>::know(std::vector<std::size_t> numbers) {
     others.push_back(number);
   }
   WASH_PETSC(PetscSFCreate(cloths_.comm(), forest_.put()));
-  WASH_PETSC(PetscSFSetGraphLayout(forest_, layout_, static_cast<PetscInt>(others.size()), places.data(),
+  WASH_PETSC(PetscSFSetGraphLayout(forest_, cloths_.layout(), static_cast<PetscInt>(others.size()), places.data(),
                                    PETSC_COPY_VALUES, others.data()));
   WASH_PETSC(PetscSFSetUp(forest_));
 }

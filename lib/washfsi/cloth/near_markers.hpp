@@ -5,8 +5,7 @@
 // owners the values of the markers of those that overlap its own boxes. Nothing else of a cloth is known to all.
 #pragma once
 
-#include "washfsi/cloth/cloths.hpp"
-#include "washfsi/geometry/near_search.hpp"
+#include "washfsi/cloth/facet_blocks.hpp"
 
 namespace washfsi {
 
@@ -53,16 +52,6 @@ class NearMarkers {
   std::vector<double> least(const std::vector<double>& of_known) const;
 
  private:
-  /// Consecutive markers of one cloth, at which facets begin.
-  struct Block {
-    std::size_t piece, first, end;
-  };
-  std::vector<Block> own_blocks() const;
-  std::vector<Bounds<Dim>> own_boxes(const Points<Dim>& positions, const std::vector<double>& reaches,
-                                     double distance) const;
-  std::vector<Bounds<Dim>> of_all_blocks(const std::vector<Bounds<Dim>>& own) const;
-  std::vector<std::size_t> markers_near(const std::vector<Bounds<Dim>>& own) const;
-  void add_markers(const Block& block, std::vector<std::size_t>& markers) const;
   void know(std::vector<std::size_t> numbers);
   template <class Values>
   Values known(const Values& own, MPI_Datatype type) const;
@@ -70,11 +59,8 @@ class NearMarkers {
   Values reduced(const Values& of_known, MPI_Datatype type, MPI_Op operation) const;
 
   const Cloths<Dim>& cloths_;
-  PeriodicSpace<Dim> space_;
+  FacetBlocks<Dim> blocks_;
   PointType<Dim> point_type_;
-  petsc::Layout layout_;
-  std::vector<Block> blocks_;         ///< blocks of all ranks, in rank order
-  std::vector<int> counts_, starts_;  ///< counts and starts of each rank's values in the exchange of boxes
   std::vector<std::size_t> numbers_, pieces_;
   std::size_t begin_ = 0;
   petsc::StarForest forest_;  ///< from the owners to the known markers of other ranks

@@ -107,17 +107,6 @@ double cancelling_size(const Sheet& sheet, double distance) {
   return size;
 }
 
-template <int Dim>
-double largest_stretch(const Sheet& sheet, std::span<const Point<Dim>> positions) {
-  const SheetLattice<Dim> lattice(sheet, positions);
-  double most = 0;
-  for (std::size_t k = 0; k < positions.size(); ++k) {
-    if (lattice.has_edge_s(k)) most = std::max(most, lattice.edge_s(k).norm() / sheet.ds - 1);
-    if (lattice.has_edge_r(k)) most = std::max(most, lattice.edge_r(k).norm() / sheet.dr - 1);
-  }
-  return most;
-}
-
 template void add_energy_forces<2>(const Sheet&, std::span<const Point<2>>, std::span<Point<2>>);
 template void add_energy_forces<3>(const Sheet&, std::span<const Point<3>>, std::span<Point<3>>);
 template void add_energy_force_rates<2>(const Sheet&, std::span<const Point<2>>, std::span<const Point<2>>,
@@ -130,7 +119,5 @@ template void add_damping_forces<3>(const Sheet&, std::span<const Point<3>>, std
                                     std::span<Point<3>>);
 template double elastic_energy<2>(const Sheet&, std::span<const Point<2>>, std::size_t, std::size_t);
 template double elastic_energy<3>(const Sheet&, std::span<const Point<3>>, std::size_t, std::size_t);
-template double largest_stretch<2>(const Sheet&, std::span<const Point<2>>);
-template double largest_stretch<3>(const Sheet&, std::span<const Point<3>>);
 
 }  // namespace washfsi

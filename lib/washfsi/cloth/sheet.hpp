@@ -20,7 +20,6 @@
 // and cannot create energy; bending is linear in X, so that nothing is singular on crumpled cloth.
 #pragma once
 
-#include <array>
 #include <functional>
 #include <span>
 
@@ -92,30 +91,5 @@ double largest_stiffness(const Sheet& sheet);
 
 /// The size of the terms whose difference is the force on a marker, at a distance from the origin [N].
 double cancelling_size(const Sheet& sheet, double distance);
-
-/// Largest stretch |X_s| - 1 or |X_r| - 1 of any edge.
-template <int Dim>
-double largest_stretch(const Sheet& sheet, std::span<const Point<Dim>> positions);
-
-/// Unit normal at each marker: e3, in the plane to the left of the fibre.
-template <int Dim>
-Points<Dim> normals(const Sheet& sheet, std::span<const Point<Dim>> positions);
-
-/// Components of stress: along warp, along weft, shear. In the plane there is only the first.
-enum StressComponent : std::size_t { ss, rr, sr, stress_components };
-
-/// Stresses and deformation at a marker. The stress at the cloth's surface is the sum of both (5.2-2 to 5.2-4).
-struct MarkerState {
-  std::array<double, stress_components> membrane_stress{};  ///< |N|/q, N the mean over the edges or quads beside,
-                                                            ///< zero beyond a centred lattice [Pa]
-  std::array<double, stress_components> bending_stress{};   ///< 6 |M|/q^2 [Pa]
-  double stretch = 0;                                       ///< mean of | |X_s| - 1 | of the edges beside
-  double curvature = 0;                                     ///< sqrt(kappa_s^2 + kappa_r^2 + 2 tau^2) [1/m]
-  double shear_angle = 0;                                   ///< mean of the quads beside [rad]
-};
-
-/// Computes the state at each marker.
-template <int Dim>
-std::vector<MarkerState> marker_states(const Sheet& sheet, std::span<const Point<Dim>> positions);
 
 }  // namespace washfsi

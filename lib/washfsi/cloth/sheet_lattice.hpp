@@ -4,36 +4,21 @@
 #include <algorithm>
 #include <cmath>
 
-#include "washfsi/cloth/sheet.hpp"
+#include "washfsi/cloth/reference_lattice.hpp"
 
 // Common parts of forces, stiffness and states of a sheet: its edges, quads and bends, strains and moments.
 
 namespace washfsi {
 
-/// Positions as a lattice of rows: the edges, quads and bends that they form.
+/// Positions as a lattice of rows: its edges, tangents, strains and curvatures.
 template <int Dim>
-class SheetLattice {
+class SheetLattice : public ReferenceLattice {
  public:
   SheetLattice(const Sheet& of_sheet, std::span<const Point<Dim>> positions)
-      : sheet(of_sheet),
-        x(positions),
-        m(std::max<std::size_t>(sheet.width, 1)),
-        n(positions.size() / m),
-        bending(bending_of(sheet.fabric)),
-        along_s(sheet.lattice, n),
-        along_r(sheet.lattice, m) {}
+      : ReferenceLattice(of_sheet, positions.size()), x(positions) {}
 
-  const Sheet& sheet;
   std::span<const Point<Dim>> x;
-  const std::size_t m, n;  ///< markers along r, rows
-  const BendingModuli bending;
-  const MarkerRow along_s, along_r;
 
-  bool has_edge_s(std::size_t k) const { return k + m < n * m; }
-  bool has_edge_r(std::size_t k) const { return k % m + 1 < m; }
-  bool has_quad(std::size_t k) const { return has_edge_s(k) && has_edge_r(k); }
-  bool bends_along_s(std::size_t k) const { return k >= m && has_edge_s(k); }
-  bool bends_along_r(std::size_t k) const { return k % m > 0 && has_edge_r(k); }
   Point<Dim> edge_s(std::size_t k) const { return x[k + m] - x[k]; }
   Point<Dim> edge_r(std::size_t k) const { return x[k + 1] - x[k]; }
   /// E11 and E22 of an edge.
@@ -49,21 +34,6 @@ class SheetLattice {
     return (x[k + 1] - 2 * x[k] + x[k - 1]) / (sheet.dr * sheet.dr);
   }
   Point<Dim> mixed_difference(std::size_t k) const { return (edge_s(k + 1) - edge_s(k)) / (sheet.ds * sheet.dr); }
-  /// Area of an edge along s, an edge along r, and a marker with its bends, over ds dr.
-  double share_s(std::size_t k) const { return along_r.share(k % m); }
-  double share_r(std::size_t k) const { return along_s.share(k / m); }
-  double share(std::size_t k) const { return share_r(k) * share_s(k); }
-  /// Share of an edge's area that has no quad.
-  double bare_s(std::size_t k) const { return along_r.overhang() * ((k % m == 0) + !has_edge_r(k)); }
-  double bare_r(std::size_t k) const { return along_s.overhang() * ((k < m) + !has_edge_s(k)); }
-  /// f
-  double bend_weight(std::size_t k) const { return bends_along_s(k) && bends_along_r(k) ? 1 : bending.alone; }
-  /// g_i g_j
-  double twist_weight(std::size_t k) const {
-    const double of_s = 1 + along_s.overhang() * ((k < m) + !has_edge_s(k + m));
-    const double of_r = 1 + along_r.overhang() * ((k % m == 0) + (k % m + 2 == m));
-    return of_s * of_r;
-  }
 };
 
 /// One value per edge along s, edge along r and quad, under the number of its lowest marker: the strains E11, E22 and

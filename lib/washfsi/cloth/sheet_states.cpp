@@ -1,5 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/cloth/sheet_states.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
 #include "washfsi/cloth/sheet_membrane.hpp"
+#include "washfsi/support/collective.hpp"
 
 namespace washfsi {
 
@@ -14,6 +21,17 @@ Point<Dim> tangent_between(std::span<const Point<Dim>> x, std::size_t before, st
 }
 
 }  // namespace
+
+template <int Dim>
+double largest_stretch(const Sheet& sheet, std::span<const Point<Dim>> positions) {
+  const SheetLattice<Dim> lattice(sheet, positions);
+  double most = 0;
+  for (std::size_t k = 0; k < positions.size(); ++k) {
+    if (lattice.has_edge_s(k)) most = std::max(most, lattice.edge_s(k).norm() / sheet.ds - 1);
+    if (lattice.has_edge_r(k)) most = std::max(most, lattice.edge_r(k).norm() / sheet.dr - 1);
+  }
+  return most;
+}
 
 template <int Dim>
 Points<Dim> normals(const Sheet& sheet, std::span<const Point<Dim>> positions) {
@@ -109,9 +127,58 @@ std::vector<MarkerState> marker_states(const Sheet& sheet, std::span<const Point
   return result;
 }
 
+namespace {
+
+// Collects this rank's values; find(part) gives a value for each marker of a part.
+template <int Dim, class Find>
+auto values_by_part(const Cloths<Dim>& cloths, const Find& find) {
+  std::invoke_result_t<Find, const LatticePart&> result(cloths.owned());
+  for (const LatticePart& part : cloths.lattices().parts()) {
+    const auto values = find(part);
+    for (std::size_t i = part.own_begin; i < part.own_end; ++i) result[part.own_first + i - part.own_begin] = values[i];
+  }
+  return result;
+}
+
+}  // namespace
+
+template <int Dim>
+Points<Dim> normals(const Cloths<Dim>& cloths, const Points<Dim>& positions) {
+  const Points<Dim> x = cloths.lattices().with_halo(positions);
+  return values_by_part(
+      cloths, [&](const LatticePart& part) { return normals<Dim>(cloths.group_of(part).sheet, part.seen(x)); });
+}
+
+template <int Dim>
+std::vector<MarkerState> marker_states(const Cloths<Dim>& cloths, const Points<Dim>& positions) {
+  const Points<Dim> x = cloths.lattices().with_halo(positions);
+  return values_by_part(
+      cloths, [&](const LatticePart& part) { return marker_states<Dim>(cloths.group_of(part).sheet, part.seen(x)); });
+}
+
+template <int Dim>
+std::vector<double> largest_stretches(const Cloths<Dim>& cloths, const Points<Dim>& positions) {
+  const Points<Dim> x = cloths.lattices().with_halo(positions);
+  std::vector<double> stretches(cloths.groups().size(), 0.0);
+  for (const LatticePart& part : cloths.lattices().parts()) {
+    double& most = stretches[cloths.pieces()[part.piece].group];
+    most = std::max(most, largest_stretch<Dim>(cloths.group_of(part).sheet, part.seen(x)));
+  }
+  for (double& stretch : stretches) stretch = largest(cloths.comm(), stretch);
+  return stretches;
+}
+
+template double largest_stretch<2>(const Sheet&, std::span<const Point<2>>);
+template double largest_stretch<3>(const Sheet&, std::span<const Point<3>>);
 template Points<2> normals<2>(const Sheet&, std::span<const Point<2>>);
 template Points<3> normals<3>(const Sheet&, std::span<const Point<3>>);
 template std::vector<MarkerState> marker_states<2>(const Sheet&, std::span<const Point<2>>);
 template std::vector<MarkerState> marker_states<3>(const Sheet&, std::span<const Point<3>>);
+template Points<2> normals<2>(const Cloths<2>&, const Points<2>&);
+template Points<3> normals<3>(const Cloths<3>&, const Points<3>&);
+template std::vector<MarkerState> marker_states<2>(const Cloths<2>&, const Points<2>&);
+template std::vector<MarkerState> marker_states<3>(const Cloths<3>&, const Points<3>&);
+template std::vector<double> largest_stretches<2>(const Cloths<2>&, const Points<2>&);
+template std::vector<double> largest_stretches<3>(const Cloths<3>&, const Points<3>&);
 
 }  // namespace washfsi

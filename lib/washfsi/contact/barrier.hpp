@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "washfsi/contact/barrier_options.hpp"
+#include "washfsi/contact/barrier_contacts.hpp"
 #include "washfsi/contact/block_places.hpp"
-#include "washfsi/contact/pair_friction.hpp"
+#include "washfsi/contact/contact_potential.hpp"
 
 namespace washfsi {
 
@@ -22,16 +22,14 @@ namespace washfsi {
 /// start nearer than d^ have their own distance (contact/pair_distances.hpp). Each rank has the samples and pairs with
 /// a marker of its own, and knows the markers that are near to these.
 template <int Dim>
-class Barrier : public ContactForce<Dim> {
+class Barrier : public ContactPotential<Dim> {
  public:
   /// Errors: InputError as `barrier_distance`.
   Barrier(const BarrierOptions& options, const Surroundings<Dim>& surroundings);
   /// Returns what creates the force; it creates none without cloth.
   static MakeForce<Dim> maker(const BarrierOptions& options);
 
-  Dependence dependence() const override { return Dependence::potential; }
   std::string origin() const override { return "-contact barrier"; }
-  bool has_friction() const override { return options_.friction > 0; }
   void begin_step(const StepStart<Dim>& start) override;
   void add_force(const Points<Dim>& positions, const Points<Dim>& velocities, Points<Dim>& forces) const override;
   void add_energy(const Points<Dim>& positions, std::span<double> of_groups) const override;
@@ -44,44 +42,18 @@ class Barrier : public ContactForce<Dim> {
   void renew_pattern() override;
   void add_cancelling_size(const Points<Dim>& positions, std::span<double> sizes) const override;
   void add_bound(std::span<StiffnessBound> bounds) const override;
-  bool has_step_limit() const override { return true; }
   double step_limit(const Points<Dim>& from, const Points<Dim>& motion) override;
   void shorten(const Points<Dim>& from, Points<Dim>& motion) override;
 
   void add_marker_contact(const Points<Dim>& positions, MarkerContact& contact) const override;
-
-  double distance() const { return distances().usual(); }
-  PairDistances& distances() override { return near_.distances(); }
-  const PairDistances& distances() const override { return near_.distances(); }
   TightestContact tightest() const override;
 
  private:
-  void find_near(const Points<Dim>& positions, Before before = Before::forget);
-  bool covers(const Points<Dim>& positions) const;
-  double farthest_from_places(const Points<Dim>& positions) const;
-  void cover(const Points<Dim>& from, const Points<Dim>& motion);
-  Points<Dim> known(const Points<Dim>& own) const { return near_.search().known().values(own); }
-  const std::vector<Touch<Dim>>& touches(const Points<Dim>& positions) const;
-  template <class Visit>
-  void visit_own(const Facing<Dim>& facing, const Visit& visit) const;
-  void add_curvatures(const Points<Dim>& all, std::vector<StiffnessBlock<Dim>>& blocks) const;
-  std::vector<typename PairFriction<Dim>::Pair> friction_pairs(const Points<Dim>& all, double damping) const;
-  double mass_of(const Touch<Dim>& touch) const;
-  void begin_explicit_friction(const Points<Dim>& all, const StepStart<Dim>& start);
-
   BarrierOptions options_;
-  Surroundings<Dim> around_;
+  const Cloths<Dim>& cloths_;
   double spacing_;
-  BarrierTouches<Dim> near_;
-
-  bool has_looked_ = false;
-  Points<Dim> places_;           ///< places of this rank's markers at the last search [m]
-  std::vector<double> reaches_;  ///< largest distances from there for which the search is valid [m]
+  BarrierContacts<Dim> contacts_;
   mutable BlockPlaces<Dim> places_of_blocks_;
-
-  mutable Points<Dim> seen_;  ///< places of this rank's markers for which the touches are known
-  mutable std::vector<Touch<Dim>> touches_;
-  mutable PairFriction<Dim> friction_;
 };
 
 extern template class Barrier<2>;

@@ -33,9 +33,9 @@ class BarrierTouches {
   /// The contact distance of pairs of facets over that of surfaces.
   static constexpr double of_guards = 0.5;
 
-  /// `stiffness` is kappa [Pa], `distance` the usual contact distance [m]. Collective.
-  BarrierTouches(double stiffness, double distance, const Cloths<Dim>& cloths, const PeriodicSpace<Dim>& space)
-      : comm_(cloths.comm()), stiffness_(stiffness), distances_(distance), search_(cloths, space) {}
+  /// `stiffness` is kappa [Pa]; the contact distances and the cloths must outlive it. Collective.
+  BarrierTouches(double stiffness, PairDistances& distances, const Cloths<Dim>& cloths, const PeriodicSpace<Dim>& space)
+      : comm_(cloths.comm()), stiffness_(stiffness), distances_(distances), search_(cloths, space) {}
 
   /// Searches for what may touch while each of this rank's markers moves from its place by its reach at most.
   /// Collective.
@@ -45,7 +45,6 @@ class BarrierTouches {
 
   /// Updates the contact distances of what started in contact. Collective.
   void follow_distances(const Points<Dim>& all);
-  PairDistances& distances() { return distances_; }
   const PairDistances& distances() const { return distances_; }
   /// The distance at which this contact begins [m].
   double begins(const Touch<Dim>& touch) const;
@@ -68,7 +67,7 @@ class BarrierTouches {
 
   MPI_Comm comm_;
   double stiffness_;
-  PairDistances distances_;
+  PairDistances& distances_;
   PairSearch<Dim> search_;
   Pairs pairs_;  ///< pairs that may touch as long as no marker leaves its reach
   Samples samples_;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "washfsi/contact/body_contact_law.hpp"
-#include "washfsi/contact/friction.hpp"
-#include "washfsi/contact/tangent_planes.hpp"
+#include "washfsi/contact/body_friction.hpp"
+#include "washfsi/contact/contact_planes.hpp"
+#include "washfsi/contact/contact_potential.hpp"
 
 namespace washfsi {
 
@@ -22,15 +22,13 @@ namespace washfsi {
 /// (contact/pair_distances.hpp). Friction is that of the barrier between cloths (contact/friction.hpp), with the normal
 /// force of the step's start and the motion relative to the surface in the step.
 template <int Dim>
-class BodyContact : public ContactForce<Dim> {
+class BodyContact : public ContactPotential<Dim> {
  public:
   BodyContact(const BodyContactOptions& options, const Surroundings<Dim>& surroundings);
   /// Returns what creates the force; it creates none if the pressure is 0.
   static MakeForce<Dim> maker(const BodyContactOptions& options);
 
-  Dependence dependence() const override { return Dependence::potential; }
   std::string origin() const override { return "-contact_pressure"; }
-  bool has_friction() const override { return options_.friction > 0; }
   void begin_step(const StepStart<Dim>& start) override;
   void add_force(const Points<Dim>& positions, const Points<Dim>& velocities, Points<Dim>& forces) const override;
   void add_energy(const Points<Dim>& positions, std::span<double> of_groups) const override;
@@ -38,12 +36,9 @@ class BodyContact : public ContactForce<Dim> {
   void visit_stiffness(const Points<Dim>& positions, GeometricStiffness geometric,
                        const AddMarkerBlock<Dim>& add) const override;
   void add_bound(std::span<StiffnessBound> bounds) const override;
-  void linearise(const Points<Dim>& positions) override { friction_.linearise(ways(with_halo(positions))); }
-  bool has_step_limit() const override { return options_.law == BodyContactLaw::barrier; }
+  void linearise(const Points<Dim>& positions) override { friction_.linearise(planes_.with_halo(positions)); }
   double step_limit(const Points<Dim>& from, const Points<Dim>& motion) override;
-  bool sharpen(const Points<Dim>& positions) override;
-  PairDistances& distances() override { return distances_; }
-  const PairDistances& distances() const override { return distances_; }
+  bool sharpen(const Points<Dim>& positions) override { return planes_.sharpen(positions); }
   TightestContact tightest() const override;
   bool is_with_bodies() const override { return true; }
   void add_marker_contact(const Points<Dim>& positions, MarkerContact& contact) const override;
@@ -51,39 +46,13 @@ class BodyContact : public ContactForce<Dim> {
 
  private:
   using Plane = TangentPlane<Dim>;
-  /// A friction pair: a point of a cloth that slides on a plane in this step.
-  struct SlidingPoint {
-    Plane plane;
-    Point<Dim> way;  ///< motion of the surface in the step; in an explicit step, relative to the point [m]
-  };
-  /// The values of this rank's markers, followed by those with halo where faces need these. Collective.
-  Points<Dim> with_halo(const Points<Dim>& values) const;
-  void find_whether_faces_touch();
-  void follow_distances();
-  double begins_over_usual(const Plane& plane) const;
-  bool soften_less(const Points<Dim>& all);
-  bool add_missed(const Points<Dim>& all);
-  void begin_friction(const StepStart<Dim>& start, const Points<Dim>& velocities);
-  Points<Dim> ways(const Points<Dim>& all) const;
-  template <class Visit>
-  void visit_friction(const Points<Dim>& all, const Visit& visit) const;
-  template <class Visit>
-  void visit_own(const Plane& plane, const Visit& visit) const;
-  Point<Dim> middle() const { return 0.5 * (around_.grid.lower() + around_.grid.upper()); }
   void add_reaction(const Plane& plane, const Points<Dim>& all, const Point<Dim>& reaction,
                     ContactLoads<Dim>& loads) const;
-  BodyPush push(const Plane& plane, double gap) const;
-  BodyPush push(const Plane& plane, const Points<Dim>& all) const { return push(plane, plane.gap(all)); }
 
   BodyContactOptions options_;
   Surroundings<Dim> around_;
-  PairDistances distances_;
-  TangentPlanes<Dim> planes_near_;
-  double time_ = 0;  ///< the step's end [s]
-  std::vector<Plane> planes_;
-  bool has_faces_ = false;  ///< whether any rank has a plane of a face
-  std::vector<SlidingPoint> sliding_;
-  Friction<Dim> friction_;
+  ContactPlanes<Dim> planes_;
+  BodyFriction<Dim> friction_;
 };
 
 extern template class BodyContact<2>;

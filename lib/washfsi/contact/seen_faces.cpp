@@ -5,35 +5,35 @@ namespace washfsi {
 
 template <int Dim>
 SeenFaces<Dim>::SeenFaces(const Cloths<Dim>& cloths) {
-  for (const Patch& patch : cloths.patches()) add_patch(cloths, patch);
+  for (const LatticePart& part : cloths.lattices().parts()) add_part(cloths, part);
 }
 
 template <int Dim>
-void SeenFaces<Dim>::add_patch(const Cloths<Dim>& cloths, const Patch& patch) {
-  const std::size_t width = cloths.group_of(patch).sheet.width, count = patch.markers.size();
-  const double area = cloths.group_of(patch).face_area();
-  const auto first = static_cast<std::size_t>(cloths.pieces()[patch.piece].first);
+void SeenFaces<Dim>::add_part(const Cloths<Dim>& cloths, const LatticePart& part) {
+  const std::size_t width = cloths.group_of(part).sheet.width, count = part.markers.size();
+  const double area = cloths.group_of(part).face_area();
+  const auto first = static_cast<std::size_t>(cloths.pieces()[part.piece].first);
   for (std::size_t m = 0; m + width < count; ++m) {
     if constexpr (Dim == 2) {
-      add(patch, {m, m + 1}, area);
+      add(part, {m, m + 1}, area);
     } else {
-      if ((static_cast<std::size_t>(patch.markers[m]) - first) % width + 1 == width) continue;
-      add(patch, {m, m + width, m + width + 1}, area);
-      add(patch, {m, m + width + 1, m + 1}, area);
+      if ((static_cast<std::size_t>(part.markers[m]) - first) % width + 1 == width) continue;
+      add(part, {m, m + width, m + width + 1}, area);
+      add(part, {m, m + width + 1, m + 1}, area);
     }
   }
 }
 
 template <int Dim>
-void SeenFaces<Dim>::add(const Patch& patch, const std::array<std::size_t, Dim>& places, double area) {
-  Face face{{}, {}, {}, patch.piece, area};
+void SeenFaces<Dim>::add(const LatticePart& part, const std::array<std::size_t, Dim>& places, double area) {
+  Face face{{}, {}, {}, part.piece, area};
   bool any = false;
   for (std::size_t i = 0; i < Dim; ++i) {
-    const bool is_own = places[i] >= patch.own_begin && places[i] < patch.own_end;
+    const bool is_own = places[i] >= part.own_begin && places[i] < part.own_end;
     any = any || is_own;
-    face.seen[i] = patch.first_in_halo + places[i];
-    face.own[i] = is_own ? static_cast<std::ptrdiff_t>(patch.own_first + places[i] - patch.own_begin) : none;
-    face.numbers[i] = patch.markers[places[i]];
+    face.seen[i] = part.first_in_halo + places[i];
+    face.own[i] = is_own ? static_cast<std::ptrdiff_t>(part.own_first + places[i] - part.own_begin) : none;
+    face.numbers[i] = part.markers[places[i]];
   }
   if (any) faces_.push_back(face);
 }

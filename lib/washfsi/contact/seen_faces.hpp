@@ -27,8 +27,8 @@ class SeenFaces {
   const std::vector<Face>& list() const { return faces_; }
 
  private:
-  void add_patch(const Cloths<Dim>& cloths, const Patch& patch);
-  void add(const Patch& patch, const std::array<std::size_t, Dim>& places, double area);
+  void add_part(const Cloths<Dim>& cloths, const LatticePart& part);
+  void add(const LatticePart& part, const std::array<std::size_t, Dim>& places, double area);
 
   std::vector<Face> faces_;
 };

@@ -40,6 +40,12 @@ struct TangentPlane {
   }
   /// The distance of the point at these places of the markers [m].
   double gap(const Points<Dim>& all) const { return distance + normal.dot(place(all) - start); }
+  /// Calls visit(index among its markers, index among this rank's) for those of this rank.
+  template <class Visit>
+  void visit_own(const Visit& visit) const {
+    for (std::size_t i = 0; i < count(); ++i)
+      if (own[i] != SeenFaces<Dim>::none) visit(i, static_cast<std::size_t>(own[i]));
+  }
   /// The number of its body or side as a thing, after those of all cloths.
   std::size_t thing(std::size_t cloths, std::size_t bodies) const {
     return cloths + body + (body < bodies ? 0 : 2 * static_cast<std::size_t>(axis) + (end == End::upper ? 1 : 0));

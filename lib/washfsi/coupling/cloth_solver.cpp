@@ -49,8 +49,8 @@ ClothSolver<Dim>::ClothSolver(Forces<Dim>& forces, const Points<Dim>& positions,
 
 template <int Dim>
 void ClothSolver<Dim>::lay_out_matrix() {
-  forces_.lay_out_stiffness(matrix_);
-  pattern_ = forces_.pattern();
+  forces_.stiffness().lay_out(matrix_);
+  pattern_ = forces_.stiffness().pattern();
 }
 
 template <int Dim>
@@ -69,7 +69,7 @@ void ClothSolver<Dim>::create_matrix_free_jacobian() {
 // Sets the solver up at once, so that all options are read, and wrong ones found, before the first step.
 template <int Dim>
 void ClothSolver<Dim>::set_up_linear_solver(const Points<Dim>& positions) {
-  forces_.set_stiffness(positions, GeometricStiffness::of_tension, 1, matrix_);
+  forces_.stiffness().set(positions, GeometricStiffness::of_tension, 1, matrix_);
   const std::vector<double> ones(positions.size(), 1.0);
   scale_and_shift<Dim>(ones, ones, matrix_);
   KSP linear = nullptr;
@@ -106,7 +106,8 @@ PetscErrorCode ClothSolver<Dim>::test_convergence(SNES solver, PetscInt iteratio
     auto& self = *static_cast<ClothSolver*>(context);
     if (*reason == SNES_CONVERGED_SNORM_RELATIVE && self.search_.was_stopped()) *reason = SNES_CONVERGED_ITERATING;
     if (*reason == SNES_CONVERGED_ITERATING && self.search_.is_round_off()) *reason = SNES_CONVERGED_SNORM_RELATIVE;
-    if (*reason == SNES_CONVERGED_ITERATING && iteration >= iterations_of_a_matrix && self.forces_.outgrow_pattern()) {
+    if (*reason == SNES_CONVERGED_ITERATING && iteration >= iterations_of_a_matrix &&
+        self.forces_.stiffness().outgrow_pattern()) {
       self.is_outgrown_ = true;
       *reason = SNES_CONVERGED_ITS;
     }
@@ -161,7 +162,7 @@ void ClothSolver<Dim>::aim_at(double residual) {
 
 template <int Dim>
 void ClothSolver<Dim>::fit_matrix() {
-  if (!any_rank(forces_.comm(), pattern_ != forces_.pattern())) return;
+  if (!any_rank(forces_.comm(), pattern_ != forces_.stiffness().pattern())) return;
   lay_out_matrix();
   if (plan_.searches_descent) search_.attach(solver_, matrix_);
   WASH_PETSC(SNESSetJacobian(solver_, matrix_free_ ? matrix_free_ : matrix_, matrix_, &ClothSolver::linearise, this));
@@ -195,7 +196,7 @@ SNESConvergedReason ClothSolver<Dim>::run() {
     if (failure_) std::rethrow_exception(failure_);
     WASH_PETSC(SNESGetConvergedReason(solver_, &reason));
     if (!is_outgrown_) return reason;
-    forces_.renew_pattern();
+    forces_.stiffness().renew_pattern();
     fit_matrix();
   }
   return SNES_DIVERGED_MAX_IT;

@@ -31,7 +31,7 @@ void begin_explicit_step(System<Dim>& system, const Points<Dim>& positions, doub
   Model<Dim>& model = system.model;
   if (model.has_fluid) model.locate_cloth(positions);
   ExplicitStep lagged{dt, {}};
-  if (model.forces.have_friction()) {
+  if (have_friction(model.forces)) {
     lagged.mobilities = mobility_per_area<Dim>(model);
     for (std::size_t m = 0; m < lagged.mobilities.size(); ++m) lagged.mobilities[m] /= model.cloths.marker_areas()[m];
   }

@@ -29,10 +29,10 @@ double ForceEquation<Dim>::potential(const Step& step, double share, const Point
 template <int Dim>
 void ForceEquation<Dim>::set_stiffness(const Step& step, const Points<Dim>& places, GeometricStiffness geometric,
                                        Mat matrix) {
-  step.all.set_stiffness(places, geometric, 1, matrix);
-  if (any_rank(step.all.comm(), pattern_ != step.all.pattern())) {
+  step.all.stiffness().set(places, geometric, 1, matrix);
+  if (any_rank(step.all.comm(), pattern_ != step.all.stiffness().pattern())) {
     WASH_PETSC(MatDuplicate(matrix, MAT_COPY_VALUES, stiffness_.put()));
-    pattern_ = step.all.pattern();
+    pattern_ = step.all.stiffness().pattern();
   } else {
     WASH_PETSC(MatCopy(matrix, stiffness_, SAME_NONZERO_PATTERN));
   }

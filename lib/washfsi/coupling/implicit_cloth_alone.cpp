@@ -15,7 +15,7 @@ namespace washfsi {
 template <int Dim>
 ImplicitClothAlone<Dim>::ImplicitClothAlone(System<Dim>& system, const CouplingOptions& options)
     : options_(options), solver_(system.model.forces, system.state.positions, {SNESNEWTONLS, true, true}) {
-  if (const MarkerForce<Dim>* force = system.model.forces.without_jacobian())
+  if (const MarkerForce<Dim>* force = without_jacobian(system.model.forces))
     throw InputError(force->origin() + ": has no Jacobian; use -coupling_scheme explicit");
 }
 
@@ -44,7 +44,7 @@ ClothEquation<Dim> ImplicitClothAlone<Dim>::equation(System<Dim>& system, double
   equation.assemble = [=, this, &all, &start](const Points<Dim>& velocities, GeometricStiffness geometric, Mat matrix) {
     std::vector<double> diagonal = mass_rates;
     for (std::size_t m = 0; m < diagonal.size(); ++m) diagonal[m] += drags[m];
-    all.set_stiffness(start + dt * velocities, geometric, dt, matrix);
+    all.stiffness().set(start + dt * velocities, geometric, dt, matrix);
     scale_and_shift<Dim>(std::vector<double>(diagonal.size(), 1.0), diagonal, matrix);
     jacobian_ = matrix;
   };

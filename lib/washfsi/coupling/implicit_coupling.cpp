@@ -24,7 +24,7 @@ ImplicitCoupling<Dim>::ImplicitCoupling(System<Dim>& system, const CouplingOptio
       mobility_(system.model) {
   if (!system.model.forces.have_step_limit()) return;
   check_symmetry(system.model);
-  if (const MarkerForce<Dim>* force = system.model.forces.without_jacobian())
+  if (const MarkerForce<Dim>* force = without_jacobian(system.model.forces))
     throw InputError(force->origin() +
                      ": has no energy; with -contact barrier use -coupling_scheme explicit or midpoint");
 }
@@ -44,9 +44,9 @@ Points<Dim> ImplicitCoupling<Dim>::fluid_step(System<Dim>& system, double dt, co
   model.locate_cloth(step.evaluated_at);
   spread_cloth(system, model.forces.of_places(step.evaluated_at) + model.forces.of_velocities(middle, velocities) +
                            model.forces.constant());
-  model.fluid.restore_pressure();
+  model.fluid.projection().restore_pressure();
   move_water(system, dt);
-  const Points<Dim> water = marker_velocities(model, model.fluid.next_velocity(), state.clock.time + dt);
+  const Points<Dim> water = marker_velocities(model, model.fluid.intermediate_velocity(), state.clock.time + dt);
   return seepage_.present() ? water + seepage_.velocities(step.force_on_water) : water;
 }
 
@@ -55,7 +55,7 @@ double ImplicitCoupling<Dim>::tolerance(const System<Dim>& system) const {
   const auto& [model, state, step] = system;
   double speed = 0;
   // in the first step, when all is at rest, the velocity after a first trial
-  const Vec velocity = model.fluid.last_step() > 0 ? model.fluid.velocity() : model.fluid.next_velocity();
+  const Vec velocity = model.fluid.last_step() > 0 ? model.fluid.velocity() : model.fluid.intermediate_velocity();
   WASH_PETSC(VecNorm(velocity, NORM_INFINITY, &speed));
   speed = std::max(speed, model.boundary.largest_speed(state.clock.time));
   return options_.tolerance * speed * std::sqrt(static_cast<double>(model.cloths.marker_count()));
@@ -78,8 +78,8 @@ Points<Dim> ImplicitCoupling<Dim>::solve(System<Dim>& system, double dt, Points<
     const std::vector<double> mobility =
         row_sum_mobility<Dim>(model.transfer, model.grid, model.boundary, model.liquid.density(),
                               model.bodies.fluid_fraction(), std::vector<double>(state.positions.size(), 1.0));
-    model.forces.set_stiffness(state.positions + dt * velocities, geometric,
-                               weight() * dt * dt * options_.mobility_factor, matrix);
+    model.forces.stiffness().set(state.positions + dt * velocities, geometric,
+                                 weight() * dt * dt * options_.mobility_factor, matrix);
     scale_and_shift<Dim>(mobility, std::vector<double>(mobility.size(), 1.0), matrix);
   };
   Points<Dim> velocities = state.velocities;
@@ -123,7 +123,7 @@ void ImplicitCoupling<Dim>::take(System<Dim>& system, double dt) {
   begin_step(system, state.positions, state.clock.time + dt, dt,
              is_trapezoidal() ? trapezoidal_difference(system, dt) : backward_difference(system, dt));
   place_bodies(system, state.clock.time + dt);
-  model.fluid.keep_pressure();
+  model.fluid.projection().save_pressure();
   Points<Dim> last;
   const Points<Dim> velocities =
       model.forces.have_step_limit() ? solve_by_sweeps(system, dt, last) : solve(system, dt, last);

@@ -108,7 +108,7 @@ void Model<Dim>::add_forces(const ModelOptions<Dim>& options, const Points<Dim>&
   if (uses(cloths.groups(), ElasticModel::love)) forces.add(std::make_unique<StrongElasticity<Dim>>(cloths));
   forces.add(std::make_unique<HoldingSprings<Dim>>(cloths, start));
   for (const MakeForce<Dim>& make : options.surrounding_forces)
-    if (auto force = make({grid, boundary, bodies, cloths})) forces.add(std::move(force));
+    if (auto force = make({grid, boundary, body_list, cloths})) forces.add(std::move(force));
   if (has_fluid && mass_carrier == MassCarrier::cloth) forces.add(std::make_unique<Inertia<Dim>>(cloths));
   forces.add(std::make_unique<Damping<Dim>>(cloths));
   forces.add(std::make_unique<DeadLoads<Dim>>(cloths, options.gravity));

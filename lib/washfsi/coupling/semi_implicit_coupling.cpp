@@ -55,7 +55,7 @@ SemiImplicitCoupling<Dim>::SemiImplicitCoupling(System<Dim>& system, const Coupl
       force_equation_(solver_),
       mobility_(system.model),
       seepage_(system.model) {
-  if (const MarkerForce<Dim>* force = system.model.forces.without_jacobian())
+  if (const MarkerForce<Dim>* force = without_jacobian(system.model.forces))
     throw InputError(force->origin() + ": has no Jacobian; use -coupling_scheme explicit or midpoint");
   if (options.mobility == Mobility::matrix) check_symmetry(system.model);
 }
@@ -87,9 +87,9 @@ template <int Dim>
 Points<Dim> SemiImplicitCoupling<Dim>::water_velocities(const System<Dim>& system, double dt) const {
   const auto& [model, state, step] = system;
   const FractionalStep<Dim>& fluid = model.fluid;
-  if (weights_.end == 1) return marker_velocities(model, fluid.next_velocity(), state.clock.time + dt);
+  if (weights_.end == 1) return marker_velocities(model, fluid.intermediate_velocity(), state.clock.time + dt);
   const petsc::GlobalVector mean(model.grid.face_dm());
-  WASH_PETSC(VecWAXPY(mean, weights_.end, fluid.next_velocity(), explicit_velocity_));
+  WASH_PETSC(VecWAXPY(mean, weights_.end, fluid.intermediate_velocity(), explicit_velocity_));
   return marker_velocities(model, mean, state.clock.time + 0.5 * dt);
 }
 
@@ -136,11 +136,11 @@ Points<Dim> SemiImplicitCoupling<Dim>::solve_by_matrix(System<Dim>& system, doub
   Points<Dim> linearised_at;
   const auto assemble = [&](const Points<Dim>& velocities, GeometricStiffness geometric, Mat matrix) {
     linearised_at = start + dt * velocities;
-    all.set_stiffness(linearised_at, geometric, dt * dt, matrix);
+    all.stiffness().set(linearised_at, geometric, dt * dt, matrix);
     scale_and_shift<Dim>(mobility_.row_sums(), std::vector<double>(mobility_.row_sums().size(), 1.0), matrix);
   };
   const auto jacobian = [&](const Points<Dim>& direction) {
-    return direction + dt * dt * mobility_.times(all.stiffness_product(linearised_at, direction));
+    return direction + dt * dt * mobility_.times(all.stiffness().product(linearised_at, direction));
   };
   double most = 0;
   for (const double sum : mobility_.row_sums()) most = std::max(most, sum);
@@ -168,7 +168,7 @@ Points<Dim> SemiImplicitCoupling<Dim>::solve_by_row_sums(System<Dim>& system, do
   std::vector<double> inverse;
   for (const double sum : mobility_.row_sums()) inverse.push_back(1 / sum);
   const auto assemble = [&](const Points<Dim>& velocities, GeometricStiffness geometric, Mat matrix) {
-    all.set_stiffness(start + dt * velocities, geometric, dt * dt, matrix);
+    all.stiffness().set(start + dt * velocities, geometric, dt * dt, matrix);
     scale_and_shift<Dim>(std::vector<double>(inverse.size(), 1.0), inverse, matrix);
   };
   const auto potential = [&](const Points<Dim>& velocities) {
@@ -245,7 +245,7 @@ void SemiImplicitCoupling<Dim>::take(System<Dim>& system, double dt) {
   const Points<Dim> at_start = model.forces.of_places(state.positions);
   step.end_share = weights_.end;
   if (step.end_share < 1)
-    step.contact_at_start = contact_loads<Dim>(model.forces, state.positions, model.bodies.size());
+    step.contact_at_start = contact_loads<Dim>(model.forces, state.positions, model.body_list.size());
   const Points<Dim> forces = at_start + (1 / weights_.end) * last_inertia(system);
   prepare_end_forces(system, dt);
   const Points<Dim> places = state.positions + 0.5 * dt * state.velocities;

@@ -23,7 +23,8 @@ template <int Dim>
 double cloth_step_bound(const Model<Dim>& model) {
   if (model.cloths.marker_count() == 0) return std::numeric_limits<double>::infinity();
   const std::vector<double> mobility = mobility_per_area(model);
-  const std::vector<StiffnessBound> bounds = model.forces.bounds();
+  std::vector<StiffnessBound> bounds(model.cloths.owned());
+  for (const auto& force : model.forces.list()) force->add_bound(bounds);
   double shortest = std::numeric_limits<double>::infinity();
   for (std::size_t m = 0; m < mobility.size(); ++m) {
     const double damping = bounds[m].damping, undamped2 = 1 / (mobility[m] * bounds[m].stiffness);  // (2/w)^2
@@ -37,8 +38,8 @@ double flow_time(const Model<Dim>& model, const BodySpeeds<Dim>& bodies) {
   double speed = 0;
   WASH_PETSC(VecNorm(model.fluid.velocity(), NORM_INFINITY, &speed));
   speed = std::max(speed, model.boundary.largest_speed(0));
-  for (std::size_t b = 0; b < model.bodies.size(); ++b)
-    speed = std::max(speed, bodies.arm(b) > 0 ? model.bodies[b].motion.largest_speed(bodies.arm(b)) : 0.0);
+  for (std::size_t b = 0; b < model.body_list.size(); ++b)
+    speed = std::max(speed, bodies.arm(b) > 0 ? model.body_list[b].motion.largest_speed(bodies.arm(b)) : 0.0);
   return speed > 0 ? model.grid.spacing().minCoeff() / speed : std::numeric_limits<double>::infinity();
 }
 
@@ -55,8 +56,8 @@ double arm_of(const Grid<Dim>& grid, const PosedBodies<Dim>& posed, std::size_t 
 
 template <int Dim>
 BodySpeeds<Dim>::BodySpeeds(const Model<Dim>& model) : model_(model) {
-  const PosedBodies<Dim> posed(model.bodies, 0);
-  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+  const PosedBodies<Dim> posed(model.body_list, 0);
+  for (std::size_t b = 0; b < model.body_list.size(); ++b) {
     const double arm = arm_of(model.grid, posed, b, 0);
     // a sheet may lie between the middles
     arms_.push_back(arm > 0 ? arm : arm_of(model.grid, posed, b, 0.5 * model.grid.spacing().norm()));
@@ -76,7 +77,7 @@ template <int Dim>
 double BodySpeeds<Dim>::at(double time) const {
   double speed = 0;
   for (std::size_t b = 0; b < arms_.size(); ++b) {
-    const auto state = model_.bodies[b].motion.state(time);
+    const auto state = model_.body_list[b].motion.state(time);
     speed = std::max(speed, state.velocity.norm() + std::abs(state.angular_velocity) * arms_[b]);
   }
   return speed;

@@ -67,13 +67,13 @@ void resume(System<Dim>& system) {
 
 template <int Dim>
 SavedStart<Dim>::SavedStart(System<Dim>& system)
-    : system_(system), knows_cover_(system.model.boundary.knows_cover()), state_(state_of(system)) {}
+    : system_(system), knows_cover_(system.model.boundary.covers().are_known()), state_(state_of(system)) {}
 
 template <int Dim>
 void SavedStart<Dim>::restore() const {
   state_.restore();
   resume(system_);
-  if (!knows_cover_) system_.model.boundary.forget_cover();
+  if (!knows_cover_) system_.model.boundary.covers().forget();
   StepRecord<Dim>& step = system_.step;
   step.cloth_slip = step.seepage_power = 0;
   step.side_reaction.setZero();

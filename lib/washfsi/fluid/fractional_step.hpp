@@ -14,15 +14,11 @@
 #pragma once
 
 #include <functional>
-#include <string>
 
 #include "washfsi/fluid/force_field.hpp"
 #include "washfsi/fluid/momentum.hpp"
-#include "washfsi/fluid/options.hpp"
-#include "washfsi/fluid/pressure.hpp"
-#include "washfsi/fluid/projection.hpp"
-#include "washfsi/support/clock.hpp"
-#include "washfsi/support/state_list.hpp"
+#include "washfsi/fluid/momentum_advection.hpp"
+#include "washfsi/fluid/pressure_projection.hpp"
 
 namespace washfsi {
 
@@ -51,98 +47,60 @@ template <int Dim>
 using VelocityAt = std::function<double(const Point<Dim>& place, int c)>;
 
 template <int Dim>
-class FractionalStep : public Projection {
+class FractionalStep {
  public:
   /// Starts with water at rest. Collective.
   FractionalStep(const Grid<Dim>& grid, Boundary<Dim>& boundary, const FluidOptions<Dim>& options);
   /// Sets the velocity at the start. Collective.
   void start(const VelocityAt<Dim>& velocity);
 
-  /// Takes a whole step without direct forcing: predict, project, finish. Collective. Errors: DivergedError.
-  void advance(const TimeStep& step, const StepFields<Dim>& fields);
-
   /// Phases 1 and 2: u* from u^n. Collective.
   void predict(const TimeStep& step, const StepFields<Dim>& fields);
-  /// Phase 3: makes the intermediate velocity divergence free and updates the pressure. Collective.
-  void project();
+  /// Phases 3 and 3b act on the intermediate velocity and the pressure.
+  PressureProjection<Dim>& projection() { return projection_; }
+  const PressureProjection<Dim>& projection() const { return projection_; }
   /// Phase 3b: adds a further force density (faces) to the projected velocity; `project_again` follows. The part
   /// (1 - H) f acts on solids: it is subtracted from the constraint force. Collective.
   void add_force(Vec force);
-  void project_again() override;
-  void project_increment(Vec increment) override;
-  /// Saves the pressure, and restores it after a trial, for schemes that try a step several times.
-  void keep_pressure();
-  void restore_pressure();
   /// Phase 4: the intermediate velocity becomes u^(n+1). Collective.
   void finish();
 
-  Vec velocity() const { return velocity_; }                ///< u^n [m/s]
-  Vec velocity_before() const { return velocity_before_; }  ///< u^(n-1); u^n before the first step
-  Vec next_velocity() const { return intermediate_; }       ///< u* or u^(n+1) before `finish` [m/s]
-  Vec pressure() const { return pressure_; }                ///< p^(n-1/2) [Pa]
-  /// Length of the last step [s]; 0 before the first, which advects by forward Euler: u^(n-1) is not known then.
-  double last_step() const { return dt_before_; }
-  /// Whether the velocity is made free of divergence.
-  bool projects() const { return projects_; }
-  Advection scheme_of_advection() const { return advection_scheme_; }
-  /// Whether advection departs from central; and the power that it then dissipated in the last step, which central
-  /// advection does not [W; W/m in the plane].
-  bool departs_from_central() const { return advection_scheme_ != Advection::central || limits_at_edges_; }
-  double numerical_dissipation() const { return numerical_dissipation_; }
-
+  Vec velocity() const { return velocity_; }                   ///< u^n [m/s]
+  Vec velocity_before() const { return velocity_before_; }     ///< u^(n-1); u^n before the first step
+  Vec intermediate_velocity() const { return intermediate_; }  ///< u* or u^(n+1) before `finish` [m/s]
+  /// Length of the last step [s]; 0 before the first: u^(n-1) is not known then.
+  double last_step() const { return advection_.last_step(); }
+  const MomentumAdvection<Dim>& advection() const { return advection_; }
   /// Constraint force density of solids on the water in the last `predict` [N/m3]; zero in fluid.
   Vec constraint_force() const { return constraint_force_; }
+  const Driving<Dim>& driving() const { return driving_; }  ///< driving of the water along periodic axes
+  SolverCounts counts() const { return {momentum_iterations_, projection_.iterations()}; }
 
   /// Registers the state that is carried from step to step.
   void register_state(StateList& state);
 
-  /// The driving of the water along periodic axes.
-  const Driving<Dim>& driving() const { return driving_; }
-
-  const SolverCounts& counts() const { return counts_; }
-
  private:
   void add_further_forces();
-  void find_constraint_force();
   void explicit_terms();
   template <class Form>
   void sum_explicit_terms(const Form& viscosity, Vec local_u, Vec local_p);
-  void advect(Vec local_velocity, Vec density);
-  template <class Flux>
-  void replace_advection(const Box<Dim>& where, const ConstFaceView<Dim>& u, const ConstFaceView<Dim>& rho,
-                         const Flux& flux);
-  double largest_speed() const;
-  void solve_pressure(Vec phi);
-  void find_minus_divergence(Vec local_velocity);
-  void add_viscous_pressure();
+  void solve_momentum();
 
   const Grid<Dim>& grid_;
   Boundary<Dim>& boundary_;  ///< its open sides take part in the step
-  double pressure_tolerance_;
-  bool projects_, limits_at_edges_;
-  Advection advection_scheme_;
-  double advection_bend_;  ///< `bend` of `adams_bashforth`
-  DM flow_dm_;             ///< face DM with the ghosts that advection and open sides need
+  MomentumAdvection<Dim> advection_;
   MomentumSolver<Dim> momentum_;
-  PressureSolver<Dim> poisson_;
+  PressureProjection<Dim> projection_;
   Driving<Dim> driving_;
 
-  petsc::Vector velocity_, velocity_before_;    ///< u^n, u^(n-1)
-  petsc::Vector intermediate_;                  ///< u*, then u^(n+1)
-  petsc::Vector advection_, advection_before_;  ///< (u.grad u)^n, (u.grad u)^(n-1)
-  petsc::Vector advection_earlier_;             ///< (u.grad u)^(n-2)
-  petsc::Vector rhs_;                           ///< b of the last `predict`
-  petsc::Vector force_;                         ///< all force density of the current step, the further one included
-  petsc::Vector constraint_force_;              ///< constraint force density; null before there is any
-  petsc::Vector pressure_;                      ///< p^(n-1/2)
-  petsc::Vector phi_;                           ///< dt q / rho_f of the last projection: the next one's guess
-  petsc::Vector minus_divergence_;
-  petsc::Vector phi_of_force_, kept_pressure_;  ///< for further forces and for `keep_pressure`; created when first used
-  TimeStep step_;                               ///< current step
-  StepFields<Dim> fields_;                      ///< fields of the current step
-  double dt_before_ = 0, dt_earlier_ = 0;       ///< lengths of the last step and the one before it [s]; 0 if none
-  double numerical_dissipation_ = 0;
-  SolverCounts counts_;
+  petsc::Vector velocity_, velocity_before_;  ///< u^n, u^(n-1)
+  petsc::Vector intermediate_;                ///< u*, then u^(n+1)
+  petsc::Vector rhs_;                         ///< b of the last `predict`
+  petsc::Vector force_;                       ///< all force density of the current step, the further one included
+  petsc::Vector constraint_force_;            ///< constraint force density; null before there is any
+  TimeStep step_;                             ///< current step
+  StepFields<Dim> fields_;                    ///< fields of the current step
+  double momentum_iterations_ = 0;
 };
 
 extern template class FractionalStep<2>;

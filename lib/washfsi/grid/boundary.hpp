@@ -3,12 +3,8 @@
 
 #include <array>
 #include <optional>
-#include <vector>
 
-#include "washfsi/grid/grid.hpp"
-#include "washfsi/grid/outflow.hpp"
-#include "washfsi/grid/side.hpp"
-#include "washfsi/grid/side_cover.hpp"
+#include "washfsi/grid/side_velocities.hpp"
 
 namespace washfsi {
 
@@ -44,31 +40,15 @@ class Boundary {
   /// Computes the values of the open sides after a step from `time` by `dt`, for all calls with a later time; the
   /// velocity is that at `time`, filled, with wide ghosts. May be repeated. Collective.
   void advance_outflow(Vec local_velocity, double time, double dt);
-  /// Makes the advanced values the present ones.
-  void accept_outflow();
-  bool has_outflow() const { return !outflows_.empty(); }
+  bool has_outflow() const { return !velocities_.open().empty(); }
+  /// Makes the advanced values of the open sides the present ones.
+  void accept_outflow() { velocities_.open().accept(); }
   /// Registers the values of the open sides.
-  void register_state(StateList& state) {
-    for (auto& layer : outflows_) layer.register_state(state);
-    if (has_outflow()) state.add_number("/outflow/time", outflow_time_);
-  }
+  void register_state(StateList& state) { velocities_.open().register_state(state); }
 
-  /// Sets the cover of no-slip sides at `time`: where bodies stand on them, sides have the bodies' tangential velocity.
-  void cover_sides(double time, const typename SideCover<Dim>::Cover& cover);
-  /// Whether a cover has been set, as from the first step on; below, forgets it.
-  bool knows_cover() const { return !covers_.empty(); }
-  void forget_cover() { covers_.clear(); }
-
-  /// The share of bodies on a side at the place beside a face; 0 where none stands.
-  double covered_share(int axis, End end, const Index<Dim>& face, int component, double time) const {
-    const auto* covered = cover(axis, end);
-    return covered ? covered->shares(component, time)(face) : 0;
-  }
-  /// Whether bodies cover all of this rank's part of a side.
-  bool covered_wholly(int axis, End end) const {
-    const auto* covered = cover(axis, end);
-    return !touches(axis, end) || (covered && covered->covers_all());
-  }
+  /// The covers of no-slip sides by bodies that stand on them.
+  SideCovers<Dim>& covers() { return velocities_.covers(); }
+  const SideCovers<Dim>& covers() const { return velocities_.covers(); }
   /// A set of sides: whether each belongs to it, by axis and end.
   using SideSet = std::array<std::array<bool, 2>, Dim>;
   /// Fills a local face vector, at and beyond the sides of a set, as `fill` would for water at rest and a velocity of 1
@@ -76,43 +56,20 @@ class Boundary {
   /// it is the share of a marker's force that sides take.
   void fill_from_sides(Vec local, double time, const SideSet& sides, const std::optional<SideName>& open) const;
 
-  const Side<Dim>& side(int axis, End end) const;
+  const Side<Dim>& side(int axis, End end) const { return side_of<Dim>(velocities_.sides(), axis, end); }
   /// +1 or -1: the sign with which a ghost of this component mirrors the interior; 0 if it does not, on periodic and
   /// open sides.
   double mirror_sign(int axis, End end, int component) const;
-  /// Largest speed prescribed anywhere on the boundary [m/s].
-  double largest_speed(double time) const;
+  /// Largest speed prescribed anywhere on the boundary [m/s]. Collective.
+  double largest_speed(double time) const { return velocities_.largest_prescribed(time); }
 
  private:
-  template <int Axis, class Visit>
-  void visit_ghosts(End end, int component, const Box<Dim>& part, Visit&& visit) const;
-  template <class Visit>
-  void visit_boundary_faces(int axis, End end, const Box<Dim>& part, Visit&& visit) const;
   Point<Dim> fold_with(Vec local, bool keep_sign) const;
-  bool touches(int axis, End end) const {
-    if (grid_.periodic(axis)) return false;
-    return end == End::lower ? grid_.owned().lower[axis] == 0 : grid_.owned().upper[axis] == grid_.cells()[axis];
-  }
-  double value(int axis, End end, const Index<Dim>& face, int component, double time) const;
-  template <class Use>
-  void with_values(int axis, End end, int component, double time, Use&& use) const;
   template <class Values>
   void fill_from(Vec local, Values&& values) const;
-  struct Flux {
-    double net, gross;
-  };
-  Flux prescribed_flux(double time) const;
-  void balance_outflow(double time);
-  const OutflowLayer<Dim>& outflow(int axis, End end) const;
-  void check_net_flux() const;
-  const SideCover<Dim>* cover(int axis, End end) const;
-  Point<Dim> foot(const Index<Dim>& face, int component, int axis, End end) const;
 
   const Grid<Dim>& grid_;
-  Sides sides_;
-  std::vector<OutflowLayer<Dim>> outflows_;
-  std::vector<SideCover<Dim>> covers_;
-  double outflow_time_ = 0, next_outflow_time_ = 0;  ///< times of the present and the advanced values [s]
+  SideVelocities<Dim> velocities_;
 };
 
 /// A temporary local copy, in a DM of the grid's faces, of a velocity with its boundary faces and ghosts filled for a

@@ -2,7 +2,6 @@
 #include "washfsi/grid/grid.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "washfsi/grid/partition.hpp"
@@ -13,18 +12,6 @@
 namespace washfsi {
 
 namespace {
-
-template <int Dim>
-void check_shape(const GridShape<Dim>& shape) {
-  for (int d = 0; d < Dim; ++d)
-    if (shape.cells[d] < shape.ghost_width)
-      throw InputError("-grid_cells " + std::to_string(shape.cells[d]) + ": must be at least " +
-                       std::to_string(shape.ghost_width) + " in each direction");
-  for (int d = 0; d < Dim; ++d)
-    if (!(shape.upper[d] > shape.lower[d]))
-      throw InputError("-grid_upper " + list_text<Dim>(shape.upper) + ": must exceed -grid_lower " +
-                       list_text<Dim>(shape.lower) + " in each direction");
-}
 
 // The narrow DM decides the partition; the others follow it.
 template <int Dim>
@@ -74,13 +61,11 @@ std::vector<PetscInt> running_sum(const PetscInt* lengths, PetscInt count) {
 }  // namespace
 
 template <int Dim>
-Grid<Dim>::Grid(MPI_Comm comm, const GridShape<Dim>& shape) : comm_(comm), shape_(shape) {
-  check_shape(shape_);
-  spacing_ = shape_.spacing();
-  create_partition();
+Grid<Dim>::Grid(MPI_Comm comm, const GridShape<Dim>& shape) : GridGeometry<Dim>(shape), comm_(comm) {
+  create_partition(shape);
   cell_dm_ = create_sibling<Dim>(stencil_dm_, 1, 1);
   face_dm_ = create_sibling<Dim>(stencil_dm_, Dim, 1);
-  wide_face_dm_ = create_sibling<Dim>(stencil_dm_, Dim, shape_.ghost_width);
+  wide_face_dm_ = create_sibling<Dim>(stencil_dm_, Dim, shape.ghost_width);
 
   DMDALocalInfo info;
   WASH_PETSC(DMDAGetLocalInfo(wide_face_dm_, &info));
@@ -95,12 +80,12 @@ Grid<Dim>::Grid(MPI_Comm comm, const GridShape<Dim>& shape) : comm_(comm), shape
 }
 
 template <int Dim>
-void Grid<Dim>::create_partition() {
+void Grid<Dim>::create_partition(const GridShape<Dim>& shape) {
   const std::string too_few = "-grid_cells: too few cells for " + std::to_string(ranks_of(comm_)) + " ranks: ";
   {
     const petsc::MutedErrors muted;
     try {
-      stencil_dm_ = create_stencil_dm(comm_, shape_);
+      stencil_dm_ = create_stencil_dm(comm_, shape);
     } catch (const petsc::Error&) {
       throw InputError(too_few + muted.message());
     }
@@ -112,62 +97,27 @@ void Grid<Dim>::create_partition() {
   WASH_PETSC(DMDAGetInfo(stencil_dm_, nullptr, nullptr, nullptr, nullptr, &parts[0], &parts[1], &parts[2], nullptr,
                          nullptr, nullptr, nullptr, nullptr, nullptr));
   for (int d = 0; d < Dim; ++d) {
-    if (*std::min_element(lengths[d], lengths[d] + parts[d]) < shape_.ghost_width)
-      throw InputError(too_few + "each needs at least " + std::to_string(shape_.ghost_width) + " in each direction");
+    if (*std::min_element(lengths[d], lengths[d] + parts[d]) < shape.ghost_width)
+      throw InputError(too_few + "each needs at least " + std::to_string(shape.ghost_width) + " in each direction");
     part_ends_[d] = running_sum(lengths[d], parts[d]);
   }
-}
-
-template <int Dim>
-double Grid<Dim>::cell_count() const {
-  double count = 1;
-  for (const PetscInt n : shape_.cells) count *= static_cast<double>(n);
-  return count;
 }
 
 template <int Dim>
 Box<Dim> Grid<Dim>::cells_beside(int axis, End end) const {
   Box<Dim> cells = owned_;
   if (end == End::lower)
-    cells.upper[axis] = std::min<PetscInt>(cells.upper[axis], periodic(axis) ? 0 : 1);
+    cells.upper[axis] = std::min<PetscInt>(cells.upper[axis], this->periodic(axis) ? 0 : 1);
   else
-    cells.lower[axis] = std::max(cells.lower[axis], shape_.cells[axis] - (periodic(axis) ? 0 : 1));
+    cells.lower[axis] = std::max(cells.lower[axis], this->cells()[axis] - (this->periodic(axis) ? 0 : 1));
   return cells;
 }
 
 template <int Dim>
 Box<Dim> Grid<Dim>::inner_faces(int axis) const {
   Box<Dim> box = owned_;
-  if (!shape_.periodic[axis] && box.lower[axis] == 0) box.lower[axis] = 1;
+  if (!this->periodic(axis) && box.lower[axis] == 0) box.lower[axis] = 1;
   return box;
-}
-
-template <int Dim>
-Point<Dim> Grid<Dim>::folded(Point<Dim> point) const {
-  for (int d = 0; d < Dim; ++d) {
-    if (!periodic(d)) continue;
-    const double length = upper()[d] - lower()[d];
-    point[d] -= length * std::floor((point[d] - lower()[d]) / length);
-  }
-  return point;
-}
-
-template <int Dim>
-Index<Dim> Grid<Dim>::cell_of(const Point<Dim>& point) const {
-  Index<Dim> cell;
-  for (int d = 0; d < Dim; ++d) {
-    cell[d] = static_cast<PetscInt>(std::floor((point[d] - shape_.lower[d]) / spacing_[d]));
-  }
-  return inside(cell);
-}
-
-template <int Dim>
-Index<Dim> Grid<Dim>::inside(Index<Dim> cell) const {
-  for (int d = 0; d < Dim; ++d) {
-    const PetscInt n = shape_.cells[d];
-    cell[d] = shape_.periodic[d] ? ((cell[d] % n) + n) % n : std::clamp<PetscInt>(cell[d], 0, n - 1);
-  }
-  return cell;
 }
 
 template <int Dim>
@@ -180,13 +130,6 @@ template <int Dim>
 Box<Dim> Grid<Dim>::owned_by(int rank) const {
   return cells_of_rank<Dim>(
       rank, [this](int axis) -> const auto& { return part_ends_[axis]; });
-}
-
-template <int Dim>
-bool Grid<Dim>::contains(const Point<Dim>& point) const {
-  for (int d = 0; d < Dim; ++d)
-    if (!periodic(d) && !(point[d] > shape_.lower[d] && point[d] < shape_.upper[d])) return false;
-  return true;
 }
 
 template <int Dim>

@@ -4,49 +4,25 @@
 #include <array>
 #include <vector>
 
-#include "washfsi/grid/index.hpp"
+#include "washfsi/grid/grid_geometry.hpp"
 #include "washfsi/grid/side.hpp"
 #include "washfsi/grid/view.hpp"
 #include "washfsi/support/petsc.hpp"
-#include "washfsi/support/point.hpp"
 
 namespace washfsi {
-
-/// The parameters of a grid.
-template <int Dim>
-struct GridShape {
-  Index<Dim> cells{};                     ///< number of cells in each direction
-  Point<Dim> lower = Point<Dim>::Zero();  ///< [m]
-  Point<Dim> upper = Point<Dim>::Ones();  ///< [m]
-  std::array<bool, Dim> periodic{};
-  Point<Dim> spacing() const {  ///< [m]
-    Point<Dim> spacing = upper - lower;
-    for (int d = 0; d < Dim; ++d) spacing[d] /= static_cast<double>(cells[d]);
-    return spacing;
-  }
-  PetscInt ghost_width = 3;  ///< layers of ghosts where they are wide: delta half width + 1, at least 2
-};
 
 /// The staggered (MAC) grid: one partition of the box into ranks; a cell owns its lower faces. Cell fields
 /// (pressure) have one value per cell, face fields (velocity) Dim values per cell: component d is the value on
 /// the cell's lower d-face. The faces at the upper ends lie in the ghost layer and belong to `Boundary`.
 template <int Dim>
-class Grid {
+class Grid : public GridGeometry<Dim> {
  public:
-  /// Collective. Errors: InputError if a rank's part would be thinner than the ghost layer.
+  /// Collective. Errors: InputError as `GridGeometry`, and if a rank's part would be thinner than the ghost layer.
   Grid(MPI_Comm comm, const GridShape<Dim>& shape);
   Grid(const Grid&) = delete;
   Grid& operator=(const Grid&) = delete;
 
   MPI_Comm comm() const { return comm_; }
-  const Index<Dim>& cells() const { return shape_.cells; }
-  const Point<Dim>& lower() const { return shape_.lower; }
-  const Point<Dim>& upper() const { return shape_.upper; }
-  bool periodic(int axis) const { return shape_.periodic[axis]; }
-  PetscInt ghost_width() const { return shape_.ghost_width; }
-  const Point<Dim>& spacing() const { return spacing_; }  ///< [m]
-  double cell_volume() const { return spacing_.prod(); }  ///< [m^Dim]
-  double cell_count() const;
 
   DM cell_dm() const { return cell_dm_; }
   /// Face DM with one ghost layer, as divergence, Laplacian and central advection need.
@@ -91,38 +67,18 @@ class Grid {
     }
   }
 
-  Point<Dim> cell_center(const Index<Dim>& cell) const {
-    Point<Dim> center;
-    for (int d = 0; d < Dim; ++d) center[d] = shape_.lower[d] + (static_cast<double>(cell[d]) + 0.5) * spacing_[d];
-    return center;
-  }
-  Point<Dim> face_center(const Index<Dim>& face, int axis) const {
-    Point<Dim> center = cell_center(face);
-    center[axis] -= 0.5 * spacing_[axis];
-    return center;
-  }
-  /// A point, or its image in the box along periodic directions.
-  Point<Dim> folded(Point<Dim> point) const;
-  /// The cell that contains a point; periodic images are folded into the box.
-  Index<Dim> cell_of(const Point<Dim>& point) const;
-  /// The cell of the box for an index beyond it: its periodic image, or the nearest cell.
-  Index<Dim> inside(Index<Dim> cell) const;
   /// The rank that owns a cell of the box.
   int owner(const Index<Dim>& cell) const;
   /// The cells that another rank owns.
   Box<Dim> owned_by(int rank) const;
-  /// Whether a point lies in the box (always, along periodic directions).
-  bool contains(const Point<Dim>& point) const;
 
   petsc::Vector cell_vector() const;  ///< zero, global
   petsc::Vector face_vector() const;  ///< zero, global
 
  private:
-  void create_partition();
+  void create_partition(const GridShape<Dim>& shape);
 
   MPI_Comm comm_;
-  GridShape<Dim> shape_;
-  Point<Dim> spacing_;
   petsc::Dm cell_dm_, face_dm_, wide_face_dm_, stencil_dm_;
   Box<Dim> owned_, local_;
   std::array<std::vector<PetscInt>, Dim> part_ends_;  ///< per direction, end of each rank's range of cells

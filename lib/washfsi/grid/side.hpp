@@ -35,6 +35,11 @@ struct Side {
 template <int Dim>
 using Sides = std::array<std::array<Side<Dim>, 2>, Dim>;  ///< [axis][End]
 
+template <int Dim>
+const Side<Dim>& side_of(const Sides<Dim>& sides, int axis, End end) {
+  return sides[axis][end == End::upper ? 1 : 0];
+}
+
 /// The share of the peak that a parabolic inflow across `axis` has at a place of a box: along each direction with
 /// no-slip walls 0 there and 1 midway or at the far end.
 template <int Dim>

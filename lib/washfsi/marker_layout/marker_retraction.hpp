@@ -4,9 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "washfsi/marker_layout/even_spread.hpp"
-#include "washfsi/marker_layout/marker_layout.hpp"
-#include "washfsi/shapes/shape.hpp"
+#include "washfsi/marker_layout/sheet_retraction.hpp"
 
 namespace washfsi {
 
@@ -16,7 +14,7 @@ template <int Dim>
 class MarkerRetraction {
  public:
   MarkerRetraction(const Shape<Dim>& shape, const MarkerLayout<Dim>& layout)
-      : shape_(shape), layout_(layout), cell_(layout.cell.minCoeff()) {}
+      : shape_(shape), layout_(layout), sheet_(shape, layout), cell_(layout.cell.minCoeff()) {}
   /// The place that belongs to a seed outside the shape; none for seeds beyond reach, or where the shape's distance is
   /// no true distance.
   std::optional<Candidate<Dim>> retracted(const Point<Dim>& seed) const;
@@ -26,7 +24,6 @@ class MarkerRetraction {
   static constexpr double reach = 0.75;  ///< largest distance of seeds from the surface [cells]
 
  private:
-  static constexpr int directions = 8;                // directions tried along a sheet, in half a turn
   static constexpr double fine = 0.05, coarse = 0.4;  // steps [cells] for surfaces; across ridges of the depth
   /// The part of the shape behind the surface before a seed.
   struct Behind {
@@ -43,20 +40,13 @@ class MarkerRetraction {
   std::pair<Point<Dim>, double> inmost_behind(const Point<Dim>& foot, const Point<Dim>& normal, double along,
                                               double deepest) const;
   Point<Dim> refined(const Point<Dim>& place, const Point<Dim>& way, double step) const;
-  Candidate<Dim> in_sheet(Point<Dim> place, const Point<Dim>& out) const;
-  Point<Dim> to_nearest_edge(const Point<Dim>& place, const Point<Dim>& normal) const;
-  static int sharpness(const Points<Dim>& edges);
-  double beyond_edges(double along) const;
-  bool keep_within(Point<Dim>& place, const Point<Dim>& way, bool to_edge) const;
-  Point<Dim> centred(const Point<Dim>& place, const Point<Dim>& normal) const;
-  double extent(const Point<Dim>& place, const Point<Dim>& tangent, double most, double along) const;
-  static Points<Dim> tangents(const Point<Dim>& normal);
   using Curvatures = Eigen::Matrix<double, Dim, Dim>;
   Curvatures curvatures(const Point<Dim>& foot) const;
   double bending(const Curvatures& curvatures) const;
 
   const Shape<Dim>& shape_;
   const MarkerLayout<Dim>& layout_;
+  SheetRetraction<Dim> sheet_;
   double cell_;
 };
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Loads of the water on the bodies, from the faces of the grid.
+#include "washfsi/mask/mask_loads.hpp"
+
+#include <algorithm>
 #include <array>
 #include <vector>
-
-#include "washfsi/mask/mask.hpp"
 
 namespace washfsi {
 
@@ -46,57 +45,40 @@ class FaceForces {
   std::vector<std::array<Sum, Dim>> sums_;
 };
 
-}  // namespace
-
+// The constraint force density of a step on the water acts on the bodies, less the inertia of the water inside them.
 template <int Dim>
-void Mask<Dim>::add_constraint_force(Vec constraint_force, Vec density, double time, Loads<Dim>& loads) const {
-  const ConstFaceView<Dim> f(grid_.face_dm(), constraint_force), rho(grid_.face_dm(), density);
-  const ConstFaceView<Dim> holder(grid_.face_dm(), body_), fraction(grid_.face_dm(), fluid_share());
-  const PosedBodies<Dim> posed(bodies_, time);
+void add_constraint_force(const Mask<Dim>& mask, Vec constraint_force, Vec density, double time, Loads<Dim>& loads) {
+  const Grid<Dim>& grid = mask.grid();
+  const ConstFaceView<Dim> f(grid.face_dm(), constraint_force), rho(grid.face_dm(), density);
+  const ConstFaceView<Dim> holder(grid.face_dm(), mask.body_of_faces()), fraction(grid.face_dm(), mask.fluid_share());
+  const PosedBodies<Dim> posed(mask.bodies(), time);
   std::vector<char> move;
-  for (const auto& body : bodies_) move.push_back(body.motion.at_rest() ? 0 : 1);
-  FaceForces<Dim> forces(grid_, posed);
-  grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
+  for (const auto& body : mask.bodies()) move.push_back(body.motion.at_rest() ? 0 : 1);
+  FaceForces<Dim> forces(grid, posed);
+  grid.for_each_inner_face([&](const Index<Dim>& face, auto c) {
     if (holder(face, c) < 0) return;
     const auto b = static_cast<std::size_t>(holder(face, c));
     double force = -f(face, c);
     if (move[b] && fraction(face, c) < 1)
-      force += (1 - fraction(face, c)) * rho(face, c) * posed[b].acceleration(grid_.face_center(face, c))[c];
-    forces.add(b, face, c, grid_.cell_volume() * force);
+      force += (1 - fraction(face, c)) * rho(face, c) * posed[b].acceleration(grid.face_center(face, c))[c];
+    forces.add(b, face, c, grid.cell_volume() * force);
   });
   forces.add_to(loads);
 }
 
-template <int Dim>
-Loads<Dim> Mask<Dim>::inner_momentum(Vec velocity, Vec density, double time) const {
-  Loads<Dim> momenta(bodies_.size());
-  const ConstFaceView<Dim> u(grid_.face_dm(), velocity), rho(grid_.face_dm(), density);
-  const ConstFaceView<Dim> holder(grid_.face_dm(), body_), fraction(grid_.face_dm(), fluid_share());
-  const ConstFaceView<Dim> solid(grid_.face_dm(), solid_velocity_);
-  const PosedBodies<Dim> posed(bodies_, time);
-  FaceForces<Dim> sums(grid_, posed);
-  grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
-    if (holder(face, c) < 0 || fraction(face, c) == 1) return;
-    const double speed = u(face, c) - solid(face, c);
-    const double inside = grid_.cell_volume() * (1 - fraction(face, c)) * rho(face, c);
-    sums.add(static_cast<std::size_t>(holder(face, c)), face, c, inside * speed);
-  });
-  sums.add_to(momenta);
-  return ordered_sum<Dim>(grid_.comm(), momenta);
-}
-
 // A drum reaches to the sides of the box, which take a part of its load: the pressure of the cells beside them.
 template <int Dim>
-void Mask<Dim>::add_wall_pressure(Vec pressure, double time, Loads<Dim>& loads) const {
-  const ConstCellView<Dim> p(grid_.cell_dm(), pressure);
-  const PosedBodies<Dim> posed(bodies_, time);
+void add_wall_pressure(const Mask<Dim>& mask, Vec pressure, double time, Loads<Dim>& loads) {
+  const Grid<Dim>& grid = mask.grid();
+  const ConstCellView<Dim> p(grid.cell_dm(), pressure);
+  const PosedBodies<Dim> posed(mask.bodies(), time);
   for (int axis = 0; axis < Dim; ++axis)
     for (const End end : {End::lower, End::upper}) {
-      const double area = (end == End::upper ? 1 : -1) * grid_.cell_volume() / grid_.spacing()[axis];
-      for_each<Dim>(grid_.cells_beside(axis, end), [&](const Index<Dim>& cell) {
-        const Point<Dim> place = grid_.cell_center(cell);
+      const double area = (end == End::upper ? 1 : -1) * grid.cell_volume() / grid.spacing()[axis];
+      for_each<Dim>(grid.cells_beside(axis, end), [&](const Index<Dim>& cell) {
+        const Point<Dim> place = grid.cell_center(cell);
         const std::size_t b = posed.holder(place);
-        if (b == bodies_.size()) return;
+        if (b == mask.bodies().size()) return;
         Point<Dim> force = Point<Dim>::Zero();
         force[axis] = area * p(cell);
         loads[b].add(posed[b].arm(place), force);
@@ -104,60 +86,26 @@ void Mask<Dim>::add_wall_pressure(Vec pressure, double time, Loads<Dim>& loads) 
     }
 }
 
-template <int Dim>
-Loads<Dim> Mask<Dim>::loads(Vec constraint_force, Vec density, Vec pressure, double time) const {
-  Loads<Dim> loads(bodies_.size());
-  if (constraint_force) add_constraint_force(constraint_force, density, time, loads);
-  add_wall_pressure(pressure, time, loads);
-  return ordered_sum<Dim>(grid_.comm(), loads);
-}
-
-template <int Dim>
-double Mask<Dim>::dissipation(Vec velocity_before, Vec density, double dt) const {
-  if (!any_moves_) return 0;
-  const ConstFaceView<Dim> u(grid_.face_dm(), velocity_before), rho(grid_.face_dm(), density);
-  const ConstFaceView<Dim> fraction(grid_.face_dm(), fraction_), solid(grid_.face_dm(), solid_velocity_);
-  double lost = 0;
-  grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
-    const double change = solid(face, c) - u(face, c);
-    lost += 0.5 * (1 - fraction(face, c)) * rho(face, c) * change * change;
-  });
-  return ordered_sum(grid_.comm(), lost * grid_.cell_volume() / dt);
-}
-
-template <int Dim>
-Loads<Dim> Mask<Dim>::hidden_wall_shear(const Boundary<Dim>& boundary, Vec local_velocity, const Viscosity& viscosity,
-                                        double time) const {
-  Loads<Dim> loads(bodies_.size());
-  with_viscosity<Dim>(grid_, viscosity, [&](const auto& mu) {
-    for (int axis = 0; axis < Dim; ++axis)
-      for (const End end : {End::lower, End::upper}) {
-        const auto& side = boundary.side(axis, end);
-        if (side.kind == BoundaryKind::wall && !side.motion)
-          add_hidden_shear(boundary, axis, end, ConstFaceView<Dim>(grid_.face_dm(), local_velocity), mu, time, loads);
-      }
-  });
-  return ordered_sum<Dim>(grid_.comm(), loads);
-}
-
-template <int Dim>
-template <class Form>
-void Mask<Dim>::add_hidden_shear(const Boundary<Dim>& boundary, int axis, End end, const ConstFaceView<Dim>& u,
-                                 const Form& viscosity, double time, Loads<Dim>& loads) const {
-  const ConstFaceView<Dim> holder(grid_.face_dm(), body_), fraction(grid_.face_dm(), fluid_share());
-  const double spacing = grid_.spacing()[axis], area = grid_.cell_volume() / spacing;
-  const PosedBodies<Dim> posed(bodies_, time);
+template <int Dim, class Form>
+void add_hidden_shear(const Mask<Dim>& mask, const Boundary<Dim>& boundary, const SideName& side,
+                      const ConstFaceView<Dim>& u, const Form& viscosity, double time, Loads<Dim>& loads) {
+  const Grid<Dim>& grid = mask.grid();
+  const auto [axis, end] = side;
+  const bool covers_sides = mask.fluid_share() != mask.fluid_fraction();  // direct forcing
+  const ConstFaceView<Dim> holder(grid.face_dm(), mask.body_of_faces()), fraction(grid.face_dm(), mask.fluid_share());
+  const double spacing = grid.spacing()[axis], area = grid.cell_volume() / spacing;
+  const PosedBodies<Dim> posed(mask.bodies(), time);
   const int outwards = end == End::upper ? 1 : -1;
   for (int c = 0; c < Dim; ++c) {
     if (c == axis) continue;
-    Box<Dim> faces = grid_.cells_beside(axis, end);
-    faces.lower[c] = std::max(faces.lower[c], grid_.inner_faces(c).lower[c]);  // others take no part in the load
+    Box<Dim> faces = grid.cells_beside(axis, end);
+    faces.lower[c] = std::max(faces.lower[c], grid.inner_faces(c).lower[c]);  // others take no part in the load
     for_each<Dim>(faces, [&](const Index<Dim>& face) {
       if (holder(face, c) < 0) return;
       const auto b = static_cast<std::size_t>(holder(face, c));
-      Point<Dim> place = grid_.face_center(face, c), force = Point<Dim>::Zero();
+      Point<Dim> place = grid.face_center(face, c), force = Point<Dim>::Zero();
       place[axis] += 0.5 * outwards * spacing;
-      const double share = share_ ? boundary.covered_share(axis, end, face, c, time) : 1 - fraction(face, c);
+      const double share = covers_sides ? boundary.covers().share(axis, end, face, c, time) : 1 - fraction(face, c);
       const double mu = viscosity.scale * viscosity.on_side(face, c, axis, outwards);
       const double rate = (u(face, c) - u(shifted<Dim>(face, axis, outwards), c)) / spacing;
       force[c] = share * area * mu * rate;  // on water beside the body it is a force on the water
@@ -166,17 +114,74 @@ void Mask<Dim>::add_hidden_shear(const Boundary<Dim>& boundary, int axis, End en
   }
 }
 
-template void Mask<2>::add_constraint_force(Vec, Vec, double, Loads<2>&) const;
-template void Mask<3>::add_constraint_force(Vec, Vec, double, Loads<3>&) const;
-template void Mask<2>::add_wall_pressure(Vec, double, Loads<2>&) const;
-template void Mask<3>::add_wall_pressure(Vec, double, Loads<3>&) const;
-template Loads<2> Mask<2>::inner_momentum(Vec, Vec, double) const;
-template Loads<3> Mask<3>::inner_momentum(Vec, Vec, double) const;
-template Loads<2> Mask<2>::loads(Vec, Vec, Vec, double) const;
-template Loads<3> Mask<3>::loads(Vec, Vec, Vec, double) const;
-template double Mask<2>::dissipation(Vec, Vec, double) const;
-template double Mask<3>::dissipation(Vec, Vec, double) const;
-template Loads<2> Mask<2>::hidden_wall_shear(const Boundary<2>&, Vec, const Viscosity&, double) const;
-template Loads<3> Mask<3>::hidden_wall_shear(const Boundary<3>&, Vec, const Viscosity&, double) const;
+}  // namespace
+
+template <int Dim>
+Loads<Dim> inner_momentum(const Mask<Dim>& mask, Vec velocity, Vec density, double time) {
+  const Grid<Dim>& grid = mask.grid();
+  Loads<Dim> momenta(mask.bodies().size());
+  const ConstFaceView<Dim> u(grid.face_dm(), velocity), rho(grid.face_dm(), density);
+  const ConstFaceView<Dim> holder(grid.face_dm(), mask.body_of_faces()), fraction(grid.face_dm(), mask.fluid_share());
+  const ConstFaceView<Dim> solid(grid.face_dm(), mask.solid_velocity());
+  const PosedBodies<Dim> posed(mask.bodies(), time);
+  FaceForces<Dim> sums(grid, posed);
+  grid.for_each_inner_face([&](const Index<Dim>& face, auto c) {
+    if (holder(face, c) < 0 || fraction(face, c) == 1) return;
+    const double speed = u(face, c) - solid(face, c);
+    const double inside = grid.cell_volume() * (1 - fraction(face, c)) * rho(face, c);
+    sums.add(static_cast<std::size_t>(holder(face, c)), face, c, inside * speed);
+  });
+  sums.add_to(momenta);
+  return ordered_sum<Dim>(grid.comm(), momenta);
+}
+
+template <int Dim>
+Loads<Dim> constraint_loads(const Mask<Dim>& mask, Vec constraint_force, Vec density, Vec pressure, double time) {
+  Loads<Dim> loads(mask.bodies().size());
+  if (constraint_force) add_constraint_force(mask, constraint_force, density, time, loads);
+  add_wall_pressure(mask, pressure, time, loads);
+  return ordered_sum<Dim>(mask.grid().comm(), loads);
+}
+
+template <int Dim>
+double mask_dissipation(const Mask<Dim>& mask, Vec velocity_before, Vec density, double dt) {
+  if (std::ranges::all_of(mask.bodies(), [](const auto& body) { return body.motion.at_rest(); })) return 0;
+  const Grid<Dim>& grid = mask.grid();
+  const ConstFaceView<Dim> u(grid.face_dm(), velocity_before), rho(grid.face_dm(), density);
+  const ConstFaceView<Dim> fraction(grid.face_dm(), mask.fluid_fraction()),
+      solid(grid.face_dm(), mask.solid_velocity());
+  double lost = 0;
+  grid.for_each_inner_face([&](const Index<Dim>& face, auto c) {
+    const double change = solid(face, c) - u(face, c);
+    lost += 0.5 * (1 - fraction(face, c)) * rho(face, c) * change * change;
+  });
+  return ordered_sum(grid.comm(), lost * grid.cell_volume() / dt);
+}
+
+template <int Dim>
+Loads<Dim> hidden_wall_shear(const Mask<Dim>& mask, const Boundary<Dim>& boundary, Vec local_velocity,
+                             const Viscosity& viscosity, double time) {
+  const Grid<Dim>& grid = mask.grid();
+  Loads<Dim> loads(mask.bodies().size());
+  with_viscosity<Dim>(grid, viscosity, [&](const auto& mu) {
+    for (int axis = 0; axis < Dim; ++axis)
+      for (const End end : {End::lower, End::upper}) {
+        const auto& side = boundary.side(axis, end);
+        if (side.kind == BoundaryKind::wall && !side.motion)
+          add_hidden_shear(mask, boundary, {axis, end}, ConstFaceView<Dim>(grid.face_dm(), local_velocity), mu, time,
+                           loads);
+      }
+  });
+  return ordered_sum<Dim>(grid.comm(), loads);
+}
+
+template Loads<2> constraint_loads(const Mask<2>&, Vec, Vec, Vec, double);
+template Loads<3> constraint_loads(const Mask<3>&, Vec, Vec, Vec, double);
+template Loads<2> inner_momentum(const Mask<2>&, Vec, Vec, double);
+template Loads<3> inner_momentum(const Mask<3>&, Vec, Vec, double);
+template double mask_dissipation(const Mask<2>&, Vec, Vec, double);
+template double mask_dissipation(const Mask<3>&, Vec, Vec, double);
+template Loads<2> hidden_wall_shear(const Mask<2>&, const Boundary<2>&, Vec, const Viscosity&, double);
+template Loads<3> hidden_wall_shear(const Mask<3>&, const Boundary<3>&, Vec, const Viscosity&, double);
 
 }  // namespace washfsi

@@ -90,7 +90,7 @@ Loads<Dim> wall_loads(const Grid<Dim>& grid, const Boundary<Dim>& boundary, cons
         const Point<Dim> force = area * traction<Dim>(u, p, cell, sides[s], slips, mu, spacing);
         for (int c = 0; c < Dim; ++c) {  // each where its velocity is
           Point<Dim> place = c == axis ? grid.cell_center(cell) : grid.face_center(cell, c);
-          const double covered = boundary.covered_share(axis, end, cell, c, time);
+          const double covered = boundary.covers().share(axis, end, cell, c, time);
           if (covered == 0 && posed.holder(place) < bodies.size()) continue;
           place[axis] = end == End::upper ? grid.upper()[axis] : grid.lower()[axis];
           loads[s].add(place - middle, (1 - covered) * force[c] * Point<Dim>::Unit(c));

@@ -82,7 +82,7 @@ void BodyDepths<Dim>::look(const Points<Dim>& positions, double time) {
   example_.clear();
   deepest_ = {};
   std::ranges::fill(of_groups_, 0.0);
-  const Points<Dim> places = cloths_.with_halo(positions);
+  const Points<Dim> places = cloths_.lattices().with_halo(positions);
   const PosedBodies<Dim> posed(bodies_, time);
   const auto add_all = [&](const auto& faces, const auto& pieces, const auto& is_meant) {
     for (std::size_t n = 0; n < faces.size(); ++n) {

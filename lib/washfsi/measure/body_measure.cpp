@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "washfsi/mask/mask_loads.hpp"
 #include "washfsi/wall_forces/marker_loads.hpp"
 
 namespace washfsi {
@@ -24,28 +25,28 @@ std::vector<CycleFigure> power_figures(const Body<Dim>& body) {
 template <int Dim>
 BodyMeasure<Dim>::BodyMeasure(const System<Dim>& system, bool balance)
     : system_(system),
-      loads_(system.model.bodies.size()),
-      balance_loads_(system.model.bodies.size()),
-      powers_(system.model.bodies.size(), 0.0),
-      slips_(system.model.bodies.size(), 0.0) {
+      loads_(system.model.body_list.size()),
+      balance_loads_(system.model.body_list.size()),
+      powers_(system.model.body_list.size(), 0.0),
+      slips_(system.model.body_list.size(), 0.0) {
   const Model<Dim>& model = system.model;
-  if (balance && !loads_.empty()) control_volumes_.emplace(model.grid, model.boundary, model.bodies);
+  if (balance && !loads_.empty()) control_volumes_.emplace(model.grid, model.boundary, model.body_list);
 }
 
 template <int Dim>
 void BodyMeasure<Dim>::declare(QuantityList& quantities) {
-  if (!system_.model.bodies.empty())
+  if (!system_.model.body_list.empty())
     quantities.add({"mask_dissipation", Units<Dim>::power,
                     "what moving walls gave beyond their power on the water: at the staircase of a mask, or as markers "
                     "move in a step",
                     [this] { return mask_dissipation_; }},
                    {{"mask_dissipated", Units<Dim>::energy, OverCycle::integral, "energy lost at moving walls", -1}});
   for (std::size_t b = 0; b < loads_.size(); ++b) {
-    const std::string name = system_.model.bodies[b].name, pointer = "/bodies/" + name;
+    const std::string name = system_.model.body_list[b].name, pointer = "/bodies/" + name;
     declare_load<Dim>(quantities, name, pointer, "of water and cloth on the body, about its centre", loads_, b);
     quantities.add({name + "_power", Units<Dim>::power, "that the body puts into the water and cloth",
                     [this, b] { return powers_[b]; }, Accumulation::none, pointer + "/power"},
-                   power_figures(system_.model.bodies[b]));
+                   power_figures(system_.model.body_list[b]));
     quantities.add({"", Units<Dim>::torque, "torque about the axis in which it turns",
                     [this, b] { return loads_[b].torque[rotation_components<Dim> - 1]; }},
                    mean_peak_rms(name + "_torque", Units<Dim>::torque, "torque of water and cloth on the body", true));
@@ -64,7 +65,7 @@ void BodyMeasure<Dim>::declare(QuantityList& quantities) {
 template <int Dim>
 Loads<Dim> BodyMeasure<Dim>::inner_momenta() const {
   const Model<Dim>& model = system_.model;
-  return model.bodies.mask().inner_momentum(model.fluid.velocity(), model.liquid.density(), system_.state.clock.time);
+  return inner_momentum(model.bodies.mask(), model.fluid.velocity(), model.liquid.density(), system_.state.clock.time);
 }
 
 template <int Dim>
@@ -103,23 +104,23 @@ void BodyMeasure<Dim>::observe(const Observation<Dim>& seen) {
   const double time = system_.state.clock.time, middle = time - 0.5 * seen.dt;
   loads_ = model.bodies.water_loads({.constraint_force = fluid.constraint_force(),
                                      .density = density,
-                                     .pressure = fluid.pressure(),
+                                     .pressure = fluid.projection().pressure(),
                                      .local_velocity = seen.velocity,
                                      .viscosity = model.liquid.viscosity(),
                                      .time = time,
                                      .dt = seen.dt});
   const Loads<Dim> of_inner = inner_inertia(seen.dt);
   if (control_volumes_)
-    balance_loads_ = control_volumes_->loads({fluid.velocity_before(), fluid.velocity(), fluid.pressure(), density,
-                                              system_.step.force, model.bodies.fluid_share(), model.liquid.viscosity(),
-                                              time, seen.dt, fluid.driving().gradient()});
+    balance_loads_ = control_volumes_->loads({fluid.velocity_before(), fluid.velocity(), fluid.projection().pressure(),
+                                              density, system_.step.force, model.bodies.fluid_share(),
+                                              model.liquid.viscosity(), time, seen.dt, fluid.driving().gradient()});
   for (std::size_t b = 0; b < loads_.size(); ++b)
     for (Load<Dim>* load : {&loads_[b], &balance_loads_[b]}) (*load += of_inner[b]) += seen.contact.bodies[b];
   if (!model.bodies.wall_forces())
-    mask_dissipation_ = model.bodies.mask().dissipation(fluid.velocity_before(), density, seen.dt);
+    mask_dissipation_ = mask_dissipation(model.bodies.mask(), fluid.velocity_before(), density, seen.dt);
   else
     observe_markers(*model.bodies.wall_forces(), seen.dt);
-  for (std::size_t b = 0; b < loads_.size(); ++b) powers_[b] = power(model.bodies[b].motion, loads_[b], middle);
+  for (std::size_t b = 0; b < loads_.size(); ++b) powers_[b] = power(model.body_list[b].motion, loads_[b], middle);
 }
 
 template class BodyMeasure<2>;

@@ -9,23 +9,31 @@
 
 namespace washfsi {
 
+namespace {
+
+// Mean over the cloths of a group, which are equal. `sum` is the initial zero.
+template <int Dim, class Value>
+Value mean_over_cloths(const Cloths<Dim>& cloths, std::size_t group, const std::vector<Value>& values, Value sum) {
+  for (std::size_t p = 0; p < values.size(); ++p)
+    if (cloths.pieces()[p].group == group) sum += values[p];
+  return sum / static_cast<double>(cloths.groups()[group].count);
+}
+
+}  // namespace
+
 template <int Dim>
 ClothMeasure<Dim>::ClothMeasure(const System<Dim>& system, const MachineAxis& machine, BodyDepths<Dim>& depths)
     : system_(system),
       groups_(system.model.cloths.groups().size()),
+      means_(system.model.cloths),
       centers_(system.model.cloths.pieces().size(), Point<Dim>::Zero()),
       paths_(centers_.size()),
       time_integrals_(marker_quantities<Dim>().size() * system.model.cloths.owned(), 0.0),
       depths_(depths) {
-  const Cloths<Dim>& cloths = system.model.cloths;
-  for (const std::size_t piece : cloths.piece_of_marker()) group_of_.push_back(cloths.pieces()[piece].group);
-  const std::vector<double> ones(group_of_.size(), 1.0);
-  of_groups_ = sums_by(group_of_, groups_.size(), ones);
-  of_cloths_ = sums_by(cloths.piece_of_marker(), cloths.pieces().size(), ones);
   if constexpr (Dim == 3) {
     if (groups_.empty()) return;
     tumbles_.emplace(machine.axis, machine.orbit_center, centers_.size());
-    crossings_.emplace(cloths);
+    crossings_.emplace(system.model.cloths);
   }
 }
 
@@ -118,33 +126,6 @@ double ClothMeasure<Dim>::elastic_energy() const {
   return energy;
 }
 
-// Sums over the markers, each by its share, for each group or cloth by the number that markers have.
-template <int Dim>
-std::vector<double> ClothMeasure<Dim>::sums_by(const std::vector<std::size_t>& number_of, std::size_t count,
-                                               const std::vector<double>& marker_values) const {
-  const std::vector<double>& shares = system_.model.cloths.marker_shares();
-  std::vector<double> sums(count, 0.0);
-  for (std::size_t m = 0; m < marker_values.size(); ++m) sums[number_of[m]] += shares[m] * marker_values[m];
-  return ordered_sum(system_.model.grid.comm(), sums);
-}
-
-// Means of each value of the markers over each group.
-template <int Dim>
-std::vector<std::vector<double>> ClothMeasure<Dim>::means_of(const std::vector<double>& values) const {
-  const std::size_t each = marker_quantities<Dim>().size();
-  std::vector<double> sums(groups_.size() * each, 0.0);
-  const std::vector<double>& shares = system_.model.cloths.marker_shares();
-  for (std::size_t n = 0; n < values.size(); ++n)
-    sums[group_of_[n / each] * each + n % each] += shares[n / each] * values[n];
-  sums = ordered_sum(system_.model.grid.comm(), sums);
-  std::vector<std::vector<double>> means;
-  for (std::size_t g = 0; g < groups_.size(); ++g) {
-    means.emplace_back(sums.begin() + static_cast<long>(g * each), sums.begin() + static_cast<long>((g + 1) * each));
-    for (double& mean : means.back()) mean /= of_groups_[g];
-  }
-  return means;
-}
-
 template <int Dim>
 void ClothMeasure<Dim>::observe(const Observation<Dim>& seen) {
   if (groups_.empty()) return;
@@ -152,7 +133,7 @@ void ClothMeasure<Dim>::observe(const Observation<Dim>& seen) {
   measure_markers(seen.interval);
   const Points<Dim>& positions = system_.state.positions;
   const std::vector<double> energies = system_.model.forces.elastic_energies(positions);
-  const std::vector<double> stretches = system_.model.cloths.largest_stretches(positions);
+  const std::vector<double> stretches = largest_stretches(system_.model.cloths, positions);
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     groups_[g].elastic_energy = energies[g];
     groups_[g].stretch = stretches[g];
@@ -168,16 +149,16 @@ void ClothMeasure<Dim>::measure_markers(double interval) {
   averaged_time_ += interval;
   const double time = averaged_time_ > 0 ? averaged_time_ : 1;
   std::vector<double> values, averages, squares;
-  const std::vector<MarkerState> states = system_.model.cloths.marker_states(system_.state.positions);
-  const std::vector<WashingAction> actions = washing_action();
-  for (std::size_t m = 0; m < states.size(); ++m)
-    for (const auto& quantity : marker_quantities<Dim>()) values.push_back(quantity.value({states[m], actions[m]}));
+  for (const MarkerSample& sample : marker_samples(system_))
+    for (const auto& quantity : marker_quantities<Dim>()) values.push_back(quantity.value(sample));
   for (std::size_t n = 0; n < values.size(); ++n) {
     time_integrals_[n] += interval * values[n];
     averages.push_back(time_integrals_[n] / time);
     squares.push_back(averages[n] * averages[n]);
   }
-  const auto now = means_of(values), means = means_of(averages), mean_squares = means_of(squares);
+  const std::size_t each = marker_quantities<Dim>().size();
+  const auto now = means_.of_groups(values, each), means = means_.of_groups(averages, each),
+             mean_squares = means_.of_groups(squares, each);
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     groups_[g].now = now[g];
     groups_[g].mean = means[g];
@@ -188,68 +169,32 @@ void ClothMeasure<Dim>::measure_markers(double interval) {
 }
 
 template <int Dim>
-std::vector<WashingAction> ClothMeasure<Dim>::washing_action() const {
-  std::vector<WashingAction> actions(system_.state.positions.size());
-  if (!system_.model.has_fluid) return actions;
-  const Points<Dim> normals = system_.model.cloths.normals(system_.state.positions);
-  const GhostedVelocity<Dim> local(system_.model.boundary, system_.model.grid.wide_face_dm(),
-                                   system_.model.fluid.velocity(), system_.state.clock.time);
-  // within `sample_reach` along each axis, cells being flat or not; 0 where there is no normal
-  const auto distance = [&](const Point<Dim>& normal) {
-    const double cells = normal.cwiseQuotient(system_.model.grid.spacing()).norm();
-    return cells > 0 ? Transfer<Dim>::sample_reach / cells : 0.0;
-  };
-  for (const double side : {-1.0, 1.0}) {
-    Points<Dim> offsets;
-    for (const auto& normal : normals) offsets.push_back(side * distance(normal) * normal);
-    const Points<Dim> water = system_.model.transfer.sample(local, offsets);
-    for (std::size_t m = 0; m < normals.size(); ++m) {
-      const Point<Dim> relative = water[m] - system_.state.velocities[m];
-      actions[m].relative_speed += 0.5 * (relative - relative.dot(normals[m]) * normals[m]).norm();
-    }
-  }
-  for (std::size_t m = 0; m < normals.size(); ++m)
-    if (distance(normals[m]) > 0)
-      actions[m].shear = system_.model.liquid.pure_viscosity() * actions[m].relative_speed / distance(normals[m]);
-  return actions;
-}
-
-template <int Dim>
 void ClothMeasure<Dim>::measure_laundry() {
   if constexpr (Dim == 3) {
     tumbles_->observe(centers_);
     const std::vector<double> turns = tumbles_->turns();
-    for (std::size_t g = 0; g < groups_.size(); ++g) groups_[g].tumbles = mean_over_cloths(g, turns, 0.0);
+    for (std::size_t g = 0; g < groups_.size(); ++g)
+      groups_[g].tumbles = mean_over_cloths(system_.model.cloths, g, turns, 0.0);
     crossings_->observe(system_.state.positions);
   }
-}
-
-// Mean over the cloths of a group, which are equal. `sum` is the initial zero.
-template <int Dim>
-template <class Value>
-Value ClothMeasure<Dim>::mean_over_cloths(std::size_t group, const std::vector<Value>& values, Value sum) const {
-  for (std::size_t p = 0; p < values.size(); ++p)
-    if (system_.model.cloths.pieces()[p].group == group) sum += values[p];
-  return sum / static_cast<double>(system_.model.cloths.groups()[group].count);
 }
 
 template <int Dim>
 double ClothMeasure<Dim>::path(std::size_t group) const {
   const std::span<const double> totals = paths_.totals();
-  return mean_over_cloths(group, std::vector<double>(totals.begin(), totals.end()), 0.0);
+  return mean_over_cloths(system_.model.cloths, group, std::vector<double>(totals.begin(), totals.end()), 0.0);
 }
 
 template <int Dim>
 void ClothMeasure<Dim>::measure_places() {
-  const std::vector<Piece>& pieces = system_.model.cloths.pieces();
   for (int d = 0; d < Dim; ++d) {
     std::vector<double> coordinate;
     for (const auto& position : system_.state.positions) coordinate.push_back(position[d]);
-    const std::vector<double> sums = sums_by(system_.model.cloths.piece_of_marker(), pieces.size(), coordinate);
-    for (std::size_t p = 0; p < pieces.size(); ++p) centers_[p][d] = sums[p] / of_cloths_[p];
+    const std::vector<double> means = means_.of_cloths(coordinate);
+    for (std::size_t p = 0; p < centers_.size(); ++p) centers_[p][d] = means[p];
   }
   for (std::size_t g = 0; g < groups_.size(); ++g)
-    groups_[g].center = mean_over_cloths<Point<Dim>>(g, centers_, Point<Dim>::Zero());
+    groups_[g].center = mean_over_cloths<Dim, Point<Dim>>(system_.model.cloths, g, centers_, Point<Dim>::Zero());
 }
 
 template <int Dim>
@@ -260,12 +205,11 @@ void ClothMeasure<Dim>::measure_depths() {
 
 template <int Dim>
 std::vector<MarkerField> ClothMeasure<Dim>::marker_fields() const {
-  const std::vector<MarkerState> states = system_.model.cloths.marker_states(system_.state.positions);
-  const std::vector<WashingAction> actions = washing_action();
+  const std::vector<MarkerSample> samples = marker_samples(system_);
   std::vector<MarkerField> fields;
   for (const MarkerQuantity& quantity : marker_quantities<Dim>()) {
     MarkerField& field = fields.emplace_back(MarkerField{quantity.name, quantity.unit, {}});
-    for (std::size_t m = 0; m < states.size(); ++m) field.values.push_back(quantity.value({states[m], actions[m]}));
+    for (const MarkerSample& sample : samples) field.values.push_back(quantity.value(sample));
   }
   return fields;
 }

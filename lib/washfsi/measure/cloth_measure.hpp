@@ -6,7 +6,8 @@
 #include "washfsi/measure/body_depths.hpp"
 #include "washfsi/measure/crossings.hpp"
 #include "washfsi/measure/machine_axis.hpp"
-#include "washfsi/measure/marker_quantities.hpp"
+#include "washfsi/measure/marker_means.hpp"
+#include "washfsi/measure/marker_samples.hpp"
 #include "washfsi/measure/measure.hpp"
 #include "washfsi/measure/paths.hpp"
 #include "washfsi/measure/tumbling.hpp"
@@ -59,18 +60,10 @@ class ClothMeasure : public Measure<Dim> {
   void measure_places();
   void measure_depths();
   void measure_laundry();
-  std::vector<WashingAction> washing_action() const;
-  std::vector<double> sums_by(const std::vector<std::size_t>& number_of, std::size_t count,
-                              const std::vector<double>& marker_values) const;
-  std::vector<std::vector<double>> means_of(const std::vector<double>& values) const;
-  template <class Value>
-  Value mean_over_cloths(std::size_t group, const std::vector<Value>& values, Value sum) const;
 
   const System<Dim>& system_;
   std::vector<GroupMeasures<Dim>> groups_;
-  std::vector<std::size_t> group_of_;   ///< group of each of this rank's markers
-  std::vector<double> of_groups_;       ///< number of markers of each group, each by its share of a whole one's area
-  std::vector<double> of_cloths_;       ///< number of markers of each cloth, counted likewise
+  MarkerMeans<Dim> means_;
   std::vector<Point<Dim>> centers_;     ///< centre of each cloth [m]
   Paths<Dim> paths_;                    ///< paths of the centres
   std::vector<double> time_integrals_;  ///< integrals over time of the quantities of each marker

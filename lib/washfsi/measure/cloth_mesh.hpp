@@ -10,7 +10,7 @@ namespace washfsi {
 
 /// The edges and the faces of all cloths: each cell of a lattice is two triangles, split along the diagonal from its
 /// first marker; in the plane faces are the edges. A rank has those that begin at its markers. Corners are indices in
-/// an array with halo (`Cloths::with_halo`).
+/// an array with halo (`SeenLattices::with_halo`).
 template <int Dim>
 struct ClothMesh {
   explicit ClothMesh(const Cloths<Dim>& cloths);
@@ -21,7 +21,7 @@ struct ClothMesh {
   std::vector<std::size_t> piece_of_edge, piece_of_face;
 
  private:
-  void add_patch(const Cloths<Dim>& cloths, const Patch& patch);
+  void add_part(const Cloths<Dim>& cloths, const LatticePart& part);
 };
 
 extern template struct ClothMesh<2>;

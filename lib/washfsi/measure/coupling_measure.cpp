@@ -56,8 +56,8 @@ void CouplingMeasure<Dim>::observe(const Observation<Dim>& seen) {
   load_power_ = ordered_sum(model.grid.comm(), load_power_);
   double got = load_power_;
   const double middle = system_.state.clock.time - 0.5 * seen.dt;
-  for (std::size_t b = 0; b < model.bodies.size(); ++b)
-    got += power(model.bodies[b].motion, seen.contact.bodies[b], middle);
+  for (std::size_t b = 0; b < model.body_list.size(); ++b)
+    got += power(model.body_list[b].motion, seen.contact.bodies[b], middle);
   const double energy = cloth_.elastic_energy() + CarriedMass::of(system_).kinetic_energy;
   dissipation_ = got - given - (energy - energy_) / seen.dt;
   energy_ = energy;

@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include "washfsi/measure/cycle_sums.hpp"
+#include "washfsi/measure/mean_and_spread.hpp"
 #include "washfsi/measure/quantity.hpp"
 
 namespace washfsi {
@@ -47,45 +49,37 @@ class Cycles {
   std::vector<Row> take_completed();
 
   /// The figures in a row: those of the quantities, and the residual of the balance of energy.
-  const std::vector<CycleFigure>& figures() const { return figures_; }
+  const std::vector<CycleFigure>& figures() const { return current_.figures(); }
 
   /// The figures of the current cycle.
-  std::vector<double> so_far() const;
+  std::vector<double> so_far() const { return current_.so_far(); }
   /// The values of their quantities at its start.
-  const std::vector<double>& at_start() const { return before_; }
+  const std::vector<double>& at_start() const { return current_.at_start(); }
 
   /// A table of the figures in Markdown.
   std::string document() const;
 
-  /// Mean and spread over the cycles from the second on.
-  struct Mean {
-    double mean = 0, deviation = 0;  ///< standard deviation of a cycle; 0 of one
-  };
-  long counted() const { return static_cast<long>(counted_); }  ///< cycles in the means
-  Mean mean(std::size_t figure) const;
+  long counted() const { return means_.count(); }  ///< cycles in the means
+  using Mean = MeanAndSpread::Mean;
+  /// Mean and spread of a figure over the cycles from the second on.
+  Mean mean(std::size_t figure) const { return means_.of(figure); }
 
  private:
   double start_of(double number) const { return number * period_; }
-  void take_values();
   void enter(double number, bool is_whole);
-  void add(double interval);
   void complete(double end, double next_time);
-  double of_cycle(std::size_t figure) const;
-  void count(const std::vector<double>& values);
 
   double period_;
   const QuantityList& quantities_;
-  std::vector<CycleFigure> figures_;
+  CycleSums current_;    ///< sums over the current cycle
+  MeanAndSpread means_;  ///< of the figures, over the cycles counted
   std::vector<Row> completed_;
 
-  // The state for checkpoints, in vectors that are never reallocated: of the current cycle, and of all so far.
-  double kept_period_ = 0, kept_figures_ = 0;  ///< period and number of figures of the numbers below [s], [-]
-  double number_ = 0;                          ///< number of cycles before this one
-  double is_whole_ = 0;                        ///< whether it was observed from its start
-  double elapsed_ = 0;                         ///< observed time of the cycle [s]
-  double told_ = 0, counted_ = 0;
-  std::vector<double> sums_, before_, last_;  ///< for each figure: integral or peak; value at the start; value now
-  std::vector<double> means_, squares_;       ///< over the cycles counted: mean, sum of squares of deviations
+  // Numbers for checkpoints, which hold those of `current_` and `means_` too.
+  double kept_period_ = 0, kept_figures_ = 0;  ///< period and number of figures of the numbers kept [s], [-]
+  double number_ = 0;                          ///< number of cycles before the current one
+  double is_whole_ = 0;                        ///< whether that was observed from its start
+  double told_ = 0;                            ///< number of the last cycle that was completed
 };
 
 }  // namespace washfsi

@@ -21,9 +21,9 @@ void EddyMeasure<Dim>::declare(QuantityList& quantities) {
         {"wall_y_plus_max", "-",
          "largest y+ of the middle of a cell beside no-slip sides of the box, by Reichardt's law at the next",
          [this] { return y_plus_; }, Accumulation::largest, "/max_wall_y_plus"});
-  body_y_plus_.assign(system_.model.bodies.wall_law() ? system_.model.bodies.size() : 0, 0.0);
+  body_y_plus_.assign(system_.model.bodies.wall_law() ? system_.model.body_list.size() : 0, 0.0);
   for (std::size_t b = 0; b < body_y_plus_.size(); ++b) {
-    const std::string& name = system_.model.bodies[b].name;
+    const std::string& name = system_.model.body_list[b].name;
     quantities.add({name + "_y_plus_max", "-",
                     "with `-wall_model`: largest y+ of half a cell before the body, by Reichardt's law for the "
                     "velocity three cells off",

@@ -33,7 +33,7 @@ void IntersectionMeasure<Dim>::declare(QuantityList& quantities) {
   if (!counts()) return;
   quantities.add({"intersections", "-", "edges of cloths that go through a cloth, as counted last",
                   [this] { return of_cloths_.total(); }, Accumulation::largest, "/intersections", true});
-  if (system_.model.bodies.empty()) return;
+  if (system_.model.body_list.empty()) return;
   quantities.add({"body_intersections", "-", "faces of cloths that reach into a body, as counted last",
                   [this] { return in_bodies_.total(); }, Accumulation::largest, "/body_intersections", true});
 }

@@ -154,7 +154,7 @@ void IntersectionCount<Dim>::count(const Points<Dim>& positions) {
   example_.reset();
   if (cloths_.marker_count() == 0) return;
   const EqualSlabs<Dim> slabs(cloths_.comm(), positions, lengths_);
-  const Points<Dim> places = cloths_.with_halo(positions);
+  const Points<Dim> places = cloths_.lattices().with_halo(positions);
   const auto edge = [&](std::size_t n) {
     return thing<Dim>(mesh_.edges[n], places, mesh_.numbers, mesh_.piece_of_edge[n]);
   };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "washfsi/cloth/sheet.hpp"
+#include "washfsi/cloth/sheet_states.hpp"
 
 namespace washfsi {
 

@@ -39,8 +39,8 @@ PhaseOptions completed(PhaseOptions phases, double cycle_time, const Model<3>& m
   if (phases.period == 0) phases.period = cycle_time;
   if (phases.center) return phases;
   const auto turns = [](const Body<3>& body) { return body.motion.only_turns() && !body.motion.at_rest(); };
-  const auto turning = std::ranges::find_if(model.bodies, turns);
-  if (turning != model.bodies.end())
+  const auto turning = std::ranges::find_if(model.body_list, turns);
+  if (turning != model.body_list.end())
     phases.center = turning->motion.center_at(0);
   else
     phases.center = Point<3>(machine.axis[0], machine.axis[1], 0.5 * (model.grid.lower()[2] + model.grid.upper()[2]));
@@ -72,7 +72,7 @@ Measures<Dim>::Measures(const System<Dim>& system, const MeasureOptions& options
       flow_(system),
       bodies_(system, options.balance_loads),
       walls_(system),
-      depths_(system.model.cloths, system.model.grid, system.model.bodies),
+      depths_(system.model.cloths, system.model.grid, system.model.body_list),
       cloth_(system, options.machine, depths_),
       coupling_(system, cloth_),
       intersections_(system, depths_),
@@ -89,7 +89,7 @@ Measures<Dim>::Measures(const System<Dim>& system, const MeasureOptions& options
     statistics_ = std::make_unique<FlowStatistics<Dim>>(system.model.grid, options.statistics);
     quantities_.keep("statistics", statistics_->kept(), QuantityList::IfOther::begin_anew);
   }
-  const double cycle_time = options.cycle_time > 0 ? options.cycle_time : first_period(system.model.bodies.list());
+  const double cycle_time = options.cycle_time > 0 ? options.cycle_time : first_period(system.model.body_list);
   take_phases(options, cycle_time);
   cycles_.emplace(quantities_, cycle_time, "cycle");
   whole_run_.emplace(quantities_, Cycles::whole_run, "run");
@@ -108,7 +108,7 @@ void Measures<Dim>::take_phases(const MeasureOptions& options, double cycle_time
 template <int Dim>
 ContactLoads<Dim> Measures<Dim>::contact() const {
   const Model<Dim>& model = system_.model;
-  ContactLoads<Dim> loads = contact_loads<Dim>(model.forces, system_.step.evaluated_at, model.bodies.size());
+  ContactLoads<Dim> loads = contact_loads<Dim>(model.forces, system_.step.evaluated_at, model.body_list.size());
   if (system_.step.end_share < 1) loads = weighed(system_.step.end_share, loads, system_.step.contact_at_start);
   loads.bodies = ordered_sum<Dim>(model.grid.comm(), loads.bodies);
   Loads<Dim> sides;
@@ -123,7 +123,7 @@ void Measures<Dim>::observe_start(double dt) {
   const Model<Dim>& model = system_.model;
   const GhostedVelocity<Dim> velocity(model.boundary, model.grid.face_dm(), model.fluid.velocity(),
                                       system_.state.clock.time);
-  const Observation<Dim> seen{dt, 0, velocity, {Loads<Dim>(model.bodies.size()), {}}};
+  const Observation<Dim> seen{dt, 0, velocity, {Loads<Dim>(model.body_list.size()), {}}};
   flow_.observe_start(seen);
   bodies_.observe_start(seen);
   cloth_.observe_start(seen);
@@ -169,7 +169,7 @@ void Measures<Dim>::observe(double dt, bool all) {
     coupling_.observe(seen);
     for (const auto& measure : further_) measure->observe(seen);
   }
-  if (statistics_) statistics_->observe(system_.state.clock.time, dt, {velocity, model.fluid.pressure()});
+  if (statistics_) statistics_->observe(system_.state.clock.time, dt, {velocity, model.fluid.projection().pressure()});
   if (phases_)
     phases_->observe(system_.state.clock.time, dt,
                      {velocity, model.bodies.fluid_share(), model.liquid.pure_density(), model.liquid.pure_viscosity(),

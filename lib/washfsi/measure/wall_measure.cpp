@@ -6,7 +6,7 @@ namespace washfsi {
 template <int Dim>
 WallMeasure<Dim>::WallMeasure(const System<Dim>& system)
     : system_(system),
-      walls_(exposed_walls<Dim>(system.model.grid, system.model.boundary, system.model.bodies)),
+      walls_(exposed_walls<Dim>(system.model.grid, system.model.boundary, system.model.body_list)),
       loads_(walls_.size()) {}
 
 template <int Dim>
@@ -22,8 +22,8 @@ void WallMeasure<Dim>::declare(QuantityList& quantities) {
 template <int Dim>
 void WallMeasure<Dim>::observe(const Observation<Dim>& seen) {
   const Model<Dim>& model = system_.model;
-  loads_ = wall_loads<Dim>(model.grid, model.boundary, model.bodies, walls_, seen.velocity, model.fluid.pressure(),
-                           model.liquid.viscosity(), system_.state.clock.time);
+  loads_ = wall_loads<Dim>(model.grid, model.boundary, model.body_list, walls_, seen.velocity,
+                           model.fluid.projection().pressure(), model.liquid.viscosity(), system_.state.clock.time);
   const Loads<Dim> of_markers = model.bodies.loads_on_sides(walls_);
   for (std::size_t s = 0; s < walls_.size(); ++s) loads_[s] += of_markers[s];
   for (std::size_t s = 0; s < walls_.size(); ++s)

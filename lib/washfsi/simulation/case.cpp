@@ -31,7 +31,7 @@ std::unique_ptr<System<Dim>> start_system(MPI_Comm comm, const CaseOptions<Dim>&
   std::optional<LongTask> task(std::in_place, comm, "setting up the grid and its solvers");
   const auto place = [&](const Model<Dim>& model) {
     task.emplace(comm, "placing the cloths");
-    return place_cloths<Dim>(model.cloths, options.placements, model.bodies, periods_of<Dim>(model.grid));
+    return place_cloths<Dim>(model.cloths, options.placements, model.body_list, periods_of<Dim>(model.grid));
   };
   auto system = std::make_unique<System<Dim>>(comm, options.model, std::move(bodies), place);
   start_flow(options.initial_flow, system->model);

@@ -97,7 +97,7 @@ std::string old_names_text(const std::vector<std::pair<std::string, std::string>
 
 std::string document_options(MPI_Comm comm) {
   const Options plane = declare_all<2>(comm), space = declare_all<3>(comm);
-  const std::array declared{plane.declared(), space.declared()};
+  const std::array declared{plane.known().declared.list(), space.known().declared.list()};
   std::string text, block;
   for (const DocumentedOption& option : merge(declared)) {
     if (block != any_of(option).block) {
@@ -107,7 +107,7 @@ std::string document_options(MPI_Comm comm) {
     }
     text += row(option);
   }
-  return text + old_names_text(space.aliases());
+  return text + old_names_text(space.known().old_names.all());
 }
 
 template <int Dim>

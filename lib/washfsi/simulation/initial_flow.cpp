@@ -60,7 +60,7 @@ double radius_of(const Body<Dim>& body) {
 
 template <int Dim>
 VelocityAt<Dim> couette(const Model<Dim>& model, const InitialFlowOptions<Dim>&) {
-  const auto& bodies = model.bodies;
+  const auto& bodies = model.body_list;
   if (bodies.size() != 2 || bodies[0].motion.center != bodies[1].motion.center || !bodies[0].motion.turns_steadily() ||
       !bodies[1].motion.turns_steadily())
     throw InputError(
@@ -106,7 +106,7 @@ const Body<Dim>& body_to_turn_with(const std::vector<Body<Dim>>& bodies, const s
 
 template <int Dim>
 VelocityAt<Dim> rotation(const Model<Dim>& model, const InitialFlowOptions<Dim>& options) {
-  const RigidMotion<Dim>& motion = body_to_turn_with<Dim>(model.bodies, options.body).motion;
+  const RigidMotion<Dim>& motion = body_to_turn_with<Dim>(model.body_list, options.body).motion;
   return [center = motion.center_at(0), omega = motion.angular_velocity(0)](const Point<Dim>& place, int c) {
     return c == 0 ? -omega * (place[1] - center[1]) : c == 1 ? omega * (place[0] - center[0]) : 0.0;
   };

@@ -46,7 +46,7 @@ std::vector<std::string> banner_lines(const Model<Dim>& model, const std::string
                                       const std::string& coupling) {
   const int ranks = ranks_of(model.grid.comm());
   std::vector<std::string> bodies, groups;
-  for (const auto& body : model.bodies) bodies.push_back(body.name);
+  for (const auto& body : model.body_list) bodies.push_back(body.name);
   for (const auto& group : model.cloths.groups()) groups.push_back(cloth_text(group));
   std::vector<std::string> lines{
       format_text("washfsi: case %s, %d rank%s", case_name.c_str(), ranks, ranks == 1 ? "" : "s"),
@@ -57,6 +57,13 @@ std::vector<std::string> banner_lines(const Model<Dim>& model, const std::string
                     " markers), coupled " + coupling);
   lines.push_back("  solvers   " + solvers_text());
   return lines;
+}
+
+std::string time_line(double step, double end, double bound, bool has_cloths) {
+  return format_text("  time      step %.4g s, end %.4g s", step, end) +
+         (std::isfinite(bound) ? format_text(", bound of the coupling %.4g s", bound)
+          : has_cloths         ? ", which the coupling does not bound"
+                               : "");
 }
 
 // The end that is advised is rounded up, so that the last cycle is complete.
@@ -70,10 +77,13 @@ std::vector<std::string> demonstration_lines(const Cycles& cycles, double end) {
                       std::ceil(wanted / unit - rounding) * unit)};
 }
 
+namespace {
+
+// Cost, and the main figures.
 template <int Dim>
 std::vector<std::string> result_lines(const System<Dim>& system, const Measures<Dim>& measures,
                                       const RunSummary& summary) {
-  const SolverCounts& counts = system.model.fluid.counts();
+  const SolverCounts counts = system.model.fluid.counts();
   const double steps = std::max(1.0, static_cast<double>(summary.steps));
   const QuantityList& quantities = measures.quantities();
   std::vector<std::string> lines{
@@ -83,7 +93,7 @@ std::vector<std::string> result_lines(const System<Dim>& system, const Measures<
                   counts.pressure / steps),
       format_text("  max divergence     %.3e 1/s", quantities.summary_value("/max_divergence"))};
   const char* unit = Dim == 2 ? "N (per metre: N m/m)" : "N m";
-  for (const auto& body : system.model.bodies) {
+  for (const auto& body : system.model.body_list) {
     const std::string torque = "/bodies/" + body.name + "/torque" + (Dim == 3 ? "/2" : "");
     lines.push_back(format_text("  %-18s torque %.4g %s", body.name.c_str(), quantities.summary_value(torque), unit));
   }
@@ -97,6 +107,7 @@ std::vector<std::string> result_lines(const System<Dim>& system, const Measures<
   return lines;
 }
 
+// Means over the cycles, with their spread; empty without cycles.
 std::vector<std::string> cycle_lines(const Cycles& cycles) {
   if (!cycles.are_there()) return {};
   if (cycles.counted() == 0)
@@ -110,6 +121,8 @@ std::vector<std::string> cycle_lines(const Cycles& cycles) {
   return lines;
 }
 
+}  // namespace
+
 std::vector<std::string> trust_lines(const Findings& findings, bool all) {
   std::vector<std::string> lines;
   for (const Finding& finding : findings)
@@ -117,9 +130,21 @@ std::vector<std::string> trust_lines(const Findings& findings, bool all) {
   return lines;
 }
 
+template <int Dim>
+std::vector<std::string> end_lines(const System<Dim>& system, const Measures<Dim>& measures, const RunSummary& summary,
+                                   const std::string& folder) {
+  std::vector<std::string> lines = result_lines(system, measures, summary);
+  for (const auto& further : {cycle_lines(measures.cycles()), trust_lines(summary.at_end, true)})
+    lines.insert(lines.end(), further.begin(), further.end());
+  lines.push_back("  results            " + folder);
+  return lines;
+}
+
 template std::vector<std::string> banner_lines<2>(const Model<2>&, const std::string&, const std::string&);
 template std::vector<std::string> banner_lines<3>(const Model<3>&, const std::string&, const std::string&);
-template std::vector<std::string> result_lines<2>(const System<2>&, const Measures<2>&, const RunSummary&);
-template std::vector<std::string> result_lines<3>(const System<3>&, const Measures<3>&, const RunSummary&);
+template std::vector<std::string> end_lines<2>(const System<2>&, const Measures<2>&, const RunSummary&,
+                                               const std::string&);
+template std::vector<std::string> end_lines<3>(const System<3>&, const Measures<3>&, const RunSummary&,
+                                               const std::string&);
 
 }  // namespace washfsi

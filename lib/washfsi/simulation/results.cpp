@@ -29,9 +29,9 @@ Results<Dim>::Results(const System<Dim>& system, Measures<Dim>& measures, std::v
       profiles_(std::move(profiles)),
       folder_(std::move(folder)),
       flow_(system.model.grid, system.model.boundary, folder_, restart_step) {
-  if (!system.model.bodies.empty()) {
-    bodies_.emplace(system.model.grid, system.model.bodies, folder_, restart_step);
-    surfaces_.emplace(system.model.grid, system.model.bodies, folder_, restart_step);
+  if (!system.model.body_list.empty()) {
+    bodies_.emplace(system.model.grid, system.model.body_list, folder_, restart_step);
+    surfaces_.emplace(system.model.grid, system.model.body_list, folder_, restart_step);
   }
   if (system.model.cloths.marker_count() > 0)
     cloth_.emplace(system.model.grid.comm(), system.model.cloths, folder_, restart_step);
@@ -140,7 +140,7 @@ void Results<Dim>::write_frame(long step) {
   if (step == last_frame_) return;
   last_frame_ = step;
   const double time = system_.state.clock.time;
-  flow_.write(time, step, system_.model.fluid.velocity(), system_.model.fluid.pressure(),
+  flow_.write(time, step, system_.model.fluid.velocity(), system_.model.fluid.projection().pressure(),
               further_fields(system_.model));
   if (bodies_) bodies_->write(time, step);
   if (surfaces_) surfaces_->write(time, step);
@@ -162,7 +162,7 @@ template <int Dim>
 void Results<Dim>::write_final() const {
   for (const auto& profile : profiles_)
     profile.write(system_.model.grid, system_.model.boundary, system_.model.fluid.velocity(),
-                  system_.model.fluid.pressure(), system_.state.clock.time, folder_);
+                  system_.model.fluid.projection().pressure(), system_.state.clock.time, folder_);
   if (measures_.statistics()) write_statistics<Dim>(*measures_.statistics(), folder_);
   if (measures_.phases()) write_phases(*measures_.phases(), folder_);
   if (cloth_)
@@ -172,7 +172,7 @@ void Results<Dim>::write_final() const {
 
 template <int Dim>
 void Results<Dim>::write_summary(const RunSummary& summary) const {
-  const SolverCounts& counts = system_.model.fluid.counts();
+  const SolverCounts counts = system_.model.fluid.counts();
   const double steps = std::max(1.0, static_cast<double>(system_.state.clock.step));
   nlohmann::ordered_json json;
   json["program"] = "washfsi";

@@ -2,12 +2,16 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "washfsi/output/progress.hpp"
 #include "washfsi/simulation/case.hpp"
 #include "washfsi/simulation/checkpoint.hpp"
 #include "washfsi/simulation/options.hpp"
 #include "washfsi/simulation/results.hpp"
+#include "washfsi/simulation/schedule.hpp"
+#include "washfsi/simulation/start_report.hpp"
 #include "washfsi/simulation/step_choice.hpp"
 #include "washfsi/simulation/stop_signals.hpp"
 #include "washfsi/support/folder_lock.hpp"
@@ -20,35 +24,35 @@ class Simulation {
  public:
   /// Reads all options and sets everything up. Collective. Errors: InputError, FileError.
   Simulation(Options& options, const std::string& case_name);
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
 
   /// Runs to the end, to a stop signal, or (-check) not at all. Collective. Errors: DivergedError, FileError.
   void run();
 
  private:
-  void start_results(Options& options);
-  void judge_start(const CaseOptions<Dim>& chosen);
-  void refuse_doubts() const;
+  void set_up(Options& options, const CaseOptions<Dim>& chosen);
+  void go_on_from_checkpoint(MPI_Comm comm);
+  void take_notes(Options& options);
+  void open_folder(const Options& options);
+  void start_results(MPI_Comm comm, std::vector<Profile<Dim>> profiles);
   void print_banner();
   void check_only();
   void step();
+  void observe(bool all);
+  void write_due(bool all);
   void save_checkpoint();
   void watch_step_bound();
-  void check_markers() const;
-  void check_velocity() const;
-  std::string where_it_failed() const;
-  bool due(double interval, double time) const;
-  bool measures_all(long step, double time) const;
-  bool ends(long step, double time, int steps_at_rest) const;
-  bool finished() const { return ends(clock().step, clock().time, state_.steps_at_rest); }
   const Clock& clock() const { return system_->state.clock; }
-  void watch_rest();
+  RunSummary summarised(const std::string& status) const;
   void end(const std::string& status);
-  void print_summary(const RunSummary& summary);
+
+  struct Attempt {
+    long step = 0;
+    double start = 0;  ///< time before the step [s]
+  };
 
   RunOptions run_;
-  std::string coupling_;
-  std::vector<std::string> notes_;  ///< notes on the options
-  std::vector<Profile<Dim>> profiles_;
   std::unique_ptr<FolderLock> lock_;
   std::unique_ptr<System<Dim>> system_;
   std::unique_ptr<CouplingScheme<Dim>> scheme_;
@@ -57,9 +61,10 @@ class Simulation {
   std::unique_ptr<Results<Dim>> results_;
   Progress progress_;
   RunState state_;
-  Findings at_start_;  ///< findings on the case before the first step
-  long first_step_ = 0, attempted_step_ = 0, kept_step_ = -1;
-  double attempt_start_ = 0;  ///< time before the last attempted step [s]
+  Schedule schedule_{run_, state_};
+  StartReport start_;
+  Attempt attempt_;      ///< the step that was begun last
+  long kept_step_ = -1;  ///< step of the last checkpoint in the output folder; -1: none
   bool warned_of_step_ = false;
 };
 

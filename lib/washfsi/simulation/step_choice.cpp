@@ -28,7 +28,7 @@ template <int Dim>
 bool StepChoice<Dim>::starts_at_once() const {
   double speed = 0;
   WASH_PETSC(VecNorm(system_.model.fluid.velocity(), NORM_INFINITY, &speed));
-  const bool moves_off = std::ranges::any_of(system_.model.bodies, [&](const auto& body) {
+  const bool moves_off = std::ranges::any_of(system_.model.body_list, [&](const auto& body) {
     const auto motion = body.motion.state(system_.state.clock.time);
     return motion.angular_velocity != 0 || !motion.velocity.isZero(0);
   });
@@ -38,7 +38,7 @@ bool StepChoice<Dim>::starts_at_once() const {
 template <int Dim>
 void StepChoice<Dim>::begin(RunState& state) const {
   if (run_.time_step > 0 && run_.time_cfl == 0) state.dt = run_.time_step;
-  refuse_unseen_motion<Dim>(system_.model.bodies, run_.time_step);
+  refuse_unseen_motion<Dim>(system_.model.body_list, run_.time_step);
   if (state.cloth_bound == 0) find_cloth_bound(state);
   if (state.dt > 0) return;  // the user's, or that of the checkpoint
   // walls that meet water abruptly double its speed beside them, and at edges it grows as the grid gets finer
@@ -131,7 +131,7 @@ void StepChoice<Dim>::find_cloth_bound(RunState& state) const {
 template <int Dim>
 double StepChoice<Dim>::longest_step(const RunState& state) const {
   return std::min(run_.time_step > 0 ? run_.time_step : 0.5 * state.cloth_bound,
-                  longest_step_of_motion<Dim>(system_.model.bodies));
+                  longest_step_of_motion<Dim>(system_.model.body_list));
 }
 
 // -time_tolerance: the step for which the error of the cloths' velocities is this share of the largest speed,

@@ -6,12 +6,13 @@
 
 #include "washfsi/support/errors.hpp"
 #include "washfsi/support/options.hpp"
+#include "washfsi/support/petsc_options.hpp"
 
 namespace washfsi {
 
 std::string options_with_prefix(const std::string& prefix) {
   std::string text;
-  for (const auto& [name, value] : Options::database())
+  for (const auto& [name, value] : options_in_database())
     if (lower_case(name).starts_with(prefix)) text += (text.empty() ? "-" : " -") + name + " " + value;
   return text;
 }

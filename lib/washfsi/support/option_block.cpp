@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "washfsi/support/option_block.hpp"
+
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
 
 #include "washfsi/support/errors.hpp"
-#include "washfsi/support/options.hpp"
+#include "washfsi/support/petsc_options.hpp"
+#include "washfsi/support/text.hpp"
 
 namespace washfsi {
 
@@ -21,31 +25,39 @@ PetscErrorCode ask_string(PetscOptionItems* PetscOptionsObject, const char* flag
 
 }  // namespace
 
+// The value that the user gave, or none.
 std::optional<std::string> OptionBlock::ask(const std::string& name, const std::string& current,
                                             const Description& description) {
-  if (!options_.leaving_out_.empty()) {
-    options_.left_out_.emplace(prefix_ + name, options_.leaving_out_);
-    if (!fallback_.empty()) options_.left_out_.emplace(fallback_ + name, options_.leaving_out_);
+  LeftOutOptions& left_out = register_.left_out;
+  if (left_out.is_leaving_out()) {
+    left_out.add(prefix_ + name);
+    if (!fallback_.empty()) left_out.add(fallback_ + name);
     return std::nullopt;
   }
-  const std::string brackets = description.unit.empty() ? description.allowed : description.unit;
-  const std::string help = description.meaning + (brackets.empty() ? "" : " [" + brackets + "]"), option = "-" + name;
   // asked even where the group has its own: so it counts as read
   const bool for_all = !fallback_.empty() && petsc::option_given("", "-" + fallback_ + name);
-  std::string value = for_all ? Options::database().at(fallback_ + name) : current;
+  std::string value = for_all ? options_in_database().at(fallback_ + name) : current;
+  const auto given = ask_petsc(name, value, description);
+  if (given) value = *given;
+  register_.declared.add({title_, prefix_ + name, value, description.unit, description.meaning, description.allowed});
+  if (!given && !for_all) return std::nullopt;
+  register_.declared.set_given_as(prefix_ + name, as_given(name));
+  return value;
+}
+
+// What PETSc's database has under the name with the prefix. Declares it for -help the first time: several laws or
+// shapes may have an option of this name.
+std::optional<std::string> OptionBlock::ask_petsc(const std::string& name, const std::string& current,
+                                                  const Description& description) const {
+  const std::string brackets = description.unit.empty() ? description.allowed : description.unit;
+  const std::string help = description.meaning + (brackets.empty() ? "" : " [" + brackets + "]"), option = "-" + name;
   std::vector<char> buffer(1 << 20);  // lists of corners may be long
   PetscBool given = PETSC_FALSE;
-  if (options_.values_.contains(prefix_ + name))  // declared already: several laws or shapes have it
+  if (register_.declared.contains(prefix_ + name))
     WASH_PETSC(PetscOptionsGetString(nullptr, prefix_.c_str(), option.c_str(), buffer.data(), buffer.size(), &given));
   else
-    WASH_PETSC(ask_string(items_, option.c_str(), help.c_str(), value.c_str(), buffer.data(), buffer.size(), &given));
-  if (given) value = buffer.data();
-  options_.values_[prefix_ + name] = value;
-  options_.declared_.push_back({title_, prefix_ + name, value, description.unit, description.meaning,
-                                description.allowed, options_.required_.contains(prefix_ + name)});
-  if (!given && !for_all) return std::nullopt;
-  options_.given_as_[prefix_ + name] = as_given(name);
-  return value;
+    WASH_PETSC(ask_string(items_, option.c_str(), help.c_str(), current.c_str(), buffer.data(), buffer.size(), &given));
+  return given ? std::optional<std::string>(buffer.data()) : std::nullopt;
 }
 
 void OptionBlock::refuse(const std::string& name, const std::string& value, const std::string& allowed) const {
@@ -82,7 +94,7 @@ void OptionBlock::boolean(const std::string& name, bool& value, const char* help
   const std::string& word = *given;
   const bool yes = word.empty() || word == "true" || word == "1" || word == "yes";
   if (!yes && word != "false" && word != "0" && word != "no") refuse(name, word, "true or false");
-  options_.values_[prefix_ + name] = yes ? "true" : "false";
+  register_.declared.record(prefix_ + name, yes ? "true" : "false");
   value = yes;
 }
 
@@ -97,9 +109,10 @@ void OptionBlock::text(const std::string& name, std::string& value, const char* 
 void OptionBlock::file(const std::string& name, std::string& value, const char* help) {
   const auto given = ask(name, value, {help, "", ""});
   if (!given) return;
-  if (options_.given_.lacks_value(as_given(name))) refuse(name, "", "the name of a file");
-  value = options_.given_.resolve(as_given(name), *given);
-  if (!value.empty()) options_.record(prefix_ + name, std::filesystem::absolute(value).lexically_normal().string());
+  if (register_.given.lacks_value(as_given(name))) refuse(name, "", "the name of a file");
+  value = register_.given.resolve(as_given(name), *given);
+  if (!value.empty())
+    register_.declared.record(prefix_ + name, std::filesystem::absolute(value).lexically_normal().string());
 }
 
 void OptionBlock::choice(const std::string& name, std::string& value, const std::vector<std::string>& allowed,
@@ -151,13 +164,13 @@ bool OptionBlock::given(const std::string& name) const {
 // The name as the user wrote it, with the prefix for all or an old name.
 std::string OptionBlock::as_given(const std::string& name) const {
   const bool is_for_all = !petsc::option_given("", "-" + prefix_ + name) && given(name);
-  return options_.as_given((is_for_all ? fallback_ : prefix_) + name);
+  return register_.old_names.as_given((is_for_all ? fallback_ : prefix_) + name);
 }
 
 void OptionBlock::require(const std::string& name, const char* meaning) {
-  if (!options_.leaving_out_.empty()) return;
-  options_.required_.insert(prefix_ + name);
-  if (!given(name) && !options_.help()) throw InputError("-" + prefix_ + name + " is missing: " + meaning);
+  if (register_.left_out.is_leaving_out()) return;
+  register_.declared.require(prefix_ + name);
+  if (!given(name) && !register_.help) throw InputError("-" + prefix_ + name + " is missing: " + meaning);
 }
 
 }  // namespace washfsi

@@ -94,6 +94,12 @@ LogPart::~LogPart() {
   (void)PetscLogStagePop();
 }
 
+DM dm_of(Vec vector) {
+  DM dm = nullptr;
+  WASH_PETSC(VecGetDM(vector, &dm));
+  return dm;
+}
+
 Version::Version(Vec vector) {
   if (!vector) return;
   WASH_PETSC(PetscObjectGetId(reinterpret_cast<PetscObject>(vector), &id));

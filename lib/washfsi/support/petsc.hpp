@@ -125,6 +125,9 @@ class LocalVector : public TemporaryVector<DMGetLocalVector, DMRestoreLocalVecto
   LocalVector(DM dm, Vec global) : LocalVector(dm) { WASH_PETSC(DMGlobalToLocal(dm, global, INSERT_VALUES, *this)); }
 };
 
+/// The DM that a vector was created by.
+DM dm_of(Vec vector);
+
 /// The version of an object, by which later changes are detected: PETSc counts them.
 struct Version {
   PetscObjectId id = 0;

@@ -5,7 +5,10 @@
 #include <array>
 #include <cctype>
 #include <cstdlib>
+#include <sstream>
 #include <string_view>
+
+#include "washfsi/support/petsc.hpp"
 
 namespace washfsi {
 
@@ -15,6 +18,22 @@ bool is_option_name(const std::string& word) {
   char* end = nullptr;
   (void)std::strtod(name.c_str(), &end);  // -inf is a value
   return end == name.c_str() || *end == '_' || std::isalnum(static_cast<unsigned char>(*end));
+}
+
+std::map<std::string, std::string> options_in_database() {
+  char* text = nullptr;
+  WASH_PETSC(PetscOptionsGetAll(nullptr, &text));
+  std::map<std::string, std::string> entries;
+  std::istringstream words(text);
+  std::string key;
+  for (std::string word; words >> word;) {
+    if (is_option_name(word))
+      entries[key = word.substr(1)];
+    else if (!key.empty())
+      entries[key] += (entries[key].empty() ? "" : " ") + word;
+  }
+  (void)PetscFree(text);
+  return entries;
 }
 
 bool belongs_to_petsc(const std::string& name) {

@@ -45,7 +45,7 @@ bool may_be_the_user(PetscErrorCode code) {
 // The options for PETSc that may be meant by a message: those whose value is in it; else all.
 std::string options_behind(const std::string& message) {
   std::string named, all;
-  for (const auto& [name, value] : Options::database()) {
+  for (const auto& [name, value] : options_in_database()) {
     if (!is_for_petsc(name)) continue;
     const std::string option = "-" + name + (value.empty() ? "" : " " + value);
     all += (all.empty() ? "" : " ") + option;

@@ -107,10 +107,10 @@ template <int Dim>
 void add_overlaps(const Model<Dim>& model, std::size_t b, const std::vector<BodySurvey<Dim>>& surveys,
                   Findings& findings) {
   const BodySurvey<Dim>& survey = surveys[b];
-  const std::string& name = model.bodies[b].name;
+  const std::string& name = model.body_list[b].name;
   for (std::size_t c = 0; c < b; ++c) {
     if (survey.shared[c] == 0) continue;
-    const std::string& other = model.bodies[c].name;
+    const std::string& other = model.body_list[c].name;
     const bool within = survey.shared[c] == survey.cells || survey.shared[c] == surveys[c].cells;
     const std::string inner = survey.shared[c] == survey.cells ? name : other, outer = inner == name ? other : name;
     findings.push_back(
@@ -124,17 +124,17 @@ void add_overlaps(const Model<Dim>& model, std::size_t b, const std::vector<Body
 template <int Dim>
 void add_body(const Model<Dim>& model, std::size_t b, const std::vector<BodySurvey<Dim>>& surveys, Findings& findings) {
   const BodySurvey<Dim>& survey = surveys[b];
-  const std::string& name = model.bodies[b].name;
+  const std::string& name = model.body_list[b].name;
   if (!model.has_fluid) {
-    findings.push_back(presence_for_cloths<Dim>(model.bodies[b], survey, model.grid.spacing().norm()));
+    findings.push_back(presence_for_cloths<Dim>(model.body_list[b], survey, model.grid.spacing().norm()));
     return;
   }
   const std::size_t markers =
       model.bodies.wall_forces() ? model.bodies.wall_forces()->markers().layout().of_body(b).markers.size() : 0;
-  findings.push_back(presence<Dim>(model.bodies[b], survey, model.grid.cell_count(), markers));
+  findings.push_back(presence<Dim>(model.body_list[b], survey, model.grid.cell_count(), markers));
   if (findings.back().verdict != Verdict::ok) return;
   findings.push_back(thickness(name, survey, markers > 0));
-  if (model.bodies.wall_law() && !model.bodies[b].motion.at_rest()) findings.push_back(width(name, survey));
+  if (model.bodies.wall_law() && !model.body_list[b].motion.at_rest()) findings.push_back(width(name, survey));
   add_overlaps(model, b, surveys, findings);
 }
 
@@ -155,9 +155,9 @@ template <int Dim>
 Findings body_findings(const Model<Dim>& model, const std::vector<BodySurvey<Dim>>& surveys, double time) {
   Findings findings;
   for (std::size_t b = 0; b < surveys.size(); ++b) {
-    add_unseen_parts<Dim>(model.grid, model.bodies[b], time, findings);
+    add_unseen_parts<Dim>(model.grid, model.body_list[b], time, findings);
     add_body<Dim>(model, b, surveys, findings);
-    add_motion<Dim>(model.bodies[b], surveys[b], findings);
+    add_motion<Dim>(model.body_list[b], surveys[b], findings);
   }
   return findings;
 }

@@ -96,7 +96,7 @@ void add_cloth(const Model<Dim>& model, const QuantityList& quantities, const st
   const double stretch = quantities.summary_value(pointer + "/max_stretch");
   findings.push_back(at_most(name + " stretch", 100 * stretch, {5, 20}, format_text("%.2g %% at most", 100 * stretch),
                              "no fabric stretches as much; stiffer -" + name + "_ke, shorter -time_step"));
-  if (model.bodies.empty()) return;
+  if (model.body_list.empty()) return;
   const double depth = quantities.summary_value(pointer + "/max_depth"),
                cells = depth / model.grid.spacing().minCoeff();
   findings.push_back(at_most(name + " depth in bodies", cells, {0.5, 2},
@@ -123,7 +123,7 @@ Findings end_findings(const System<Dim>& system, const Measures<Dim>& measures, 
   const QuantityList& quantities = measures.quantities();
   Findings findings;
   if (model.has_fluid) {
-    const bool projects = model.fluid.projects();  // else neither volume nor energy are conserved
+    const bool projects = model.fluid.projection().is_on();  // else neither volume nor energy are conserved
     if (projects) add_energy(model, measures.whole_run(), findings);
     add_walls(model.liquid, quantities, findings);
     const Clock& clock = system.state.clock;

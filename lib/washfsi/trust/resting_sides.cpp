@@ -68,15 +68,15 @@ Finding finding_of(const Body<Dim>& body, const OpenPart& open, int axis, End en
 
 template <int Dim>
 Findings resting_side_findings(const Model<Dim>& model, double time) {
-  const PosedBodies<Dim> posed(model.bodies, time);
+  const PosedBodies<Dim> posed(model.body_list, time);
   Findings findings;
-  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    const RigidMotion<Dim>& motion = model.bodies[b].motion;
+  for (std::size_t b = 0; b < model.body_list.size(); ++b) {
+    const RigidMotion<Dim>& motion = model.body_list[b].motion;
     for (int axis = 0; axis < Dim && !motion.at_rest(); ++axis)
       for (const End end : {End::lower, End::upper}) {
         if (!rests(model.boundary.side(axis, end)) || !surrounds(posed, b, model.grid, axis, end)) continue;
         const OpenPart open = open_part(posed, b, model.grid, axis, end);
-        if (open.cells > 0) findings.push_back(finding_of(model.bodies[b], open, axis, end));
+        if (open.cells > 0) findings.push_back(finding_of(model.body_list[b], open, axis, end));
       }
   }
   return findings;

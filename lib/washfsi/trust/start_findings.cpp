@@ -55,8 +55,7 @@ void add_wall_model(const Model<Dim>& model, Findings& findings) {
 // Central differences may let water go round the edges of a sheet as if it had no friction.
 template <int Dim>
 void add_water_beside_cloth(const Model<Dim>& model, double cell_reynolds, Findings& findings) {
-  if (model.cloths.marker_count() == 0 || model.cloth_nearness ||
-      model.fluid.scheme_of_advection() == Advection::upwind)
+  if (model.cloths.marker_count() == 0 || model.cloth_nearness || model.fluid.advection().scheme() == Advection::upwind)
     return;
   findings.push_back(at_most("water beside cloth", cell_reynolds, {100},
                              format_text("cell Reynolds number %.3g, central differences", cell_reynolds),
@@ -81,7 +80,7 @@ void add_flow(const Model<Dim>& model, const FlowScales& scales, Findings& findi
                 "-advection upwind"));
   add_water_beside_cloth(model, cell, findings);
   if (model.liquid.walls()) {
-    if (model.bodies.empty()) return;
+    if (model.body_list.empty()) return;
     add_wall_model(model, findings);
     if (model.bodies.wall_law()) return;
   }
@@ -188,7 +187,7 @@ void choose_length(const Model<Dim>& model, const std::vector<BodySurvey<Dim>>& 
     const Point<Dim> size = surveys[b].upper - surveys[b].lower;
     if (surveys[b].cells == 0 || (box - size).minCoeff() < 0.5 * model.grid.spacing().minCoeff()) continue;  // a drum
     scales.length = size.maxCoeff();
-    scales.length_of = "the size of " + model.bodies[b].name;
+    scales.length_of = "the size of " + model.body_list[b].name;
   }
 }
 
@@ -203,10 +202,10 @@ FlowScales flow_scales(const Model<Dim>& model, const std::vector<BodySurvey<Dim
   for (std::size_t b = 0; b < surveys.size(); ++b) {
     if (surveys[b].top_speed == 0 || surveys[b].top_speed < scales.speed) continue;
     scales.speed = surveys[b].top_speed;
-    const RigidMotion<Dim>& motion = model.bodies[b].motion;
+    const RigidMotion<Dim>& motion = model.body_list[b].motion;
     const bool turns = motion.largest_speed(1) > motion.largest_speed(0);
     scales.length = turns ? surveys[b].reach : (surveys[b].upper - surveys[b].lower).maxCoeff();
-    scales.length_of = (turns ? "the reach of " : "the size of ") + model.bodies[b].name;
+    scales.length_of = (turns ? "the reach of " : "the size of ") + model.body_list[b].name;
   }
   scales.reynolds = scales.speed * scales.length * model.liquid.pure_density() / model.liquid.pure_viscosity();
   return scales;
@@ -216,7 +215,7 @@ template <int Dim>
 Findings start_findings(const System<Dim>& system, const Cycles& cycles, const RunTimes& times) {
   const Model<Dim>& model = system.model;
   const double time = system.state.clock.time;
-  const auto surveys = survey_bodies<Dim>(model.grid, model.bodies, time);
+  const auto surveys = survey_bodies<Dim>(model.grid, model.body_list, time);
   Findings findings;
   add_water(model, findings);
   add_flow(model, flow_scales(model, surveys), findings);
@@ -228,8 +227,8 @@ Findings start_findings(const System<Dim>& system, const Cycles& cycles, const R
   if constexpr (Dim == 3)
     if (model.has_fluid) add_distance(system, findings);
   std::ranges::move(contact_findings(system), std::back_inserter(findings));
-  add_times(times, cycles, std::ranges::any_of(model.bodies, [](const auto& body) { return !body.motion.at_rest(); }),
-            findings);
+  add_times(times, cycles,
+            std::ranges::any_of(model.body_list, [](const auto& body) { return !body.motion.at_rest(); }), findings);
   return findings;
 }
 

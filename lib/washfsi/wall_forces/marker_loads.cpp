@@ -30,10 +30,11 @@ Points<Dim> taken_by_sides(const WallForces<Dim>& walls, DM wide_face_dm, const 
 template <int Dim>
 Loads<Dim> marker_loads(const WallForces<Dim>& walls) {
   const WallMarkers<Dim>& markers = walls.markers();
-  Loads<Dim> loads = markers.law() ? markers.law()->loads_here() : Loads<Dim>(markers.bodies().size());
+  Loads<Dim> loads =
+      markers.sliding().law() ? markers.sliding().law()->loads_here() : Loads<Dim>(markers.layout().bodies().size());
   const Points<Dim> given = markers.marker_forces(walls.forces());
   const Points<Dim> taken = taken_by_sides(walls, markers.grid().wide_face_dm());
-  const auto motions = motions_at(markers.bodies(), markers.time());
+  const auto motions = motions_at(markers.layout().bodies(), markers.time());
   markers.for_each_acting([&](std::size_t p, std::size_t m) {
     const std::size_t b = markers.body_of(p);
     loads[b].add(markers.states()[m].place - motions[b].center, taken[m] - given[m]);
@@ -49,7 +50,7 @@ Loads<Dim> marker_loads_on_sides(const WallForces<Dim>& walls, const std::vector
   const Point<Dim> middle = 0.5 * (grid.lower() + grid.upper());
   for (std::size_t s = 0; s < sides.size(); ++s) {
     const SideName side = sides[s];
-    if (!any_rank(grid.comm(), !markers.boundary().covered_wholly(side.axis, side.end))) continue;
+    if (!any_rank(grid.comm(), !markers.boundary().covers().cover_wholly(side.axis, side.end))) continue;
     const Points<Dim> taken = taken_by_sides(walls, grid.wide_face_dm(), side);
     markers.for_each_acting([&](std::size_t, std::size_t m) {
       Point<Dim> place = markers.states()[m].place;
@@ -64,7 +65,7 @@ template <int Dim>
 double lost_power(const WallForces<Dim>& walls, const Points<Dim>& before, const Points<Dim>& after, double dt) {
   const WallMarkers<Dim>& markers = walls.markers();
   const Points<Dim> given = markers.marker_forces(walls.forces());
-  const auto motions = motions_at(markers.bodies(), markers.time() - 0.5 * dt);
+  const auto motions = motions_at(markers.layout().bodies(), markers.time() - 0.5 * dt);
   double lost = 0;
   markers.for_each_acting([&](std::size_t p, std::size_t m) {
     const Point<Dim> own = motions[markers.body_of(p)].velocity_at(markers.states()[m].place);
@@ -75,11 +76,11 @@ double lost_power(const WallForces<Dim>& walls, const Points<Dim>& before, const
 
 template <int Dim>
 std::vector<double> slip_of_bodies(const WallMarkers<Dim>& markers, const Points<Dim>& water) {
-  const std::size_t bodies = markers.bodies().size();
+  const std::size_t bodies = markers.layout().bodies().size();
   std::vector<double> sums(2 * bodies, 0.0);
   markers.for_each_acting([&](std::size_t p, std::size_t m) {
     const std::size_t b = markers.body_of(p);
-    sums[2 * b] += markers.constrained(markers.states()[m].velocity - water[m], p).squaredNorm();
+    sums[2 * b] += markers.sliding().constrained(markers.states()[m].velocity - water[m], p).squaredNorm();
     ++sums[2 * b + 1];
   });
   sums = ordered_sum(markers.grid().comm(), sums);

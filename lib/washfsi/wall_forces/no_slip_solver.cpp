@@ -11,23 +11,34 @@
 
 namespace washfsi {
 
+namespace {
+
+// The largest speed of a marker of any rank [m/s].
 template <int Dim>
-NoSlipSolver<Dim>::NoSlipSolver(const Grid<Dim>& grid, const WallMarkers<Dim>& markers, const BodyTreatment& treatment)
-    : grid_(grid),
-      markers_(markers),
+double largest_speed(const WallMarkers<Dim>& markers) {
+  double speed = 0;
+  for (const auto& state : markers.states()) speed = std::max(speed, state.velocity.norm());
+  return largest(markers.grid().comm(), speed);
+}
+
+}  // namespace
+
+template <int Dim>
+NoSlipSolver<Dim>::NoSlipSolver(const WallMarkers<Dim>& markers, const BodyTreatment& treatment)
+    : markers_(markers),
       slip_tolerance_(treatment.slip_tolerance),
-      closed_(grid, markers.bodies(), markers.layout()),
-      overlap_(markers.layout().by_body(), wall_marker_layout(grid, treatment), markers.own()) {
+      closed_(markers.grid(), markers.layout().bodies(), markers.layout()),
+      overlap_(markers.layout().by_body(), wall_marker_layout(markers.grid(), treatment), markers.layout().own()) {
   create_solver();
 }
 
 template <int Dim>
 void NoSlipSolver<Dim>::create_solver() {
-  const auto size = static_cast<PetscInt>(Dim * markers_.patch_count());
-  WASH_PETSC(MatCreateShell(grid_.comm(), size, size, PETSC_DETERMINE, PETSC_DETERMINE, this, matrix_.put()));
+  const auto size = static_cast<PetscInt>(Dim * markers_.layout().own().size());
+  WASH_PETSC(MatCreateShell(grid().comm(), size, size, PETSC_DETERMINE, PETSC_DETERMINE, this, matrix_.put()));
   WASH_PETSC(MatShellSetOperation(matrix_, MATOP_MULT, reinterpret_cast<void (*)()>(&NoSlipSolver::multiply)));
   WASH_PETSC(MatCreateVecs(matrix_, solution_.put(), right_.put()));
-  WASH_PETSC(KSPCreate(grid_.comm(), solver_.put()));
+  WASH_PETSC(KSPCreate(grid().comm(), solver_.put()));
   WASH_PETSC(KSPSetOptionsPrefix(solver_, "walls_"));
   WASH_PETSC(KSPSetOperators(solver_, matrix_, matrix_));
   WASH_PETSC(KSPSetType(solver_, KSPGCR));
@@ -86,7 +97,7 @@ void NoSlipSolver<Dim>::begin(const TimeStep& step, Vec density) {
   if (const petsc::Version version(density); version != density_version_) {
     density_version_ = version;
     densities_ = range_of(density);
-    local_densities_.assign(markers_.patch_count(), Point<Dim>::Constant(densities_.least));
+    local_densities_.assign(markers_.layout().own().size(), Point<Dim>::Constant(densities_.least));
   }
   if (!densities_.is_uniform()) find_local_densities();
 }
@@ -94,7 +105,7 @@ void NoSlipSolver<Dim>::begin(const TimeStep& step, Vec density) {
 // What a patch's force would move by its kernel alone: the part of its impulse over that of the velocity.
 template <int Dim>
 void NoSlipSolver<Dim>::find_local_densities() {
-  const petsc::GlobalVector impulse(grid_.face_dm()), velocity(grid_.face_dm());
+  const petsc::GlobalVector impulse(grid().face_dm()), velocity(grid().face_dm());
   WASH_PETSC(VecZeroEntries(impulse));
   markers_.spread(Points<Dim>(local_densities_.size(), Point<Dim>::Ones()), impulse);
   WASH_PETSC(VecPointwiseDivide(velocity, impulse, density_));
@@ -122,10 +133,11 @@ Points<Dim> NoSlipSolver<Dim>::slips(Vec velocity) const {
 template <int Dim>
 Points<Dim> NoSlipSolver<Dim>::approximate_forces(const Points<Dim>& slips) const {
   Points<Dim> forces = overlap_(slips);
-  const double volume_per_time = grid_.cell_volume() / step_.dt;
+  const double volume_per_time = grid().cell_volume() / step_.dt;
   for (std::size_t p = 0; p < forces.size(); ++p) {
     const Point<Dim> scale = local_densities_[p] * volume_per_time;
-    forces[p] = markers_.acts(p) ? markers_.constrained(scale.cwiseProduct(forces[p]), p) : Point<Dim>::Zero().eval();
+    forces[p] =
+        markers_.acts(p) ? markers_.sliding().constrained(scale.cwiseProduct(forces[p]), p) : Point<Dim>::Zero().eval();
   }
   closed_.remove_from(forces);
   return forces;
@@ -133,19 +145,19 @@ Points<Dim> NoSlipSolver<Dim>::approximate_forces(const Points<Dim>& slips) cons
 
 template <int Dim>
 void NoSlipSolver<Dim>::accelerate(const Points<Dim>& forces, Vec velocity) const {
-  const petsc::GlobalVector density_of_force(grid_.face_dm());
+  const petsc::GlobalVector density_of_force(grid().face_dm());
   WASH_PETSC(VecZeroEntries(density_of_force));
   markers_.spread(forces, density_of_force);
-  const FaceView<Dim> u(grid_.face_dm(), velocity);
-  const ConstFaceView<Dim> f(grid_.face_dm(), density_of_force), rho(grid_.face_dm(), density_);
-  grid_.for_each_inner_face(
+  const FaceView<Dim> u(grid().face_dm(), velocity);
+  const ConstFaceView<Dim> f(grid().face_dm(), density_of_force), rho(grid().face_dm(), density_);
+  grid().for_each_inner_face(
       [&](const Index<Dim>& face, auto c) { u(face, c) += step_.dt * f(face, c) / rho(face, c); });
 }
 
 // Returns J P S F dt/rho.
 template <int Dim>
 Points<Dim> NoSlipSolver<Dim>::response(const Points<Dim>& forces) const {
-  const petsc::GlobalVector increment(grid_.face_dm());
+  const petsc::GlobalVector increment(grid().face_dm());
   WASH_PETSC(VecZeroEntries(increment));
   accelerate(forces, increment);
   projection_->project_increment(increment);
@@ -154,7 +166,7 @@ Points<Dim> NoSlipSolver<Dim>::response(const Points<Dim>& forces) const {
 
 template <int Dim>
 Points<Dim> NoSlipSolver<Dim>::interpolated(Vec increment) const {
-  const petsc::LocalVector local(grid_.wide_face_dm(), increment);
+  const petsc::LocalVector local(grid().wide_face_dm(), increment);
   markers_.boundary().fill_homogeneous(local);
   return markers_.transfer().interpolate(local);
 }
@@ -163,13 +175,13 @@ template <int Dim>
 double NoSlipSolver<Dim>::tolerance(Vec velocity) const {
   double speed = 0;
   WASH_PETSC(VecNorm(velocity, NORM_INFINITY, &speed));
-  return slip_tolerance_ * std::max(speed, markers_.largest_speed());
+  return slip_tolerance_ * std::max(speed, largest_speed(markers_));
 }
 
 template <int Dim>
 std::vector<bool> NoSlipSolver<Dim>::are_within(const Points<Dim>& slips, double tolerance) const {
   const Points<Dim> filtered = overlap_.means_about(slips);
-  const std::size_t bodies = markers_.bodies().size();
+  const std::size_t bodies = markers_.layout().bodies().size();
   std::vector<double> sums(2 * bodies, 0.0);  // for each body: sum of squared slips; number of acting patches
   for (std::size_t p = 0; p < filtered.size(); ++p) {
     if (!markers_.acts(p)) continue;
@@ -177,7 +189,7 @@ std::vector<bool> NoSlipSolver<Dim>::are_within(const Points<Dim>& slips, double
     sums[2 * b] += filtered[p].squaredNorm();
     sums[2 * b + 1] += 1;
   }
-  sums = ordered_sum(grid_.comm(), sums);
+  sums = ordered_sum(grid().comm(), sums);
   std::vector<bool> within;
   for (std::size_t b = 0; b < bodies; ++b) within.push_back(sums[2 * b] <= tolerance * tolerance * sums[2 * b + 1]);
   return within;

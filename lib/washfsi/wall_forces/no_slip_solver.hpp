@@ -20,7 +20,7 @@ template <int Dim>
 class NoSlipSolver {
  public:
   /// The markers stay alive. Collective.
-  NoSlipSolver(const Grid<Dim>& grid, const WallMarkers<Dim>& markers, const BodyTreatment& treatment);
+  NoSlipSolver(const WallMarkers<Dim>& markers, const BodyTreatment& treatment);
 
   /// Call it after the markers have been placed. Collective.
   void place();
@@ -45,6 +45,7 @@ class NoSlipSolver {
   const OverlapInverse<Dim>& overlap() const { return overlap_; }
 
  private:
+  const Grid<Dim>& grid() const { return markers_.grid(); }
   static PetscErrorCode multiply(Mat matrix, Vec x, Vec y);
   static PetscErrorCode precondition(PC pc, Vec x, Vec y);
   static PetscErrorCode judge(KSP solver, PetscInt iteration, PetscReal norm, KSPConvergedReason* reason, void* self);
@@ -54,7 +55,6 @@ class NoSlipSolver {
   void find_local_densities();
   Points<Dim> without_unreachable(const Points<Dim>& of_markers) const;
 
-  const Grid<Dim>& grid_;
   const WallMarkers<Dim>& markers_;
   double slip_tolerance_;
   ClosedWalls<Dim> closed_;

@@ -30,10 +30,10 @@ template <int Dim>
 WallForces<Dim>::WallForces(const Grid<Dim>& grid, const Boundary<Dim>& boundary, const std::vector<Body<Dim>>& bodies,
                             const BodyTreatment& treatment)
     : markers_(grid, boundary, bodies, treatment, treatment.limits_advection || treatment.inner_water_slides),
-      solver_(grid, markers_, treatment),
+      solver_(markers_, treatment),
       recycled_(grid.comm(), solver_.overlap()),
       limits_advection_(treatment.limits_advection),
-      forces_(markers_.patch_count(), Point<Dim>::Zero()),
+      forces_(markers_.layout().own().size(), Point<Dim>::Zero()),
       previous_(forces_) {
   place(0);
 }
@@ -50,20 +50,20 @@ void WallForces<Dim>::begin_trial(const TimeStep& step, Vec density) {
   solver_.begin(step, density);
   last_correction_.reset();
   forces_ = markers_.turned(previous_, true);
-  markers_.turn_normals();
+  markers_.sliding().turn([this](const Points<Dim>& normals) { return markers_.turned(normals, true); });
 }
 
 template <int Dim>
 void WallForces<Dim>::add_to(Vec force) const {
   markers_.spread(forces_, force);
-  if (markers_.law()) markers_.law()->add_friction(force);
+  if (const auto* law = markers_.sliding().law()) law->add_friction(force);
 }
 
 template <int Dim>
 void WallForces<Dim>::accept() {
   Points<Dim> next = forces_;  // without the sliding part, lest it return when the patch no longer slides
   for (std::size_t p = 0; p < next.size(); ++p)
-    next[p] = markers_.constrained(next[p], p) / (1 + decay_per_cell * markers_.slide(p).passes);
+    next[p] = markers_.sliding().constrained(next[p], p) / (1 + decay_per_cell * markers_.sliding().slide(p).passes);
   previous_ = markers_.turned(next, false);
 }
 
@@ -85,7 +85,7 @@ void WallForces<Dim>::reduce_slip(Vec velocity, Velocity kind) {
 // water slide, responses differ from step to step and nothing is recycled.
 template <int Dim>
 Points<Dim> WallForces<Dim>::correction(const Points<Dim>& slips, double relaxation) const {
-  if (markers_.law()) return relaxation * solver_.approximate_forces(slips);
+  if (markers_.sliding().law()) return relaxation * solver_.approximate_forces(slips);
   const auto known = recycled_.best_for(markers_.turned(slips, false));
   const Points<Dim> rest = slips - markers_.turned(known.responses, true);
   return (1 / step_.dt) * markers_.turned(known.impulses, true) + relaxation * solver_.approximate_forces(rest);
@@ -100,7 +100,7 @@ Points<Dim> WallForces<Dim>::without(const std::vector<bool>& bodies, Points<Dim
 
 template <int Dim>
 void WallForces<Dim>::recycle_last_correction(const Points<Dim>& slips_after) {
-  if (!last_correction_ || markers_.law()) return;
+  if (!last_correction_ || markers_.sliding().law()) return;
   recycled_.add({markers_.turned(step_.dt * last_correction_->forces, false),
                  markers_.turned(last_correction_->slips - slips_after, false)});
   last_correction_.reset();
@@ -134,7 +134,7 @@ void WallForces<Dim>::enforce_no_slip(Vec velocity, Projection& projection) {
 
 template <int Dim>
 void WallForces<Dim>::register_state(StateList& state) {
-  const PatchRange own = markers_.own();
+  const PatchRange own = markers_.layout().own();
   const std::size_t patches = markers_.layout().patches();
   state.add(points_entry<Dim>("/walls/force", row_slab(patches, own.begin, own.end, Dim), previous_)).if_other =
       StateEntry::IfOther::begin_anew;

@@ -26,7 +26,7 @@ class WallForces : public ForceField {
   void place(double time);
   /// From the next trial on, lets the water slide where this law of friction acts instead of no slip. `law` stays
   /// alive.
-  void let_slide(const BodyWallLaw<Dim>& law) { markers_.let_slide(law); }
+  void let_slide(const BodyWallLaw<Dim>& law) { markers_.sliding().let_slide(law); }
 
   /// Begins a trial of a step, which schemes may repeat: each trial starts from the forces of the previous step, and
   /// `accept` keeps those of the last trial for the next step. `density` [kg/m3], on faces, is the trial's.

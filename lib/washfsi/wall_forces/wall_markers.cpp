@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/wall_forces/wall_markers.hpp"
 
-#include <algorithm>
-
 #include "washfsi/immersed_boundary/edge_nearness.hpp"
 #include "washfsi/motion/turned.hpp"
-#include "washfsi/support/collective.hpp"
 
 namespace washfsi {
 
@@ -31,7 +28,8 @@ WallMarkers<Dim>::WallMarkers(const Grid<Dim>& grid, const Boundary<Dim>& bounda
       boundary_(boundary),
       bodies_(bodies),
       transfer_(grid, boundary, kernel),
-      layout_(grid, bodies, wall_marker_layout(grid, treatment)) {
+      layout_(grid, bodies, wall_marker_layout(grid, treatment)),
+      sliding_(layout_.own()) {
   if (finds_edges && layout_.any_is_sharp()) nearness_ = grid.face_vector();
 }
 
@@ -40,9 +38,9 @@ void WallMarkers<Dim>::place(double time) {
   const PosedBodies<Dim> posed(bodies_, time);
   time_ = time;
   states_.clear();
-  shares_.assign(patch_count(), 0.0);
+  shares_.assign(layout_.own().size(), 0.0);
   Points<Dim> places;
-  for (std::size_t p = own().begin; p < own().end; ++p) {
+  for (std::size_t p = layout_.own().begin; p < layout_.own().end; ++p) {
     bool acts = false;
     for (std::size_t m = layout_.start(p); m < layout_.start(p + 1); ++m) {
       states_.push_back(layout_.at(posed, p, m));
@@ -50,43 +48,15 @@ void WallMarkers<Dim>::place(double time) {
       acts = acts || states_.back().acts;
     }
     // the share in a whole patch, so that a partly acting patch does not respond more than its overlap predicts
-    if (acts) shares_[p - own().begin] = 1.0 / static_cast<double>(layout_.start(p + 1) - layout_.start(p));
+    if (acts) shares_[p - layout_.own().begin] = 1.0 / static_cast<double>(layout_.start(p + 1) - layout_.start(p));
   }
   transfer_.locate(places);
   interpolated_.reset();
   if (!nearness_) return;
   std::vector<bool> at_edges(states_.size(), false);
-  const std::size_t first = layout_.start(own().begin);
+  const std::size_t first = layout_.start(layout_.own().begin);
   for_each_acting([&](std::size_t, std::size_t m) { at_edges[m] = layout_.is_sharp(first + m); });
   find_edge_nearness<Dim>(grid_, transfer_, at_edges, nearness_);
-}
-
-template <int Dim>
-void WallMarkers<Dim>::let_slide(const BodyWallLaw<Dim>& law) {
-  if (law_ == &law) return;
-  law_ = &law;
-  const auto first = law.patch_normals().begin();
-  slide_normals_.assign(first + static_cast<std::ptrdiff_t>(own().begin),
-                        first + static_cast<std::ptrdiff_t>(own().end));
-}
-
-template <int Dim>
-void WallMarkers<Dim>::turn_normals() {
-  if (law_) normals_ = turned(slide_normals_, true);
-}
-
-template <int Dim>
-double WallMarkers<Dim>::largest_speed() const {
-  double speed = 0;
-  for (const State& state : states_) speed = std::max(speed, state.velocity.norm());
-  return largest(grid_.comm(), speed);
-}
-
-template <int Dim>
-Point<Dim> WallMarkers<Dim>::constrained(const Point<Dim>& value, std::size_t patch) const {
-  const double part = slide(patch).part;
-  if (part == 0 || normals_.empty()) return value;
-  return value - part * (value - value.dot(normals_[patch]) * normals_[patch]);
 }
 
 template <int Dim>
@@ -97,15 +67,16 @@ Points<Dim> WallMarkers<Dim>::turned(const Points<Dim>& values, bool into_space)
 template <int Dim>
 Points<Dim> WallMarkers<Dim>::marker_forces(const Points<Dim>& of_patches) const {
   Points<Dim> result(states_.size(), Point<Dim>::Zero());
-  for_each_acting([&](std::size_t p, std::size_t m) { result[m] = shares_[p] * constrained(of_patches[p], p); });
+  for_each_acting(
+      [&](std::size_t p, std::size_t m) { result[m] = shares_[p] * sliding_.constrained(of_patches[p], p); });
   return result;
 }
 
 template <int Dim>
 Points<Dim> WallMarkers<Dim>::means(const Points<Dim>& of_markers) const {
-  Points<Dim> result(patch_count(), Point<Dim>::Zero());
+  Points<Dim> result(layout_.own().size(), Point<Dim>::Zero());
   for_each_acting([&](std::size_t p, std::size_t m) { result[p] += shares_[p] * of_markers[m]; });
-  for (std::size_t p = 0; p < result.size(); ++p) result[p] = constrained(result[p], p);
+  for (std::size_t p = 0; p < result.size(); ++p) result[p] = sliding_.constrained(result[p], p);
   return result;
 }
 

@@ -7,7 +7,7 @@
 #include "washfsi/immersed_boundary/transfer.hpp"
 #include "washfsi/marker_layout/body_markers.hpp"
 #include "washfsi/support/clock.hpp"
-#include "washfsi/wall_law/body_wall_law.hpp"
+#include "washfsi/wall_forces/patch_sliding.hpp"
 
 namespace washfsi {
 
@@ -24,30 +24,19 @@ class WallMarkers {
 
   /// Places the markers as the bodies are at `time`. Collective.
   void place(double time);
-  /// From the next `turn_normals` on, the water slides where this law of friction acts instead of no slip. `law` is for
-  /// these markers and stays alive.
-  void let_slide(const BodyWallLaw<Dim>& law);
-  void turn_normals();
+  /// How the water slides along the patches.
+  PatchSliding<Dim>& sliding() { return sliding_; }
+  const PatchSliding<Dim>& sliding() const { return sliding_; }
 
   const Grid<Dim>& grid() const { return grid_; }
   const BodyMarkers<Dim>& layout() const { return layout_; }
-  const std::vector<Body<Dim>>& bodies() const { return bodies_; }
   const Boundary<Dim>& boundary() const { return boundary_; }
   const Transfer<Dim>& transfer() const { return transfer_; }
-  const BodyWallLaw<Dim>* law() const { return law_; }
   const std::vector<State>& states() const { return states_; }  ///< states of the markers
   double time() const { return time_; }                         ///< time of the last `place` [s]
-  PatchRange own() const { return layout_.own(); }
-  std::size_t patch_count() const { return layout_.own().size(); }
-  std::size_t body_of(std::size_t patch) const { return layout_.body_of(own().begin + patch); }
+  std::size_t body_of(std::size_t patch) const { return layout_.body_of(layout_.own().begin + patch); }
   bool acts(std::size_t patch) const { return shares_[patch] > 0; }
-  /// The largest speed of a marker [m/s]. Collective.
-  double largest_speed() const;
-  /// How the water slides along a patch; not at all without a law.
-  PatchSlide slide(std::size_t patch) const { return law_ ? law_->patch_slides()[own().begin + patch] : PatchSlide{}; }
 
-  /// The part of a patch's velocity or force on which no slip acts: without what is free to slide.
-  Point<Dim> constrained(const Point<Dim>& value, std::size_t patch) const;
   /// Turns vectors of patches from the frames of their bodies into space, or back.
   Points<Dim> turned(const Points<Dim>& values, bool into_space) const;
   /// Distributes forces of patches over their acting markers.
@@ -75,8 +64,7 @@ class WallMarkers {
   BodyMarkers<Dim> layout_;
   std::vector<State> states_;
   std::vector<double> shares_;  ///< share of each marker in the force of its patch; 0 if no marker of the patch acts
-  const BodyWallLaw<Dim>* law_ = nullptr;
-  Points<Dim> slide_normals_, normals_;  ///< normals of the patches: in their bodies' frames; in space
+  PatchSliding<Dim> sliding_;
   petsc::Vector nearness_;
   double time_ = 0;
   /// The last result of `water_velocities` at the present places of the markers.
@@ -95,8 +83,8 @@ MarkerLayout<Dim> wall_marker_layout(const Grid<Dim>& grid, const BodyTreatment&
 template <int Dim>
 template <class Visit>
 void WallMarkers<Dim>::for_each_acting(Visit&& visit) const {
-  const std::size_t begin = own().begin, first = layout_.start(begin);
-  for (std::size_t p = begin; p < own().end; ++p)
+  const std::size_t begin = layout_.own().begin, first = layout_.start(begin);
+  for (std::size_t p = begin; p < layout_.own().end; ++p)
     for (std::size_t m = layout_.start(p) - first; m < layout_.start(p + 1) - first; ++m)
       if (states_[m].acts) visit(p - begin, m);
 }

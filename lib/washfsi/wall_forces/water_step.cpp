@@ -12,23 +12,23 @@ void WaterStep<Dim>::predict(const TimeStep& step, StepFields<Dim> fields) {
 
 template <int Dim>
 void WaterStep<Dim>::project_between_walls() {
-  if (walls_) walls_->reduce_slip(fluid_.next_velocity(), WallForces<Dim>::Velocity::predicted);
-  fluid_.project();
+  if (walls_) walls_->reduce_slip(fluid_.intermediate_velocity(), WallForces<Dim>::Velocity::predicted);
+  fluid_.projection().project();
 }
 
 template <int Dim>
 void WaterStep<Dim>::add_force(Vec force) {
   const petsc::LogPart part("pressure");
   fluid_.add_force(force);
-  if (walls_) walls_->reduce_slip(fluid_.next_velocity(), WallForces<Dim>::Velocity::projected);
-  if (fluid_.projects()) fluid_.project_again();
+  if (walls_) walls_->reduce_slip(fluid_.intermediate_velocity(), WallForces<Dim>::Velocity::projected);
+  if (fluid_.projection().is_on()) fluid_.projection().project_again();
 }
 
 template <int Dim>
 void WaterStep<Dim>::enforce_no_slip() {
-  if (!walls_ || !fluid_.projects()) return;
+  if (!walls_ || !fluid_.projection().is_on()) return;
   const petsc::LogPart part("pressure");
-  walls_->enforce_no_slip(fluid_.next_velocity(), fluid_);
+  walls_->enforce_no_slip(fluid_.intermediate_velocity(), fluid_.projection());
 }
 
 template <int Dim>

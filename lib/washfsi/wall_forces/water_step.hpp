@@ -22,7 +22,7 @@ class WaterStep {
   /// Phases 1 and 2, with the walls' forces of the previous step. Collective.
   void predict(const TimeStep& step, StepFields<Dim> fields);
   /// Phase 3 without a slip correction, for steps in which `add_force` follows, which corrects the slip. Collective.
-  void project() { fluid_.project(); }
+  void project() { fluid_.projection().project(); }
   /// Corrects the slip of the intermediate velocity, then projects it (phase 3). Collective.
   void project_between_walls();
   /// Phase 3b: adds a further force density on faces to the projected velocity, reduces its slip and projects it again.

@@ -6,24 +6,16 @@
 
 #include "washfsi/fluid/wall_law.hpp"
 #include "washfsi/grid/cell_share.hpp"
-#include "washfsi/motion/turned.hpp"
 #include "washfsi/support/collective.hpp"
 
 namespace washfsi {
 
 namespace {
 
-constexpr DeltaOptions delta{DeltaKernel::yang, 2, 2};
-
-// Distances before the surface, in cells; behind it the constraint begins at 5/2. Of friction that acts at 1, up to a
-// fifth falls on the water inside, depending on where the wall lies in its cell; at 3/2 up to 3 %.
-constexpr double acting_place = 1.5, matching_place = 3, inner_place = -3;
 constexpr double least_cover = 1e-3;                      // least weight by the deltas at which inner water slides
 constexpr double viscous_layer = 5, turbulent_layer = 6;  // y+ at the matching place
 constexpr double inner_number = 0.25;                     // viscous number nu dt/h^2 within bodies
 constexpr double inside_below = 0.01;                     // share of fluid below which a cell is within a body
-
-enum Filtered : std::size_t { far, near };
 
 double smooth_step(double x) {
   x = std::clamp(x, 0.0, 1.0);
@@ -39,111 +31,53 @@ double no_slip_share(double y_plus) {
 template <int Dim>
 BodyWallLaw<Dim>::BodyWallLaw(const Grid<Dim>& grid, const Boundary<Dim>& boundary,
                               const std::vector<Body<Dim>>& bodies, const BodyMarkers<Dim>& markers)
+    : BodyWallLaw(grid, boundary, bodies, markers.patches(),
+                  wall_points<Dim>(bodies, markers, grid.spacing(), PlacedPoints<Dim>::matching_place)) {}
+
+template <int Dim>
+BodyWallLaw<Dim>::BodyWallLaw(const Grid<Dim>& grid, const Boundary<Dim>& boundary,
+                              const std::vector<Body<Dim>>& bodies, std::size_t patches,
+                              const std::vector<WallPoint<Dim>>& all)
     : grid_(grid),
       boundary_(boundary),
       bodies_(bodies),
-      transfer_(grid, boundary, delta),
-      inner_(grid, boundary, delta),
-      friction_(grid.face_vector()) {
-  const auto all = wall_points<Dim>(bodies, markers, grid.spacing(), matching_place);
-  patch_normals_.assign(markers.patches(), Point<Dim>::Zero());
+      points_(grid, boundary, bodies, all),
+      patch_normals_(patches, Point<Dim>::Zero()),
+      patch_slides_(patches),
+      filtered_(points_.size()),
+      forces_(points_.size(), Point<Dim>::Zero()),
+      slips_(forces_),
+      friction_(grid.face_vector()),
+      y_plus_(points_.size(), 0.0) {
   for (const auto& point : all) patch_normals_[point.patch] = point.normal;
-  patch_slides_.resize(markers.patches());
-  const auto ranks = static_cast<std::size_t>(ranks_of(grid.comm()));
-  const auto rank = static_cast<std::size_t>(rank_of(grid.comm()));
-  count_ = all.size();
-  begin_ = count_ * rank / ranks;
-  const std::size_t end = count_ * (rank + 1) / ranks;
-  points_.assign(all.begin() + static_cast<std::ptrdiff_t>(begin_), all.begin() + static_cast<std::ptrdiff_t>(end));
-  for (std::size_t p = begin_; p < end; ++p)
-    faces_.push_back(2 * all[p].patch + (p > 0 && all[p - 1].patch == all[p].patch ? 1 : 0));
-  filtered_.assign(of_each * points_.size(), Point<Dim>::Zero());
-  forces_.assign(points_.size(), Point<Dim>::Zero());
-  slips_ = forces_;
-  y_plus_.assign(points_.size(), 0.0);
-}
-
-template <int Dim>
-bool BodyWallLaw<Dim>::is_free(const PosedBodies<Dim>& posed, const WallPoint<Dim>& point,
-                               const Point<Dim>& place) const {
-  if (!grid_.contains(place)) return false;
-  for (std::size_t b = 0; b < bodies_.size(); ++b)
-    if ((b != point.body || bodies_[b].repeats.any()) && posed.distance(b, place) < 0.5 * point.along) return false;
-  return true;
-}
-
-template <int Dim>
-void BodyWallLaw<Dim>::place() {
-  const PosedBodies<Dim> posed(bodies_, time_);
-  const Point<Dim> anywhere = 0.5 * (grid_.lower() + grid_.upper());
-  places_.clear();
-  normals_.clear();
-  acts_.clear();
-  covers_.clear();
-  Points<Dim> inner;
-  for (const WallPoint<Dim>& point : points_) {
-    const Point<Dim> foot = posed.in_space(point.body, point.foot);
-    normals_.push_back(posed.in_space(point.body, point.foot + point.normal) - foot);
-    const Point<Dim> step = point.along * normals_.back(), acting = foot + acting_place * step;
-    acts_.push_back(grid_.contains(acting) && is_free(posed, point, foot + matching_place * step));
-    places_.push_back(acts_.back() ? acting : anywhere);
-    inner.push_back(foot + inner_place * step);
-    covers_.push_back(point.is_thick && grid_.contains(inner.back()) ? point.area * point.along : 0);
-    if (covers_.back() == 0) inner.back() = anywhere;
-  }
-  transfer_.locate(places_);
-  inner_.locate(inner);
-}
-
-// Velocities along the walls, relative to the bodies and in their frames, at a distance in cells before them.
-template <int Dim>
-Points<Dim> BodyWallLaw<Dim>::speeds_along(Vec local_velocity, double distance) const {
-  static_assert(acting_place <= Transfer<Dim>::sample_reach &&
-                matching_place - acting_place <= Transfer<Dim>::sample_reach);
-  Points<Dim> offsets;
-  for (std::size_t p = 0; p < points_.size(); ++p)
-    offsets.push_back((distance - acting_place) * points_[p].along * normals_[p]);
-  Points<Dim> velocities = transfer_.sample(local_velocity, offsets);
-  for (std::size_t p = 0; p < points_.size(); ++p) {
-    velocities[p] -= motions_[points_[p].body].velocity_at(places_[p] + offsets[p]);
-    velocities[p] -= velocities[p].dot(normals_[p]) * normals_[p];
-  }
-  return turned(std::move(velocities), false);
-}
-
-// Turns values from the bodies' frames into space, or back.
-template <int Dim>
-Points<Dim> BodyWallLaw<Dim>::turned(Points<Dim> values, bool into_space) const {
-  return washfsi::turned<Dim>(std::move(values), bodies_, time_, into_space,
-                              [this](std::size_t p) { return points_[p].body; });
 }
 
 template <int Dim>
 void BodyWallLaw<Dim>::observe(const StepFlow& flow, const PureLiquid& liquid) {
   const petsc::LogPart part("viscosity");
-  time_ = flow.time;
-  motions_ = motions_at(bodies_, time_);
-  place();
+  points_.place(flow.time);
   fluid_share_ = flow.fluid_share;
   const GhostedVelocity<Dim> local(boundary_, grid_.wide_face_dm(), flow.velocity, flow.time);
-  const Points<Dim> at_near = speeds_along(local, 0), at_far = speeds_along(local, matching_place);
+  const Points<Dim> at_near = points_.speeds_along(local, 0);
+  const Points<Dim> at_far = points_.speeds_along(local, PlacedPoints<Dim>::matching_place);
   const double nu = liquid.viscosity / liquid.density;
   for (std::size_t p = 0; p < points_.size(); ++p) {
     y_plus_[p] = 0;
-    if (!acts_[p]) continue;
-    filter(p, at_near[p], at_far[p], flow.last_step);
-    const double distance = matching_place * points_[p].along;
-    y_plus_[p] = wall_distance(filtered_[of_each * p + far].norm() * distance / nu);
+    if (!points_.acts(p)) continue;
+    const double distance = points_.matching_distance(p);
+    filtered_.take(p, at_near[p], at_far[p], distance, flow.last_step);
+    y_plus_[p] = wall_distance(filtered_.far(p).norm() * distance / nu);
   }
   tell_patches(flow.last_step);
   for (std::size_t p = 0; p < points_.size(); ++p) apply_friction(p, liquid);
-  forces_ = turned(std::move(forces_), true);
-  slips_ = turned(std::move(slips_), true);
+  forces_ = points_.turned(std::move(forces_), true);
+  slips_ = points_.turned(std::move(slips_), true);
   WASH_PETSC(VecZeroEntries(friction_));
-  transfer_.spread(forces_, friction_);
+  points_.transfer().spread(forces_, friction_);
   const double spacing = grid_.spacing().minCoeff();
   inner_viscosity_ = flow.last_step > 0 ? inner_number * liquid.density * spacing * spacing / flow.last_step : 0;
-  begun_ = observes_ = true;
+  filtered_.begin();
+  observes_ = true;
 }
 
 // The sliding along a patch is that of the faster water on its two faces.
@@ -152,13 +86,13 @@ void BodyWallLaw<Dim>::tell_patches(double step) {
   const std::size_t faces = 2 * patch_slides_.size();  // sums of `part`, `passes` for each; then of all points
   std::vector<double> sums(2 * faces + 2, 0.0);
   for (std::size_t p = 0; p < points_.size(); ++p) {
-    if (!acts_[p]) continue;
+    if (!points_.acts(p)) continue;
     const double part = no_slip_share(y_plus_[p]);
     sums[2 * faces] += part;
     sums[2 * faces + 1] += 1;
     if (points_[p].at_edge) continue;
-    sums[2 * faces_[p]] = part;
-    sums[2 * faces_[p] + 1] = part * step * filtered_[of_each * p + far].norm() / points_[p].along;
+    sums[2 * points_.face(p)] = part;
+    sums[2 * points_.face(p) + 1] = part * step * filtered_.far(p).norm() / points_[p].along;
   }
   sums = ordered_sum(grid_.comm(), sums);
   for (std::size_t p = 0; p < patch_slides_.size(); ++p)
@@ -166,27 +100,17 @@ void BodyWallLaw<Dim>::tell_patches(double step) {
   turbulent_ = sums[2 * faces + 1] > 0 ? sums[2 * faces] / sums[2 * faces + 1] : 0;
 }
 
-template <int Dim>
-void BodyWallLaw<Dim>::filter(std::size_t p, const Point<Dim>& at_near, const Point<Dim>& at_far, double dt) {
-  const double distance = matching_place * points_[p].along;
-  const double rate = at_far.norm() / distance, weight = begun_ ? dt * rate / (1 + dt * rate) : 1;
-  Point<Dim>* mean = &filtered_[of_each * p];
-  mean[far] += weight * (at_far - mean[far]);
-  mean[near] += weight * (at_near - mean[near]);
-}
-
 // In the bodies' frames. Where a patch slides, slow water on one of its faces has friction by the law's laminar part.
 template <int Dim>
 void BodyWallLaw<Dim>::apply_friction(std::size_t p, const PureLiquid& liquid) {
   const WallPoint<Dim>& point = points_[p];
-  const Point<Dim>* mean = &filtered_[of_each * p];
-  const double speed = mean[far].norm(), part = patch_slides_[point.patch].part;
+  const double speed = filtered_.far(p).norm(), part = patch_slides_[point.patch].part;
   forces_[p].setZero();
   slips_[p].setZero();
-  if (!acts_[p] || part == 0 || speed == 0) return;
-  const double friction = y_plus_[p] * liquid.viscosity / liquid.density / (matching_place * point.along);
-  forces_[p] = -part * liquid.density * friction * friction * point.area / speed * mean[far];
-  slips_[p] = part * mean[near];
+  if (!points_.acts(p) || part == 0 || speed == 0) return;
+  const double friction = y_plus_[p] * liquid.viscosity / liquid.density / points_.matching_distance(p);
+  forces_[p] = -part * liquid.density * friction * friction * point.area / speed * filtered_.far(p);
+  slips_[p] = part * filtered_.near(p);
 }
 
 template <int Dim>
@@ -200,9 +124,9 @@ void BodyWallLaw<Dim>::add_inner_slip(Vec fluid_fraction, Vec velocity) const {
   WASH_PETSC(VecZeroEntries(cover));
   WASH_PETSC(VecZeroEntries(covered));
   Points<Dim> weighted = slips_;
-  for (std::size_t p = 0; p < weighted.size(); ++p) weighted[p] *= covers_[p];
-  inner_.spread_mass(covers_, cover);
-  inner_.spread_amounts(weighted, covered);  // folded at sides as the cover is
+  for (std::size_t p = 0; p < weighted.size(); ++p) weighted[p] *= points_.covers()[p];
+  points_.inner().spread_mass(points_.covers(), cover);
+  points_.inner().spread_amounts(weighted, covered);  // folded at sides as the cover is
   const ConstFaceView<Dim> weight(grid_.face_dm(), cover), slip(grid_.face_dm(), covered);
   const ConstFaceView<Dim> fraction(grid_.face_dm(), fluid_fraction);
   const FaceView<Dim> u(grid_.face_dm(), velocity);
@@ -227,7 +151,7 @@ Loads<Dim> BodyWallLaw<Dim>::loads_here() const {
   if (!observes_) return loads;
   for (std::size_t p = 0; p < points_.size(); ++p) {
     const std::size_t b = points_[p].body;
-    loads[b].add(places_[p] - motions_[b].center, -forces_[p]);
+    loads[b].add(points_.place_of(p) - points_.motions()[b].center, -forces_[p]);
   }
   return loads;
 }
@@ -236,15 +160,15 @@ Loads<Dim> BodyWallLaw<Dim>::loads_here() const {
 template <int Dim>
 double BodyWallLaw<Dim>::dissipation(Vec velocity_before, Vec velocity, double time) const {
   if (!observes_) return 0;
-  const double middle = 0.5 * (time_ + time);
+  const double middle = 0.5 * (points_.time() + time);
   const petsc::LocalVector sides(grid_.wide_face_dm());
   WASH_PETSC(VecZeroEntries(sides));
   boundary_.fill(sides, middle);
-  const Points<Dim> of_sides = transfer_.interpolate_from_sides(sides);
+  const Points<Dim> of_sides = points_.transfer().interpolate_from_sides(sides);
   const auto motions = motions_at(bodies_, middle);
   double lost = 0;
   for (std::size_t p = 0; p < points_.size(); ++p)
-    lost += forces_[p].dot(motions[points_[p].body].velocity_at(places_[p]) - of_sides[p]);
+    lost += forces_[p].dot(points_.body_velocity(p, motions) - of_sides[p]);
   const ConstFaceView<Dim> f(grid_.face_dm(), friction_), before(grid_.face_dm(), velocity_before),
       now(grid_.face_dm(), velocity);
   double given = 0;
@@ -257,21 +181,14 @@ template <int Dim>
 std::vector<double> BodyWallLaw<Dim>::largest_y_plus() const {
   std::vector<double> plus(bodies_.size(), 0.0);
   for (std::size_t p = 0; p < points_.size(); ++p)
-    plus[points_[p].body] = std::max(plus[points_[p].body], 0.5 / matching_place * y_plus_[p]);
+    plus[points_[p].body] = std::max(plus[points_[p].body], 0.5 / PlacedPoints<Dim>::matching_place * y_plus_[p]);
   for (double& value : plus) value = largest(grid_.comm(), value);
   return plus;
 }
 
 template <int Dim>
 void BodyWallLaw<Dim>::register_state(StateList& state) {
-  const Slab slab = row_slab(of_each * count_, of_each * begin_, of_each * (begin_ + points_.size()), Dim);
-  StateEntry& entry = state.add(points_entry<Dim>("/walls/filtered", slab, filtered_));
-  entry.if_other = StateEntry::IfOther::begin_anew;
-  entry.use = StateEntry::Use::restart;
-  entry.set = [this, copy = entry.set](StateEntry::Values values) {
-    copy(std::move(values));
-    begun_ = true;
-  };
+  filtered_.register_state(state, points_.begin(), points_.count());
 }
 
 template class BodyWallLaw<2>;

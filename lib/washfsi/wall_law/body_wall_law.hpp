@@ -22,10 +22,9 @@
 #pragma once
 
 #include "washfsi/fluid/wall_viscosity.hpp"
-#include "washfsi/immersed_boundary/transfer.hpp"
 #include "washfsi/motion/load.hpp"
-#include "washfsi/support/state_list.hpp"
-#include "washfsi/wall_law/wall_points.hpp"
+#include "washfsi/wall_law/filtered_velocities.hpp"
+#include "washfsi/wall_law/placed_points.hpp"
 
 namespace washfsi {
 
@@ -64,43 +63,30 @@ class BodyWallLaw : public WallViscosity {
   const Points<Dim>& patch_normals() const { return patch_normals_; }
   const std::vector<PatchSlide>& patch_slides() const { return patch_slides_; }  ///< for all ranks' patches
 
-  std::size_t point_count() const { return count_; }  ///< number of points on all ranks
+  std::size_t point_count() const { return points_.count(); }  ///< number of points on all ranks
   /// Registers the filtered velocities of the points. With other bodies the filter starts with the next flow.
   void register_state(StateList& state);
 
  private:
-  void place();
-  bool is_free(const PosedBodies<Dim>& posed, const WallPoint<Dim>& point, const Point<Dim>& place) const;
-  Points<Dim> speeds_along(Vec local_velocity, double distance) const;
-  Points<Dim> turned(Points<Dim> values, bool into_space) const;
-  void filter(std::size_t point, const Point<Dim>& near, const Point<Dim>& far, double dt);
+  BodyWallLaw(const Grid<Dim>& grid, const Boundary<Dim>& boundary, const std::vector<Body<Dim>>& bodies,
+              std::size_t patches, const std::vector<WallPoint<Dim>>& all);
   void apply_friction(std::size_t point, const PureLiquid& liquid);
   void tell_patches(double step);
 
   const Grid<Dim>& grid_;
   const Boundary<Dim>& boundary_;
   const std::vector<Body<Dim>>& bodies_;
-  std::vector<WallPoint<Dim>> points_;  ///< points of this rank
-  std::size_t count_, begin_;
+  PlacedPoints<Dim> points_;
   Points<Dim> patch_normals_;
-  Transfer<Dim> transfer_, inner_;  ///< transfer at y = 3/2; at the inner water behind the walls
-  Points<Dim> places_, normals_;    ///< places at y = 3/2 [m] and outward normals of the points now
-  std::vector<char> acts_;          ///< false where another body or a side is too near
-  Points<Dim> forces_, slips_;      ///< F [N], and slips of the inner water [m/s]
-  petsc::Vector friction_;          ///< density of F on faces [N/m3]
-  std::vector<double> covers_;      ///< volume of inner water that each point covers; 0 beyond the box
-  std::vector<double> y_plus_;      ///< y+ at the matching place
-  static constexpr std::size_t of_each = 2;
-  Points<Dim> filtered_;  ///< u(3), u(0) of each point, in its body's frame [m/s]
   std::vector<PatchSlide> patch_slides_;
-  std::vector<std::size_t> faces_;  ///< face of each point: twice its patch, plus 1 on a sheet's other face
-  double turbulent_ = 0;            ///< share of the points at which the law applies
-  double inner_viscosity_ = 0;      ///< viscosity of the inner water [Pa s]
-  double time_ = 0;                 ///< time of the last `observe` [s]
-  std::vector<typename RigidMotion<Dim>::State> motions_;  ///< motions of the bodies at that time
-  Vec fluid_share_ = nullptr;                              ///< fluid share of the flow observed last
-  bool begun_ = false;                                     ///< whether the filtered velocities are of an earlier flow
-  bool observes_ = false;                                  ///< whether this run has observed a flow
+  FilteredVelocities<Dim> filtered_;  ///< u(3), u(0) of each point, in its body's frame
+  Points<Dim> forces_, slips_;        ///< F [N], and slips of the inner water [m/s]
+  petsc::Vector friction_;            ///< density of F on faces [N/m3]
+  std::vector<double> y_plus_;        ///< y+ at the matching place
+  double turbulent_ = 0;              ///< share of the points at which the law applies
+  double inner_viscosity_ = 0;        ///< viscosity of the inner water [Pa s]
+  Vec fluid_share_ = nullptr;         ///< fluid share of the flow observed last
+  bool observes_ = false;             ///< whether this run has observed a flow
 };
 
 extern template class BodyWallLaw<2>;
