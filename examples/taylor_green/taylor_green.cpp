@@ -27,7 +27,7 @@ void decay() {
   FluidOptions<2> options;
   options.density = 1;
   options.viscosity = 0.01;
-  const Liquid<2> liquid(grid, boundary, options.density, options.viscosity);
+  const Liquid<2> liquid(grid, boundary, {options.density, options.viscosity});
   FractionalStep<2> fluid(grid, boundary, options);
   constexpr double k = 2 * std::numbers::pi;
   fluid.start([](const Point<2>& x, int c) {

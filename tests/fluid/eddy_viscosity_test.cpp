@@ -138,7 +138,7 @@ void expect_value_of_linear_flow(double constant) {
       for (int c = 0; c < 3; ++c) u(cell, c) = (g * grid.face_center(cell, c))[c];
     });
   }
-  Liquid<3> liquid(grid, boundary, 1000, 0.2, {std::make_shared<EddyViscosity<Law>>(constant)});
+  Liquid<3> liquid(grid, boundary, {1000, 0.2}, {std::make_shared<EddyViscosity<Law>>(constant)});
   liquid.update_viscosity({velocity, 0});
   const double expected = 1000 * Law(constant, flat_cell)(g);
   EXPECT_GT(expected, 1e-3);
@@ -214,7 +214,7 @@ TEST(EddyViscosity, IsLeftOutInSolids) {
       }
     });
   }
-  Liquid<3> liquid(grid, boundary, 1, 0.2, {std::make_shared<EddyViscosity<Vreman>>(0.07)});
+  Liquid<3> liquid(grid, boundary, {1, 0.2}, {std::make_shared<EddyViscosity<Vreman>>(0.07)});
   liquid.update_viscosity({velocity, 0, share});
   const ConstCellView<3> mu(grid.cell_dm(), liquid.viscosity().in_cells);
   for_each<3>(grid.owned(), [&](const Index<3>& cell) {

@@ -52,7 +52,7 @@ class GivenViscosity : public ViscosityModel<Dim> {
  public:
   explicit GivenViscosity(std::function<double(const Point<Dim>&)> at) : at_(std::move(at)) {}
 
-  void add(const Grid<Dim>& grid, const ConstFaceView<Dim>&, double, const CellShare<Dim>&,
+  void add(const Grid<Dim>& grid, const ConstFaceView<Dim>&, const PureLiquid&, const CellShare<Dim>&,
            const CellView<Dim>& viscosity) const override {
     for_each<Dim>(grid.owned(), [&](const Index<Dim>& cell) { viscosity(cell) += at_(grid.cell_center(cell)); });
   }

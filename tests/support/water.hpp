@@ -12,7 +12,7 @@ struct Water {
   Water(const Grid<Dim>& of_grid, Boundary<Dim>& of_boundary, const FluidOptions<Dim>& options = {})
       : grid(of_grid),
         boundary(of_boundary),
-        liquid(grid, boundary, options.density, options.viscosity, options.viscosity_models, options.wall_model),
+        liquid(grid, boundary, {options.density, options.viscosity}, options.viscosity_models, options.wall_model),
         fluid(grid, boundary, options),
         force(grid.face_vector()) {}
 

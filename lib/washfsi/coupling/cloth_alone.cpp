@@ -21,7 +21,7 @@ void half_step(System<Dim>& system, double dt, double time) {
 }  // namespace
 
 template <int Dim>
-void ClothAlone<Dim>::take(System<Dim>& system, double dt) {
+void ClothAlone<Dim>::advance_fields(System<Dim>& system, double dt) {
   State<Dim>& state = system.state;
   half_step(system, dt, state.clock.time);
   const Points<Dim> motion = dt * state.velocities, end = moved(system, motion);

@@ -65,17 +65,19 @@ void predict_water(System<Dim>& system, double dt) {
       {model.fluid.velocity(), state.clock.time, model.bodies.fluid_share(), model.fluid.last_step()},
       model.bodies.wall_law());
   model.bodies.let_water_slide();
-  model.water_step().predict(state.clock.next(dt), {.liquid = model.liquid.fields(),
-                                                    .force = step.force,
-                                                    .constraint = model.bodies.constraint(),
-                                                    .upwind_weight = model.upwind_weight(),
-                                                    .driven_share = model.bodies.driven_share()});
+  StepFields<Dim> fields{.liquid = model.liquid.fields(),
+                         .force = step.force,
+                         .constraint = model.bodies.constraint(),
+                         .upwind_weight = model.upwind_weight(),
+                         .driven_share = model.bodies.driven_share()};
+  for (const auto& force : model.water_forces) fields.forces.push_back(force.get());
+  model.water_step().predict(state.clock.next(dt), fields);
 }
 
 template <int Dim>
 void move_water(System<Dim>& system, double dt) {
   predict_water(system, dt);
-  system.model.water_step().project_between_walls();
+  system.model.water_step().correct_slip_and_project();
   system.model.water_step().enforce_no_slip();
 }
 

@@ -61,7 +61,7 @@ class CouplingScheme {
     State<Dim>& state = system.state;
     const Points<Dim> start = state.positions;
     Points<Dim> before = state.velocities;
-    take(system, dt);
+    advance_fields(system, dt);
     state.velocities_before = std::move(before);
     state.mean_velocities = (1 / dt) * (state.positions - start);
     state.clock.advance(dt);
@@ -71,7 +71,7 @@ class CouplingScheme {
 
  private:
   /// Takes a step without advancing the clock, which shows t^n.
-  virtual void take(System<Dim>& system, double dt) = 0;
+  virtual void advance_fields(System<Dim>& system, double dt) = 0;
 };
 
 /// Creates the scheme for a system. Errors: InputError if it does not fit the cloths.

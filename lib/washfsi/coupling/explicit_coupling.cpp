@@ -6,7 +6,7 @@
 namespace washfsi {
 
 template <int Dim>
-void ExplicitCoupling<Dim>::take(System<Dim>& system, double dt) {
+void ExplicitCoupling<Dim>::advance_fields(System<Dim>& system, double dt) {
   auto& [model, state, step] = system;
   const double time = state.clock.time;
   begin_explicit_step(system, state.positions, time, dt);

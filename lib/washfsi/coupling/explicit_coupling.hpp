@@ -15,7 +15,7 @@ namespace washfsi {
 
 template <int Dim>
 class ExplicitCoupling : public CouplingScheme<Dim> {
-  void take(System<Dim>& system, double dt) override;
+  void advance_fields(System<Dim>& system, double dt) override;
 };
 
 }  // namespace washfsi

@@ -20,14 +20,14 @@ double mean_square_of(double area) {
 
 }  // namespace
 
-double film_ease(PureLiquid liquid, double gap, double mean_square, double inertia, double pressure) {
+double film_ease(const PureLiquid& liquid, double gap, double mean_square, double inertia, double pressure) {
   const double a = 12 * liquid.viscosity * mean_square / (gap * gap * gap);
   const double c = inertia * liquid.density * mean_square / (gap * gap);
   return 2 / (a + std::sqrt(a * a + 4 * c * pressure));
 }
 
 template <int Dim>
-Films<Dim>::Films(const Grid<Dim>& grid, const Cloths<Dim>& cloths, PureLiquid liquid)
+Films<Dim>::Films(const Grid<Dim>& grid, const Cloths<Dim>& cloths, const Liquid<Dim>& liquid)
     : cloths_(cloths), liquid_(liquid), cell_(grid.spacing().minCoeff()), search_(cloths, periods_of<Dim>(grid)) {}
 
 // The nearest pair of each of this rank's markers with each other cloth.
@@ -68,7 +68,7 @@ double Films<Dim>::pressure(const Film& film, const Points<Dim>& all_forces) con
 template <int Dim>
 double Films<Dim>::ease(const Film& film, double pressure) const {
   constexpr double inertia = Dim == 3 ? 1.8 : 2.4;
-  return (1 - film.gap / cell_) * film_ease(liquid_, film.gap, film.mean_square, inertia, std::abs(pressure));
+  return (1 - film.gap / cell_) * film_ease(liquid_.pure(), film.gap, film.mean_square, inertia, std::abs(pressure));
 }
 
 template <int Dim>

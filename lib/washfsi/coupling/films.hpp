@@ -18,8 +18,8 @@ namespace washfsi {
 template <int Dim>
 class Films {
  public:
-  /// The cloths must outlive it. Collective.
-  Films(const Grid<Dim>& grid, const Cloths<Dim>& cloths, PureLiquid liquid);
+  /// The cloths and the liquid must outlive it. Collective.
+  Films(const Grid<Dim>& grid, const Cloths<Dim>& cloths, const Liquid<Dim>& liquid);
 
   /// Finds the films before each step, from these places of this rank's markers, which give these forces to the water
   /// at its start. Collective.
@@ -48,14 +48,14 @@ class Films {
   double ease(const Film& film, double pressure) const;
 
   const Cloths<Dim>& cloths_;
-  PureLiquid liquid_;
+  const Liquid<Dim>& liquid_;
   double cell_;  ///< the least spacing of the grid [m]
   PairSearch<Dim> search_;
   std::vector<Film> films_;  ///< films beside this rank's markers
 };
 
 /// v/q of a film [m/(s Pa)] under a pressure [Pa].
-double film_ease(PureLiquid liquid, double gap, double mean_square, double inertia, double pressure);
+double film_ease(const PureLiquid& liquid, double gap, double mean_square, double inertia, double pressure);
 
 extern template class Films<2>;
 extern template class Films<3>;

@@ -6,7 +6,7 @@
 namespace washfsi {
 
 template <int Dim>
-void FluidAlone<Dim>::take(System<Dim>& system, double dt) {
+void FluidAlone<Dim>::advance_fields(System<Dim>& system, double dt) {
   place_bodies(system, system.state.clock.time + dt);
   move_water(system, dt);
   system.model.water_step().finish();

@@ -95,7 +95,7 @@ Points<Dim> ImplicitClothAlone<Dim>::guess(System<Dim>& system, double dt, const
 
 // A step whose equations cannot be solved is taken in two halves, and these again.
 template <int Dim>
-void ImplicitClothAlone<Dim>::take(System<Dim>& system, double dt) {
+void ImplicitClothAlone<Dim>::advance_fields(System<Dim>& system, double dt) {
   take_part(system, system.state.clock.time, dt, 0);
 }
 

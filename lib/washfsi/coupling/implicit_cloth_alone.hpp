@@ -23,7 +23,7 @@ class ImplicitClothAlone : public CouplingScheme<Dim> {
   double step_bound(const System<Dim>& system) const override;
 
  private:
-  void take(System<Dim>& system, double dt) override;
+  void advance_fields(System<Dim>& system, double dt) override;
   void take_part(System<Dim>& system, double start, double dt, int halvings);
   void solve(System<Dim>& system, double start, double dt);
   ClothEquation<Dim> equation(System<Dim>& system, double dt);

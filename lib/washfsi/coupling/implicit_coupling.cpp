@@ -113,7 +113,7 @@ Points<Dim> ImplicitCoupling<Dim>::solve_by_sweeps(System<Dim>& system, double d
 }
 
 template <int Dim>
-void ImplicitCoupling<Dim>::take(System<Dim>& system, double dt) {
+void ImplicitCoupling<Dim>::advance_fields(System<Dim>& system, double dt) {
   Model<Dim>& model = system.model;
   State<Dim>& state = system.state;
   if (seepage_.present()) {

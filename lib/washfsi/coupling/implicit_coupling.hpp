@@ -30,7 +30,7 @@ class ImplicitCoupling : public CouplingScheme<Dim> {
   double step_bound(const System<Dim>& system) const override;
 
  private:
-  void take(System<Dim>& system, double dt) override;
+  void advance_fields(System<Dim>& system, double dt) override;
   Points<Dim> fluid_step(System<Dim>& system, double dt, const Points<Dim>& velocities) const;
   double tolerance(const System<Dim>& system) const;
   Points<Dim> solve(System<Dim>& system, double dt, Points<Dim>& last);

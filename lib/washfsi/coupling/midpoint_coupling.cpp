@@ -6,7 +6,7 @@
 namespace washfsi {
 
 template <int Dim>
-void MidpointCoupling<Dim>::take(System<Dim>& system, double dt) {
+void MidpointCoupling<Dim>::advance_fields(System<Dim>& system, double dt) {
   auto& [model, state, step] = system;
   const double time = state.clock.time;
   const Points<Dim> middle = moved(system, 0.5 * dt * state.velocities);

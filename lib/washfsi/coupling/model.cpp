@@ -87,7 +87,7 @@ Model<Dim>::Model(MPI_Comm comm, const ModelOptions<Dim>& options, std::vector<B
       body_list(repeat_bodies<Dim>(grid, std::move(rigid_bodies))),
       boundary(grid, sides_with_drum<Dim>(options.grid.sides, options.grid.shape, body_list)),
       bodies(grid, boundary, body_list, options.treatment, options.fluid),
-      liquid(grid, boundary, options.fluid.density, options.fluid.viscosity, options.fluid.viscosity_models,
+      liquid(grid, boundary, {options.fluid.density, options.fluid.viscosity}, options.fluid.viscosity_models,
              options.fluid.wall_model),
       fluid(grid, boundary, with_edges<Dim>(options, bodies)),
       cloths(comm, options.cloths),

@@ -62,6 +62,7 @@ struct Model {
   Bodies<Dim> bodies;
   Liquid<Dim> liquid;
   FractionalStep<Dim> fluid;
+  std::vector<std::unique_ptr<ForceField>> water_forces;  ///< on the water, beside those of walls and cloths
   Cloths<Dim> cloths;
   Forces<Dim> forces;
   Transfer<Dim> transfer;

@@ -236,7 +236,7 @@ void SemiImplicitCoupling<Dim>::prepare_end_forces(System<Dim>& system, double d
 }
 
 template <int Dim>
-void SemiImplicitCoupling<Dim>::take(System<Dim>& system, double dt) {
+void SemiImplicitCoupling<Dim>::advance_fields(System<Dim>& system, double dt) {
   auto& [model, state, step] = system;
   const double start = state.clock.time, end = start + dt;
   set_weights(system, dt);

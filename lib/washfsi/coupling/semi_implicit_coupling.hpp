@@ -50,7 +50,7 @@ class SemiImplicitCoupling : public CouplingScheme<Dim> {
   double step_bound(const System<Dim>& system) const override;
 
  private:
-  void take(System<Dim>& system, double dt) override;
+  void advance_fields(System<Dim>& system, double dt) override;
   void set_weights(const System<Dim>& system, double dt);
   void find_explicit_velocity(const System<Dim>& system);
   /// Interpolates the step's mean velocity of the water to the markers.

@@ -29,6 +29,21 @@ struct WideMean {
   }
 };
 
+/// (u . grad u)_c on a c-face in flux form:
+/// sum_d ( [u_d u_c](i + e_d / 2) - [u_d u_c](i - e_d / 2) ) / h_d
+template <int Dim, class Velocity, class Flux>
+[[gnu::always_inline]] inline double advection(const Velocity& u, const Index<Dim>& face, int c, const Spacing<Dim>& h,
+                                               const Flux& flux) {
+  double sum = 0;
+#pragma GCC unroll 3
+  for (int d = 0; d < Dim; ++d) {
+    const Index<Dim> next = shifted<Dim>(face, d, 1), previous = shifted<Dim>(face, d, -1);
+    const double upper = flux.carrier(u, next, c, d), lower = flux.carrier(u, face, c, d);
+    sum += (upper * flux.carried(u, face, c, d, upper) - lower * flux.carried(u, previous, c, d, lower)) * h.inverse[d];
+  }
+  return sum;
+}
+
 /// The factors of the flux form: the carrier u_d before a d-face along c, and the carried u_c between a c-face and the
 /// next one along d, both by one kind of mean. With the wide one the flux is of fourth order, which leaves only the
 /// error of its difference, a third of that of the flux or less.
@@ -43,6 +58,12 @@ struct CentralFlux {
   template <class Velocity>
   [[gnu::always_inline]] inline double carried(const Velocity& u, const Index<Dim>& face, int c, int d, double) const {
     return MeanOf<Dim>::before(u, shifted<Dim>(face, d, 1), c, d);
+  }
+  /// The whole term; a flux may replace it.
+  template <class Velocity>
+  [[gnu::always_inline]] inline double term(const Velocity& u, const Index<Dim>& face, int c,
+                                            const Spacing<Dim>& h) const {
+    return advection<Dim>(u, face, c, h, *this);
   }
 };
 
@@ -61,6 +82,11 @@ struct UpwindFlux : CentralFlux<Dim> {
     // van Leer: half the harmonic mean of the slopes, 0 at an extremum
     const double step = (product > 0 ? product : 0) / (product > 0 ? side + jump : 1);
     return carrier >= 0 ? here + step : there - step;
+  }
+  template <class Velocity>
+  [[gnu::always_inline]] inline double term(const Velocity& u, const Index<Dim>& face, int c,
+                                            const Spacing<Dim>& h) const {
+    return advection<Dim>(u, face, c, h, *this);
   }
 };
 
@@ -84,21 +110,11 @@ struct WallsideFlux : CentralFlux<Dim> {
     const double part = std::max(near(face, c), near(shifted<Dim>(face, d, 1), c));
     return mean + part * (UpwindFlux<Dim>{}.carried(u, face, c, d, carrier) - mean);
   }
-};
-
-/// (u . grad u)_c on a c-face in flux form:
-/// sum_d ( [u_d u_c](i + e_d / 2) - [u_d u_c](i - e_d / 2) ) / h_d
-template <int Dim, class Velocity, class Flux>
-[[gnu::always_inline]] inline double advection(const Velocity& u, const Index<Dim>& face, int c, const Spacing<Dim>& h,
-                                               const Flux& flux) {
-  double sum = 0;
-#pragma GCC unroll 3
-  for (int d = 0; d < Dim; ++d) {
-    const Index<Dim> next = shifted<Dim>(face, d, 1), previous = shifted<Dim>(face, d, -1);
-    const double upper = flux.carrier(u, next, c, d), lower = flux.carrier(u, face, c, d);
-    sum += (upper * flux.carried(u, face, c, d, upper) - lower * flux.carried(u, previous, c, d, lower)) * h.inverse[d];
+  template <class Velocity>
+  [[gnu::always_inline]] inline double term(const Velocity& u, const Index<Dim>& face, int c,
+                                            const Spacing<Dim>& h) const {
+    return advection<Dim>(u, face, c, h, *this);
   }
-  return sum;
-}
+};
 
 }  // namespace washfsi

@@ -17,13 +17,13 @@ class EddyViscosity : public ViscosityModel<3> {
  public:
   explicit EddyViscosity(double constant) : constant_(constant) {}
 
-  void add(const Grid<3>& grid, const ConstFaceView<3>& velocity, double density, const CellShare<3>& share,
+  void add(const Grid<3>& grid, const ConstFaceView<3>& velocity, const PureLiquid& liquid, const CellShare<3>& share,
            const CellView<3>& viscosity) const override {
     const Law law(constant_, grid.spacing());
     const Spacing<3> h(grid.spacing());
     for_each<3>(grid.owned(), [&](const Index<3>& cell) {
       const double part = share(cell);
-      if (part > 0) viscosity(cell) += part * density * law(velocity_gradient<3>(velocity, cell, h));
+      if (part > 0) viscosity(cell) += part * liquid.density * law(velocity_gradient<3>(velocity, cell, h));
     });
   }
 

@@ -47,15 +47,15 @@ void FractionalStep<Dim>::predict(const TimeStep& step, const StepFields<Dim>& f
                      fields.driven_share ? fields.driven_share : fields.constraint.fluid_fraction, intermediate_);
 }
 
-// All force density of a step is the given one, the walls' and the reaction of what is not driven.
+// All force density of a step is the given one, that of the force fields, and the reaction of what is not driven.
 template <int Dim>
 void FractionalStep<Dim>::add_further_forces() {
-  if (!fields_.further_force && !fields_.driven_share) return;
+  if (fields_.forces.empty() && !fields_.driven_share) return;
   if (!force_) force_ = grid_.face_vector();
   WASH_PETSC(VecCopy(fields_.force, force_));
   fields_.force = force_;
   if (fields_.driven_share) driving_.add_reaction_of_undriven(fields_.driven_share, force_);
-  if (fields_.further_force) fields_.further_force->add_to(force_);
+  for (const ForceField* field : fields_.forces) field->add_to(force_);
 }
 
 template <int Dim>
@@ -97,7 +97,7 @@ void FractionalStep<Dim>::solve_momentum() {
   const double ratio = last_step() > 0 ? step_.dt / last_step() : 0;
   WASH_PETSC(VecAXPBYPCZ(intermediate_, 1 + ratio, -ratio, 0.0, velocity_, velocity_before_));
   momentum_.set_step(step_.dt, fields_.liquid, fields_.constraint);
-  momentum_iterations_ += static_cast<double>(momentum_.solve(rhs_, step_.end(), intermediate_));
+  momentum_.solve(rhs_, step_.end(), intermediate_);
   if (!fields_.constraint.fluid_fraction) return;
   if (!constraint_force_) constraint_force_ = grid_.face_vector();
   momentum_.constraint_force(rhs_, step_.end(), intermediate_, constraint_force_);
@@ -130,7 +130,7 @@ template <int Dim>
 void FractionalStep<Dim>::register_state(StateList& state) {
   state.add(vector_entry("/fluid/velocity", field_slab(grid_, Dim), velocity_));
   state.add(vector_entry("/fluid/velocity_before", field_slab(grid_, Dim), velocity_before_));
-  state.add_number("/fluid/momentum_iterations", momentum_iterations_);
+  momentum_.register_state(state);
   advection_.register_state(state);
   projection_.register_state(state);
   driving_.register_state(state);

@@ -33,7 +33,7 @@ struct StepFields {
   LiquidFields liquid;
   Vec force = nullptr;
   Constraint<Dim> constraint;
-  const ForceField* further_force = nullptr;  ///< acts beside `force` from the start of the step, if there is one
+  std::vector<const ForceField*> forces = {};  ///< act beside `force` from the start of the step; none is null
   /// The weight of upwind advection on faces with `limits_at_edges`: from 1 beside edges and thin parts to 0 beyond the
   /// kernels of their markers.
   Vec upwind_weight = nullptr;
@@ -74,7 +74,7 @@ class FractionalStep {
   /// Constraint force density of solids on the water in the last `predict` [N/m3]; zero in fluid.
   Vec constraint_force() const { return constraint_force_; }
   const Driving<Dim>& driving() const { return driving_; }  ///< driving of the water along periodic axes
-  SolverCounts counts() const { return {momentum_iterations_, projection_.iterations()}; }
+  SolverCounts counts() const { return {momentum_.iterations(), projection_.iterations()}; }
 
   /// Registers the state that is carried from step to step.
   void register_state(StateList& state);
@@ -100,7 +100,6 @@ class FractionalStep {
   petsc::Vector constraint_force_;            ///< constraint force density; null before there is any
   TimeStep step_;                             ///< current step
   StepFields<Dim> fields_;                    ///< fields of the current step
-  double momentum_iterations_ = 0;
 };
 
 extern template class FractionalStep<2>;

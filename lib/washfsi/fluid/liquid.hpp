@@ -20,9 +20,9 @@ class ViscosityModel {
   ViscosityModel& operator=(const ViscosityModel&) = delete;
   virtual ~ViscosityModel() = default;
 
-  /// Adds to the dynamic viscosity [Pa s] of this rank's cells by their share of fluid, in a liquid of this density
-  /// [kg/m3]. The velocity [m/s] has a layer of ghosts, filled. Collective.
-  virtual void add(const Grid<Dim>& grid, const ConstFaceView<Dim>& velocity, double density,
+  /// Adds to the dynamic viscosity [Pa s] of this rank's cells by their share of fluid. The velocity [m/s] has a layer
+  /// of ghosts, filled. Collective.
+  virtual void add(const Grid<Dim>& grid, const ConstFaceView<Dim>& velocity, const PureLiquid& liquid,
                    const CellShare<Dim>& share, const CellView<Dim>& viscosity) const = 0;
 };
 
@@ -40,19 +40,21 @@ struct LiquidFields {
 template <int Dim>
 class Liquid {
  public:
-  /// A liquid of uniform density [kg/m3] and viscosity [Pa s], to which the models add.
-  Liquid(const Grid<Dim>& grid, const Boundary<Dim>& boundary, double density, double viscosity,
-         ViscosityModels<Dim> models = {}, WallTreatment walls = WallTreatment::none);
+  /// The models add to the viscosity of the pure liquid.
+  Liquid(const Grid<Dim>& grid, const Boundary<Dim>& boundary, const PureLiquid& pure, ViscosityModels<Dim> models = {},
+         WallTreatment walls = WallTreatment::none);
 
-  double pure_density() const { return pure_density_; }      ///< density of the pure liquid [kg/m3]
-  double pure_viscosity() const { return pure_viscosity_; }  ///< viscosity without the models [Pa s]
-
-  /// Density on faces [kg/m3].
+  const PureLiquid& pure() const { return pure_; }
+  /// Density on faces, added masses included [kg/m3].
   Vec density() const { return density_; }
-  /// Sets the density to that of the pure liquid; added masses have to be added again.
+  /// The liquid's own density on faces [kg/m3]; null where it is the pure liquid's everywhere.
+  Vec own_density() const { return own_density_; }
+  /// Gives the liquid a density that differs from face to face [kg/m3]; it does not move. Collective.
+  void set_own_density(Vec density);
+  /// Sets the density to the liquid's own; added masses have to be added again.
   void reset_density();
 
-  Viscosity viscosity() const { return varying_ ? varying_->viscosity() : Viscosity{pure_viscosity_}; }
+  Viscosity viscosity() const { return varying_ ? varying_->viscosity() : Viscosity{pure_.viscosity}; }
   /// Updates the models' viscosity and the friction of sides from the flow. Models count by the share of fluid round a
   /// cell: water in a body moves rigidly and has no eddies. Then applies the friction of `bodies`, null without. May be
   /// repeated for the same time. Collective.
@@ -62,14 +64,13 @@ class Liquid {
   void let_models_add(const StepFlow& flow);
   /// The model of the friction of the box's walls; null if there is none.
   WallModel<Dim>* walls() const { return walls_.get(); }
-  PureLiquid pure() const { return {pure_density_, pure_viscosity_}; }
   bool has_models() const { return !models_.empty(); }
   /// Calls visit(viscosity) with the models' viscosity in each of this rank's cells [Pa s], x fastest; there must be
   /// models.
   template <class Visit>
   void visit_added_viscosity(Visit&& visit) const {
     const ConstCellView<Dim> mu(grid_.cell_dm(), global_viscosity_);
-    for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) { visit(mu(cell) - pure_viscosity_); });
+    for_each<Dim>(grid_.owned(), [&](const Index<Dim>& cell) { visit(mu(cell) - pure_.viscosity); });
   }
 
   LiquidFields fields() const { return {density_, viscosity()}; }
@@ -80,11 +81,11 @@ class Liquid {
 
   const Grid<Dim>& grid_;
   const Boundary<Dim>& boundary_;
-  double pure_density_, pure_viscosity_;
+  PureLiquid pure_;
   ViscosityModels<Dim> models_;
   std::unique_ptr<WallModel<Dim>> walls_;
   std::optional<double> walls_time_;  ///< time of the flow that the walls observed last [s]
-  petsc::Vector density_, global_viscosity_;
+  petsc::Vector density_, own_density_, global_viscosity_;
   std::optional<ViscosityField<Dim>> varying_;
 };
 

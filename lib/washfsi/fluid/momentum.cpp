@@ -185,15 +185,14 @@ double MomentumSolver<Dim>::largest_speed(Vec rhs) const {
 
 // Solves for the correction of the guess: homogeneous boundaries, and a residual that is small from the start.
 template <int Dim>
-PetscInt MomentumSolver<Dim>::solve(Vec rhs, double time, Vec velocity) {
+void MomentumSolver<Dim>::solve(Vec rhs, double time, Vec velocity) {
   boundary_.set_boundary_faces(velocity, time);
   residual(rhs, time, velocity, residual_);
   const double scale = std::max(largest_speed(rhs), boundary_.largest_speed(time));
   const double rms_to_norm = std::sqrt(Dim * grid_.cell_count());
   const double tolerance = user_sets_atol_ ? 0 : std::max(tolerance_ * scale * rms_to_norm, 1e-300);
-  const PetscInt iterations = solve_to(solver_, tolerance, residual_, correction_, "momentum");
+  iterations_ += static_cast<double>(solve_to(solver_, tolerance, residual_, correction_, "momentum"));
   WASH_PETSC(VecAXPY(velocity, 1.0, correction_));
-  return iterations;
 }
 
 template <int Dim>

@@ -7,6 +7,7 @@
 #include "washfsi/grid/boundary.hpp"
 #include "washfsi/grid/constraint.hpp"
 #include "washfsi/support/petsc.hpp"
+#include "washfsi/support/state_list.hpp"
 
 namespace washfsi {
 
@@ -26,9 +27,12 @@ class MomentumSolver {
   /// Fixes the coefficients of this step. The vectors must live until the next call. Collective.
   void set_step(double dt, const LiquidFields& liquid, const Constraint<Dim>& constraint);
 
-  /// Solves for u* at time `time`; `velocity` contains a guess and then u*. Returns the number of iterations.
-  /// Collective. Errors: DivergedError.
-  PetscInt solve(Vec rhs, double time, Vec velocity);
+  /// Solves for u* at time `time`; `velocity` contains a guess and then u*. Collective. Errors: DivergedError.
+  void solve(Vec rhs, double time, Vec velocity);
+  /// Iterations so far.
+  double iterations() const { return iterations_; }
+  /// Registers their number.
+  void register_state(StateList& state) { state.add_number("/fluid/momentum_iterations", iterations_); }
 
   /// rho/dt (u* - (mu dt / 2 rho) lap u* - b) where H < 1, else 0: the constraint force density [N/m3] of the solids on
   /// the water, u* being the solution for `rhs`. Collective.
@@ -56,6 +60,7 @@ class MomentumSolver {
   petsc::Vector residual_, correction_;
   petsc::Vector diagonal_;  ///< diagonal of the fluid rows; null before there are solid ones
   bool user_sets_atol_ = false;
+  double iterations_ = 0;
 };
 
 extern template class MomentumSolver<2>;

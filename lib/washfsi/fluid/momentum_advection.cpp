@@ -59,7 +59,7 @@ void MomentumAdvection<Dim>::replace(const Box<Dim>& where, const AdvectedFields
   double dissipated = 0;
   grid_.for_each_inner_face(where, [&](const Index<Dim>& face, auto c) {
     if (!flux.departs(face, c)) return;
-    const double advected = advection<Dim>(u, face, c, h, flux);
+    const double advected = flux.term(u, face, c, h);
     const double H = fields.fluid_fraction ? fraction(face, c) : 1;
     dissipated += H * rho(face, c) * u(face, c) * (advected - result(face, c));
     result(face, c) = advected;

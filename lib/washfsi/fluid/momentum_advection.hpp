@@ -29,7 +29,8 @@ class MomentumAdvection {
 
   /// The face DM with the ghosts that advection and open sides need.
   DM velocity_dm() const { return velocity_dm_; }
-  Advection scheme() const { return scheme_; }
+  /// Whether what it carries is bounded by its neighbours everywhere.
+  bool is_bounded() const { return scheme_ == Advection::upwind; }
   /// Whether it departs from central; and the power that it then dissipated in the last step, which central advection
   /// does not [W; W/m in the plane].
   bool departs_from_central() const { return scheme_ != Advection::central || limits_at_edges_; }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "washfsi/fluid/pure_liquid.hpp"
 #include "washfsi/grid/boundary.hpp"
 #include "washfsi/grid/cell_share.hpp"
 #include "washfsi/support/options.hpp"
@@ -16,11 +17,6 @@ namespace washfsi {
 /// law of a turbulent wall layer in equilibrium.
 enum class WallTreatment { none, equilibrium };
 const ChoiceNames<WallTreatment>& names_of(WallTreatment);
-
-/// The pure liquid's properties for the law.
-struct PureLiquid {
-  double density, viscosity;  ///< [kg/m3, Pa s]
-};
 
 /// The friction of walls whose layers are thinner than a cell. With u the velocity relative to the wall, h the spacing
 /// across it:

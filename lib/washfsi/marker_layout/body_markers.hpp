@@ -14,10 +14,10 @@ class BodyMarkers {
  public:
   BodyMarkers(const Grid<Dim>& grid, const std::vector<Body<Dim>>& bodies, MarkerLayout<Dim> layout);
 
+  const std::vector<Body<Dim>>& bodies() const { return bodies_; }
   /// The number of patches; below, the body and the first marker of a patch, whose end is the start of the next.
   std::size_t patches() const { return body_of_.size(); }
   /// This rank's share of the patches.
-  const std::vector<Body<Dim>>& bodies() const { return bodies_; }
   PatchRange own() const { return own_; }
   std::size_t body_of(std::size_t patch) const { return body_of_[patch]; }
   std::size_t start(std::size_t patch) const { return starts_[patch]; }

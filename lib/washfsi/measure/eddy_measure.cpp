@@ -11,7 +11,7 @@ namespace washfsi {
 template <int Dim>
 bool EddyMeasure<Dim>::models_walls() const {
   const Liquid<Dim>& liquid = system_.model.liquid;
-  return liquid.pure_viscosity() > 0 && (liquid.has_models() || liquid.walls());
+  return liquid.pure().viscosity > 0 && (liquid.has_models() || liquid.walls());
 }
 
 template <int Dim>

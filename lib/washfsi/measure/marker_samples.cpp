@@ -28,7 +28,7 @@ std::vector<WashingAction> washing_action(const System<Dim>& system) {
   }
   for (std::size_t m = 0; m < normals.size(); ++m)
     if (distance(normals[m]) > 0)
-      actions[m].shear = system.model.liquid.pure_viscosity() * actions[m].relative_speed / distance(normals[m]);
+      actions[m].shear = system.model.liquid.pure().viscosity * actions[m].relative_speed / distance(normals[m]);
   return actions;
 }
 

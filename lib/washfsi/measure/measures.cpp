@@ -172,7 +172,7 @@ void Measures<Dim>::observe(double dt, bool all) {
   if (statistics_) statistics_->observe(system_.state.clock.time, dt, {velocity, model.fluid.projection().pressure()});
   if (phases_)
     phases_->observe(system_.state.clock.time, dt,
-                     {velocity, model.bodies.fluid_share(), model.liquid.pure_density(), model.liquid.pure_viscosity(),
+                     {velocity, model.bodies.fluid_share(), model.liquid.pure().density, model.liquid.pure().viscosity,
                       model.liquid.viscosity()});
   quantities_.accumulate();
   for (auto* cycles : {&cycles_, &whole_run_}) (*cycles)->observe(system_.state.clock.time, seen.interval);

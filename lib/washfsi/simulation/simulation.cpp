@@ -66,7 +66,7 @@ template <int Dim>
 void Simulation<Dim>::set_up(Options& options, const CaseOptions<Dim>& chosen) {
   start_.coupling = system_->model.has_fluid ? chosen.coupling.scheme : "to nothing";
   scheme_ = make_coupling_scheme<Dim>(chosen.coupling, *system_);
-  steps_ = std::make_unique<StepChoice<Dim>>(run_, chosen.coupling, *system_, *scheme_);
+  steps_ = std::make_unique<TimeStepControl<Dim>>(run_, chosen.coupling, *system_, *scheme_);
   measures_ = std::make_unique<Measures<Dim>>(*system_, chosen.measure);
   start_.findings = judge_start(*system_, *measures_, run_, chosen);
   if (!run_.restart.empty()) go_on_from_checkpoint(options.comm());

@@ -12,8 +12,8 @@
 #include "washfsi/simulation/results.hpp"
 #include "washfsi/simulation/schedule.hpp"
 #include "washfsi/simulation/start_report.hpp"
-#include "washfsi/simulation/step_choice.hpp"
 #include "washfsi/simulation/stop_signals.hpp"
+#include "washfsi/simulation/time_step_control.hpp"
 #include "washfsi/support/folder_lock.hpp"
 
 namespace washfsi {
@@ -56,7 +56,7 @@ class Simulation {
   std::unique_ptr<FolderLock> lock_;
   std::unique_ptr<System<Dim>> system_;
   std::unique_ptr<CouplingScheme<Dim>> scheme_;
-  std::unique_ptr<StepChoice<Dim>> steps_;
+  std::unique_ptr<TimeStepControl<Dim>> steps_;
   std::unique_ptr<Measures<Dim>> measures_;
   std::unique_ptr<Results<Dim>> results_;
   Progress progress_;

@@ -21,7 +21,7 @@ constexpr double lightest_water = 900, heaviest_water = 1100;  // [kg/m3]
 
 template <int Dim>
 bool is_water(const Model<Dim>& model) {
-  const double density = model.liquid.pure_density();
+  const double density = model.liquid.pure().density;
   return model.has_fluid && density > lightest_water && density < heaviest_water;
 }
 
@@ -30,9 +30,9 @@ bool is_water(const Model<Dim>& model) {
 template <int Dim>
 void add_water(const Model<Dim>& model, Findings& findings) {
   if (!is_water(model)) return;
-  const double times = model.liquid.pure_viscosity() / water_viscosity;
+  const double times = model.liquid.pure().viscosity / water_viscosity;
   findings.push_back(at_most("viscosity", times, {2},
-                             format_text("%.4g Pa s, %.4g times water's", model.liquid.pure_viscosity(), times),
+                             format_text("%.4g Pa s, %.4g times water's", model.liquid.pure().viscosity, times),
                              "flow, torque and stress are those of a thick liquid; water is -fluid_viscosity 1e-3"));
 }
 
@@ -55,7 +55,7 @@ void add_wall_model(const Model<Dim>& model, Findings& findings) {
 // Central differences may let water go round the edges of a sheet as if it had no friction.
 template <int Dim>
 void add_water_beside_cloth(const Model<Dim>& model, double cell_reynolds, Findings& findings) {
-  if (model.cloths.marker_count() == 0 || model.cloth_nearness || model.fluid.advection().scheme() == Advection::upwind)
+  if (model.cloths.marker_count() == 0 || model.cloth_nearness || model.fluid.advection().is_bounded())
     return;
   findings.push_back(at_most("water beside cloth", cell_reynolds, {100},
                              format_text("cell Reynolds number %.3g, central differences", cell_reynolds),
@@ -66,7 +66,7 @@ void add_water_beside_cloth(const Model<Dim>& model, double cell_reynolds, Findi
 template <int Dim>
 void add_flow(const Model<Dim>& model, const FlowScales& scales, Findings& findings) {
   if (!model.has_fluid || scales.speed == 0) return;
-  const double nu = model.liquid.pure_viscosity() / model.liquid.pure_density();
+  const double nu = model.liquid.pure().viscosity / model.liquid.pure().density;
   const double h = model.grid.spacing().maxCoeff(), root = std::sqrt(scales.reynolds);
   findings.push_back({"Reynolds number",
                       format_text("%.3g, of %.3g m/s and %.3g m, %s", scales.reynolds, scales.speed, scales.length,
@@ -207,7 +207,7 @@ FlowScales flow_scales(const Model<Dim>& model, const std::vector<BodySurvey<Dim
     scales.length = turns ? surveys[b].reach : (surveys[b].upper - surveys[b].lower).maxCoeff();
     scales.length_of = (turns ? "the reach of " : "the size of ") + model.body_list[b].name;
   }
-  scales.reynolds = scales.speed * scales.length * model.liquid.pure_density() / model.liquid.pure_viscosity();
+  scales.reynolds = scales.speed * scales.length * model.liquid.pure().density / model.liquid.pure().viscosity;
   return scales;
 }
 

@@ -76,8 +76,8 @@ void WallForces<Dim>::add_forces(const Points<Dim>& more, Vec velocity) {
 // A projected velocity is projected again only for this force, so that walls respond with the middle of the range. The
 // projection of a predicted one changes the slip in any case, and the correction is taken as it is.
 template <int Dim>
-void WallForces<Dim>::reduce_slip(Vec velocity, Velocity kind) {
-  const double relaxation = kind == Velocity::projected ? 1 / middle_response : 1;
+void WallForces<Dim>::reduce_slip(Vec velocity, Stage stage) {
+  const double relaxation = stage == Stage::projected ? 1 / middle_response : 1;
   add_forces(relaxation * solver_.approximate_forces(solver_.slips(velocity)), velocity);
 }
 

@@ -34,9 +34,9 @@ class WallForces : public ForceField {
   /// Adds the forces at the start of the trial, and the friction of the law. Collective.
   void add_to(Vec force) const override;
   /// Whether the velocity whose slip is reduced has been projected yet; the response to a force differs.
-  enum class Velocity { predicted, projected };
+  enum class Stage { predicted, projected };
   /// Removes most of the slip from a velocity on faces; call it before a projection. Collective.
-  void reduce_slip(Vec velocity, Velocity kind);
+  void reduce_slip(Vec velocity, Stage stage);
   /// Applies one slip correction, without regard to the pressure and times `relaxation`, to each body whose filtered
   /// slip is above the tolerance; false if there is no such body. Collective.
   bool reduce_slip_beyond_tolerance(Vec velocity, double relaxation);

@@ -6,13 +6,13 @@ namespace washfsi {
 template <int Dim>
 void WaterStep<Dim>::predict(const TimeStep& step, StepFields<Dim> fields) {
   if (walls_) walls_->begin_trial(step, fields.liquid.density);
-  fields.further_force = walls_;
+  if (walls_) fields.forces.push_back(walls_);
   fluid_.predict(step, fields);
 }
 
 template <int Dim>
-void WaterStep<Dim>::project_between_walls() {
-  if (walls_) walls_->reduce_slip(fluid_.intermediate_velocity(), WallForces<Dim>::Velocity::predicted);
+void WaterStep<Dim>::correct_slip_and_project() {
+  if (walls_) walls_->reduce_slip(fluid_.intermediate_velocity(), WallForces<Dim>::Stage::predicted);
   fluid_.projection().project();
 }
 
@@ -20,7 +20,7 @@ template <int Dim>
 void WaterStep<Dim>::add_force(Vec force) {
   const petsc::LogPart part("pressure");
   fluid_.add_force(force);
-  if (walls_) walls_->reduce_slip(fluid_.intermediate_velocity(), WallForces<Dim>::Velocity::projected);
+  if (walls_) walls_->reduce_slip(fluid_.intermediate_velocity(), WallForces<Dim>::Stage::projected);
   if (fluid_.projection().is_on()) fluid_.projection().project_again();
 }
 
@@ -40,7 +40,7 @@ void WaterStep<Dim>::finish() {
 template <int Dim>
 void WaterStep<Dim>::advance(const TimeStep& step, const StepFields<Dim>& fields) {
   predict(step, fields);
-  project_between_walls();
+  correct_slip_and_project();
   enforce_no_slip();
   finish();
 }

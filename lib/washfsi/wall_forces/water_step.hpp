@@ -4,7 +4,7 @@
 // forces. Couplings that add forces of the cloth at the end of the step call
 //   predict, project, any number of (add_force, enforce_no_slip), finish,
 // all others
-//   predict, project_between_walls, enforce_no_slip, finish,
+//   predict, correct_slip_and_project, enforce_no_slip, finish,
 // which `advance` does at once.
 #pragma once
 
@@ -24,7 +24,7 @@ class WaterStep {
   /// Phase 3 without a slip correction, for steps in which `add_force` follows, which corrects the slip. Collective.
   void project() { fluid_.projection().project(); }
   /// Corrects the slip of the intermediate velocity, then projects it (phase 3). Collective.
-  void project_between_walls();
+  void correct_slip_and_project();
   /// Phase 3b: adds a further force density on faces to the projected velocity, reduces its slip and projects it again.
   /// Collective.
   void add_force(Vec force);

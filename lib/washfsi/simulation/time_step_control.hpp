@@ -13,10 +13,11 @@ namespace washfsi {
 /// cloth that meet water abruptly accelerate it by an unpredictable amount: the first step is tried before it is taken,
 /// and the first ones are repeated, shorter, as long as their CFL number exceeds the one for which they were chosen.
 template <int Dim>
-class StepChoice {
+class TimeStepControl {
  public:
   /// All must outlive it. Collective. Errors: InputError if -time_tolerance cannot measure the scheme's error.
-  StepChoice(const RunOptions& run, const CouplingOptions& coupling, System<Dim>& system, CouplingScheme<Dim>& scheme);
+  TimeStepControl(const RunOptions& run, const CouplingOptions& coupling, System<Dim>& system,
+                  CouplingScheme<Dim>& scheme);
 
   /// Chooses the length of the first step, unless a checkpoint gives it. Collective. Errors: InputError.
   void begin(RunState& state) const;
@@ -43,7 +44,7 @@ class StepChoice {
   BodySpeeds<Dim> body_speeds_;
 };
 
-extern template class StepChoice<2>;
-extern template class StepChoice<3>;
+extern template class TimeStepControl<2>;
+extern template class TimeStepControl<3>;
 
 }  // namespace washfsi

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "washfsi/simulation/step_choice.hpp"
+#include "washfsi/simulation/time_step_control.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +14,8 @@
 namespace washfsi {
 
 template <int Dim>
-StepChoice<Dim>::StepChoice(const RunOptions& run, const CouplingOptions& coupling, System<Dim>& system,
-                            CouplingScheme<Dim>& scheme)
+TimeStepControl<Dim>::TimeStepControl(const RunOptions& run, const CouplingOptions& coupling, System<Dim>& system,
+                                      CouplingScheme<Dim>& scheme)
     : run_(run), system_(system), scheme_(scheme), body_speeds_(system.model) {
   if (run.time_tolerance == 0) return;
   if (system.model.has_fluid && coupling.scheme == "implicit" && coupling.time_scheme == TimeScheme::trapezoidal)
@@ -25,7 +25,7 @@ StepChoice<Dim>::StepChoice(const RunOptions& run, const CouplingOptions& coupli
 
 // Whether bodies in direct forcing meet moving water at the start, or start moving abruptly in water at rest.
 template <int Dim>
-bool StepChoice<Dim>::starts_at_once() const {
+bool TimeStepControl<Dim>::starts_at_once() const {
   double speed = 0;
   WASH_PETSC(VecNorm(system_.model.fluid.velocity(), NORM_INFINITY, &speed));
   const bool moves_off = std::ranges::any_of(system_.model.body_list, [&](const auto& body) {
@@ -36,7 +36,7 @@ bool StepChoice<Dim>::starts_at_once() const {
 }
 
 template <int Dim>
-void StepChoice<Dim>::begin(RunState& state) const {
+void TimeStepControl<Dim>::begin(RunState& state) const {
   if (run_.time_step > 0 && run_.time_cfl == 0) state.dt = run_.time_step;
   refuse_unseen_motion<Dim>(system_.model.body_list, run_.time_step);
   if (state.cloth_bound == 0) find_cloth_bound(state);
@@ -64,7 +64,7 @@ double shortened(double dt, double courant, double found) {
 // Tries shorter and shorter steps; if none is short enough, returns the given one: the run then fails with the reason.
 // Steps of constant length may have a larger CFL number, since the flow slows down after its start.
 template <int Dim>
-double StepChoice<Dim>::tried(double dt) const {
+double TimeStepControl<Dim>::tried(double dt) const {
   if (!system_.model.has_fluid) return dt;
   const double courant = run_.time_cfl > 0 ? run_.time_cfl : 0.6 * std::min(1.0, run_.max_courant);
   const SavedStart<Dim> start(system_);
@@ -79,7 +79,7 @@ double StepChoice<Dim>::tried(double dt) const {
 }
 
 template <int Dim>
-bool StepChoice<Dim>::may_shorten() const {
+bool TimeStepControl<Dim>::may_shorten() const {
   constexpr long first_steps = 20;
   return run_.time_cfl > 0 && system_.model.has_fluid && system_.state.clock.step < first_steps;
 }
@@ -87,7 +87,7 @@ bool StepChoice<Dim>::may_shorten() const {
 // The length is chosen from the flow before the step, so the CFL number may exceed the aim by a quarter; otherwise the
 // step is repeated, shorter. The last trial is accepted in any case.
 template <int Dim>
-void StepChoice<Dim>::advance(RunState& state) const {
+void TimeStepControl<Dim>::advance(RunState& state) const {
   constexpr double more = 1.25, below_most = 0.95;
   if (may_shorten()) {
     const double most = std::min(more * run_.time_cfl, below_most * run_.max_courant);
@@ -104,7 +104,7 @@ void StepChoice<Dim>::advance(RunState& state) const {
 
 // CFL number after a step: infinite if the flow is not finite; none if the step fails.
 template <int Dim>
-std::optional<double> StepChoice<Dim>::courant_after(double dt) const {
+std::optional<double> TimeStepControl<Dim>::courant_after(double dt) const {
   try {
     scheme_.advance(system_, dt);
   } catch (const DivergedError&) {
@@ -114,7 +114,7 @@ std::optional<double> StepChoice<Dim>::courant_after(double dt) const {
 }
 
 template <int Dim>
-double StepChoice<Dim>::courant_now(double dt) const {
+double TimeStepControl<Dim>::courant_now(double dt) const {
   const Model<Dim>& model = system_.model;
   const GhostedVelocity<Dim> local(model.boundary, model.grid.face_dm(), model.fluid.velocity(),
                                    system_.state.clock.time);
@@ -123,13 +123,13 @@ double StepChoice<Dim>::courant_now(double dt) const {
 }
 
 template <int Dim>
-void StepChoice<Dim>::find_cloth_bound(RunState& state) const {
+void TimeStepControl<Dim>::find_cloth_bound(RunState& state) const {
   if (run_.time_step == 0) state.cloth_bound = scheme_.step_bound(system_);
 }
 
 // The user's step, or that which the cloth allows; at most that which resolves each start, stop and reversal of bodies.
 template <int Dim>
-double StepChoice<Dim>::longest_step(const RunState& state) const {
+double TimeStepControl<Dim>::longest_step(const RunState& state) const {
   return std::min(run_.time_step > 0 ? run_.time_step : 0.5 * state.cloth_bound,
                   longest_step_of_motion<Dim>(system_.model.body_list));
 }
@@ -137,7 +137,7 @@ double StepChoice<Dim>::longest_step(const RunState& state) const {
 // -time_tolerance: the step for which the error of the cloths' velocities is this share of the largest speed,
 // prescribed or present; without water that of the cloths.
 template <int Dim>
-double StepChoice<Dim>::accurate_step(const RunState& state) const {
+double TimeStepControl<Dim>::accurate_step(const RunState& state) const {
   const double error = run_.time_tolerance > 0 ? step_error(system_) : 0;
   if (error == 0) return std::numeric_limits<double>::infinity();
   double speed = system_.model.grid.spacing().minCoeff() / flow_time(system_.model, body_speeds_);
@@ -148,7 +148,7 @@ double StepChoice<Dim>::accurate_step(const RunState& state) const {
 // -time_cfl: the step for the present flow, growing slowly, and for bodies that are about to start. Accuracy shortens
 // it at most to a fixed share, since the errors of jumps do not fall with the step.
 template <int Dim>
-void StepChoice<Dim>::adapt(RunState& state, double courant) const {
+void TimeStepControl<Dim>::adapt(RunState& state, double courant) const {
   if (run_.time_cfl == 0) return;
   constexpr double most_growth = 1.05, least_part = 1.0 / 16;
   const double for_flow = std::min(longest_step(state), state.dt * run_.time_cfl / courant);  // infinite at rest
@@ -156,7 +156,7 @@ void StepChoice<Dim>::adapt(RunState& state, double courant) const {
   state.dt = body_speeds_.longest_step(system_.state.clock.time, state.dt, run_.time_cfl);
 }
 
-template class StepChoice<2>;
-template class StepChoice<3>;
+template class TimeStepControl<2>;
+template class TimeStepControl<3>;
 
 }  // namespace washfsi
