@@ -12,7 +12,7 @@ namespace {
 
 CaseOptions<2> heavy_fibre(double excess_mass) {
   CaseOptions<2> options = fibre_in_water(excess_mass, 0);
-  options.model.mass_carrier = MassCarrier::cloth;
+  options.model.cloth.mass_carrier = MassCarrier::cloth;
   return options;
 }
 

@@ -13,7 +13,8 @@ void half_step(System<Dim>& system, double dt, double time) {
   begin_explicit_step(system, state.positions, time, dt);
   const Points<Dim> forces = all_forces(system, state.positions);
   for (std::size_t m = 0; m < forces.size(); ++m) {
-    const double mass = model.cloths.marker_masses()[m], drag = model.cloth_drag * model.cloths.marker_areas()[m];
+    const double mass = model.cloths.marker_masses()[m],
+                 drag = model.cloth_treatment.drag * model.cloths.marker_areas()[m];
     state.velocities[m] = (mass * state.velocities[m] + 0.5 * dt * forces[m]) / (mass + 0.5 * dt * drag);
   }
 }

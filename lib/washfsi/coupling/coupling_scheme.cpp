@@ -138,12 +138,12 @@ std::unique_ptr<CouplingScheme<Dim>> make_coupling_scheme(const CouplingOptions&
   if (!system.model.has_fluid) return cloth_alone(options, system);
   if (system.model.cloths.marker_count() == 0) return std::make_unique<FluidAlone<Dim>>();
   const NamedScheme<Dim>& scheme = scheme_named<Dim>(options.scheme);
-  if (system.model.mass_carrier == MassCarrier::cloth && !scheme.takes_inertia)
+  if (system.model.cloth_treatment.mass_carrier == MassCarrier::cloth && !scheme.takes_inertia)
     throw InputError("-cloth_inertia cloth: not with -" + options.scheme_option + " " + options.scheme +
                      ", which needs water");
   if (scheme.takes_seepage && options.mobility == Mobility::matrix) return scheme.make(system, options);
   const std::string needs = ": needs -coupling_scheme semi_implicit or implicit, with -coupling_mobility matrix";
-  if (system.model.films_drain) throw InputError("-contact_drainage" + needs);
+  if (system.model.cloth_treatment.films_drain) throw InputError("-contact_drainage" + needs);
   for (const auto& group : system.model.cloths.groups())
     if (group.permeance > 0) throw InputError("-" + group.name + "_permeance" + needs);
   return scheme.make(system, options);

@@ -32,7 +32,7 @@ ClothEquation<Dim> ImplicitClothAlone<Dim>::equation(System<Dim>& system, double
   std::vector<double> mass_rates, drags;
   for (std::size_t m = 0; m < start.size(); ++m) {
     mass_rates.push_back(system.model.cloths.marker_masses()[m] / dt);
-    drags.push_back(system.model.cloth_drag * system.model.cloths.marker_areas()[m]);
+    drags.push_back(system.model.cloth_treatment.drag * system.model.cloths.marker_areas()[m]);
   }
   ClothEquation<Dim> equation;
   equation.residual = [=, &all, &start, &before](const Points<Dim>& velocities) {

@@ -55,12 +55,12 @@ FluidOptions<Dim> with_edges(const ModelOptions<Dim>& options, const Bodies<Dim>
 template <int Dim>
 ModelOptions<Dim> ModelOptions<Dim>::from_options(Options& options, MassCarrier mass_carrier) {
   ModelOptions<Dim> model;
-  model.mass_carrier = mass_carrier;
+  model.cloth.mass_carrier = mass_carrier;
   model.grid = GridOptions<Dim>::from_options(options);
   model.fluid = FluidOptions<Dim>::from_options(options);
   options.block("", "Fluid or none", [&](OptionBlock& block) {
     block.choice("fluid", model.medium, "none: cloth alone, as in a vacuum or with a linear drag");
-    block.real("cloth_drag", model.cloth_drag, "kg/(m2 s)", non_negative,
+    block.real("cloth_drag", model.cloth.drag, "kg/(m2 s)", non_negative,
                "without fluid: force per undeformed area and speed; 0: none, as in a vacuum");
   });
   options.block("", "Gravity", [&](OptionBlock& block) {
@@ -76,8 +76,8 @@ ModelOptions<Dim> ModelOptions<Dim>::from_options(Options& options, MassCarrier 
   model.delta = DeltaOptions::from_options(options);
   const ContactOptions contact = ContactOptions::from_options(options);
   model.surrounding_forces = contact.forces<Dim>(model.medium == Medium::water);
-  model.films_drain = contact.drainage;
-  model.verify_interval = contact.verify_interval;
+  model.cloth.films_drain = contact.drainage;
+  model.cloth.verify_interval = contact.verify_interval;
   return model;
 }
 
@@ -94,10 +94,7 @@ Model<Dim>::Model(MPI_Comm comm, const ModelOptions<Dim>& options, std::vector<B
       forces(cloths),
       transfer(grid, boundary, options.delta),
       has_fluid(options.medium == Medium::water),
-      mass_carrier(options.mass_carrier),
-      cloth_drag(options.cloth_drag),
-      films_drain(options.films_drain),
-      verify_interval(options.verify_interval) {
+      cloth_treatment(options.cloth) {
   if (cloth_limits(options)) cloth_nearness = grid.face_vector();
 }
 
@@ -109,7 +106,8 @@ void Model<Dim>::add_forces(const ModelOptions<Dim>& options, const Points<Dim>&
   forces.add(std::make_unique<HoldingSprings<Dim>>(cloths, start));
   for (const MakeForce<Dim>& make : options.surrounding_forces)
     if (auto force = make({grid, boundary, body_list, cloths})) forces.add(std::move(force));
-  if (has_fluid && mass_carrier == MassCarrier::cloth) forces.add(std::make_unique<Inertia<Dim>>(cloths));
+  if (has_fluid && cloth_treatment.mass_carrier == MassCarrier::cloth)
+    forces.add(std::make_unique<Inertia<Dim>>(cloths));
   forces.add(std::make_unique<Damping<Dim>>(cloths));
   forces.add(std::make_unique<DeadLoads<Dim>>(cloths, options.gravity));
 }
@@ -118,7 +116,7 @@ template <int Dim>
 void Model<Dim>::locate_cloth(const Points<Dim>& places) {
   transfer.locate(places);
   if (cloth_nearness) find_edge_nearness<Dim>(grid, transfer, std::vector<bool>(places.size(), true), cloth_nearness);
-  if (cloths.marker_count() == 0 || mass_carrier == MassCarrier::cloth) return;
+  if (cloths.marker_count() == 0 || cloth_treatment.mass_carrier == MassCarrier::cloth) return;
   liquid.reset_density();
   transfer.spread_mass(cloths.marker_masses(), liquid.density());
 }

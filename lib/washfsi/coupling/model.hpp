@@ -16,20 +16,25 @@ const ChoiceNames<Medium>& names_of(Medium);
 enum class MassCarrier { cloth, water };
 const ChoiceNames<MassCarrier>& names_of(MassCarrier);
 
+/// How cloths are treated, whatever they are made of.
+struct ClothTreatment {
+  MassCarrier mass_carrier = MassCarrier::water;
+  double drag = 0;             ///< without fluid: force per undeformed area and speed [kg/(m2 s)]
+  bool films_drain = false;    ///< whether films between cloths nearer than a cell drain
+  double verify_interval = 0;  ///< between counts of the cloths' intersections [s]; 0: after each step
+};
+
 /// All options of the model except for its initial state.
 template <int Dim>
 struct ModelOptions {
   GridOptions<Dim> grid;
   FluidOptions<Dim> fluid;
   Medium medium = Medium::water;
-  double cloth_drag = 0;  ///< without fluid: force per undeformed area and speed [kg/(m2 s)]
-  MassCarrier mass_carrier = MassCarrier::water;
+  ClothTreatment cloth;
   Point<Dim> gravity = Point<Dim>::Zero();  ///< acts on the cloths' excess mass: p is measured from hydrostatic [m/s2]
   std::vector<ClothGroup<Dim>> cloths;
   std::vector<MakeForce<Dim>> surrounding_forces;  ///< makers of the forces on the cloths from their surroundings
-  bool films_drain = false;                        ///< whether films between cloths nearer than a cell drain
   bool cloth_limits_advection = false;             ///< whether central advection becomes upwind beside cloth
-  double verify_interval = 0;  ///< between counts of the cloths' intersections [s]; 0: after each step
   BodyTreatment treatment;
   DeltaOptions delta;
 
@@ -67,10 +72,7 @@ struct Model {
   Forces<Dim> forces;
   Transfer<Dim> transfer;
   bool has_fluid;  ///< false: cloth alone
-  MassCarrier mass_carrier;
-  double cloth_drag;       ///< drag of cloth alone, per undeformed area and speed [kg/(m2 s)]
-  bool films_drain;        ///< whether films between cloths nearer than a cell drain
-  double verify_interval;  ///< between counts of the cloths' intersections [s]; 0: after each step
+  ClothTreatment cloth_treatment;
   petsc::Vector
       cloth_nearness;  ///< weight of upwind advection beside cloth, on faces; null where cloth does not limit advection
 };

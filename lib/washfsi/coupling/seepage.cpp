@@ -6,8 +6,8 @@
 namespace washfsi {
 
 template <int Dim>
-Seepage<Dim>::Seepage(const Model<Dim>& model) : cloths_(model.cloths), present_(model.films_drain) {
-  if (model.films_drain) films_.emplace(model.grid, cloths_, model.liquid);
+Seepage<Dim>::Seepage(const Model<Dim>& model) : cloths_(model.cloths), present_(model.cloth_treatment.films_drain) {
+  if (model.cloth_treatment.films_drain) films_.emplace(model.grid, cloths_, model.liquid);
   for (const auto& group : cloths_.groups()) present_ = present_ || group.permeance > 0;
   for (std::size_t m = 0; m < cloths_.owned(); ++m)
     rates_.push_back(cloths_.group_of(m).permeance / cloths_.marker_areas()[m]);

@@ -38,7 +38,7 @@ Points<Dim> last_inertia(const System<Dim>& system) {
   const State<Dim>& state = system.state;
   Points<Dim> inertia(state.positions.size(), Point<Dim>::Zero());
   const double dt_before = system.model.fluid.last_step();
-  if (dt_before == 0 || system.model.mass_carrier == MassCarrier::water) return inertia;
+  if (dt_before == 0 || system.model.cloth_treatment.mass_carrier == MassCarrier::water) return inertia;
   for (std::size_t m = 0; m < inertia.size(); ++m)
     inertia[m] =
         -system.model.cloths.marker_masses()[m] / dt_before * (state.velocities[m] - state.velocities_before[m]);

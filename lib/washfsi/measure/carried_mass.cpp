@@ -8,7 +8,7 @@ namespace washfsi {
 template <int Dim>
 CarriedMass CarriedMass::of(const System<Dim>& system) {
   CarriedMass sum;
-  if (system.model.has_fluid && system.model.mass_carrier == MassCarrier::water) return sum;
+  if (system.model.has_fluid && system.model.cloth_treatment.mass_carrier == MassCarrier::water) return sum;
   const Point<Dim> middle = 0.5 * (system.model.grid.lower() + system.model.grid.upper());
   const std::vector<double>& masses = system.model.cloths.marker_masses();
   for (std::size_t m = 0; m < masses.size(); ++m) {

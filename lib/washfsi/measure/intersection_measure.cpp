@@ -25,7 +25,8 @@ IntersectionMeasure<Dim>::IntersectionMeasure(const System<Dim>& system, BodyDep
 
 template <int Dim>
 bool IntersectionMeasure<Dim>::counts() const {
-  return system_.model.cloths.marker_count() > 0 && (is_forbidden() || system_.model.verify_interval > 0);
+  return system_.model.cloths.marker_count() > 0 &&
+         (is_forbidden() || system_.model.cloth_treatment.verify_interval > 0);
 }
 
 template <int Dim>
@@ -62,7 +63,7 @@ void IntersectionMeasure<Dim>::verify_start() {
 template <int Dim>
 void IntersectionMeasure<Dim>::verify(double dt) {
   if (!counts()) return;
-  const double interval = system_.model.verify_interval, time = system_.state.clock.time;
+  const double interval = system_.model.cloth_treatment.verify_interval, time = system_.state.clock.time;
   if (interval > 0 && std::floor(time / interval + 1e-6) <= std::floor((time - dt) / interval + 1e-6)) return;
   count();
   const std::string found = forbidden();

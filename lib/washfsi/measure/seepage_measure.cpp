@@ -8,7 +8,7 @@ namespace washfsi {
 template <int Dim>
 void SeepageMeasure<Dim>::declare(QuantityList& quantities) {
   const auto& groups = system_.model.cloths.groups();
-  if (!system_.model.films_drain &&
+  if (!system_.model.cloth_treatment.films_drain &&
       std::none_of(groups.begin(), groups.end(), [](const auto& group) { return group.permeance > 0; }))
     return;
   quantities.add({"seepage_power", Units<Dim>::power,

@@ -63,7 +63,7 @@ void mark_of_coupling(Options& options, const CaseOptions<Dim>& chosen) {
     options.mark_idle(reason, {"coupling_mobility", "coupling_mobility_factor", "coupling_tolerance"});
   for (const auto& group : chosen.model.cloths) {
     if (semi_implicit) options.mark_idle(reason, {group.name + "_damping"});
-    if (chosen.model.mass_carrier == MassCarrier::water)
+    if (chosen.model.cloth.mass_carrier == MassCarrier::water)
       options.mark_idle("-cloth_inertia is water", {group.name + "_velocity"});
   }
 }

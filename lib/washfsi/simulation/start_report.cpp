@@ -19,7 +19,7 @@ Findings judge_start(System<Dim>& system, const Measures<Dim>& measures, const R
                          .checkpoint_interval = run.checkpoint_interval,
                          .output_interval = run.output_interval,
                          .history_interval = run.history_interval,
-                         .verify_interval = chosen.model.verify_interval,
+                         .verify_interval = chosen.model.cloth.verify_interval,
                          .sampling_start = samples ? statistics.start : 0,
                          .sampling_interval = samples ? statistics.interval : 0,
                          .phase_period = phases && phases->count() > 1 ? phases->options().period : 0});
