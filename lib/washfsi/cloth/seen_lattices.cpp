@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "washfsi/support/broadcast.hpp"
+
 namespace washfsi {
 
 namespace {
@@ -48,22 +50,13 @@ SeenLattices<Dim>::SeenLattices(const MarkerNumbering& numbering, const std::vec
 }
 
 template <int Dim>
-template <class Values>
-Values SeenLattices<Dim>::halo_of(const Values& values, MPI_Datatype type) const {
-  Values result(halo_count_);
-  WASH_PETSC(PetscSFBcastBegin(halo_, type, values.data(), result.data(), MPI_REPLACE));
-  WASH_PETSC(PetscSFBcastEnd(halo_, type, values.data(), result.data(), MPI_REPLACE));
-  return result;
-}
-
-template <int Dim>
 Points<Dim> SeenLattices<Dim>::with_halo(const Points<Dim>& values) const {
-  return halo_of(values, point_type_);
+  return petsc::broadcast(halo_, point_type_, values, halo_count_);
 }
 
 template <int Dim>
 std::vector<double> SeenLattices<Dim>::with_halo(const std::vector<double>& values) const {
-  return halo_of(values, MPI_DOUBLE);
+  return petsc::broadcast(halo_, MPI_DOUBLE, values, halo_count_);
 }
 
 template class SeenLattices<2>;

@@ -54,9 +54,6 @@ class SeenLattices {
   std::vector<double> with_halo(const std::vector<double>& values) const;
 
  private:
-  template <class Values>
-  Values halo_of(const Values& values, MPI_Datatype type) const;
-
   std::vector<LatticePart> parts_;
   std::size_t halo_count_ = 0;
   PointType<Dim> point_type_;

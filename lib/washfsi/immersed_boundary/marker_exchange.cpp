@@ -3,6 +3,7 @@
 
 #include <numeric>
 
+#include "washfsi/support/broadcast.hpp"
 #include "washfsi/support/collective.hpp"
 
 namespace washfsi {
@@ -47,22 +48,13 @@ void MarkerExchange<Dim>::rebuild() {
 }
 
 template <int Dim>
-template <class Values>
-Values MarkerExchange<Dim>::forward(const Values& values, MPI_Datatype type) const {
-  Values result(here_);
-  WASH_PETSC(PetscSFBcastBegin(forest_, type, values.data(), result.data(), MPI_REPLACE));
-  WASH_PETSC(PetscSFBcastEnd(forest_, type, values.data(), result.data(), MPI_REPLACE));
-  return result;
-}
-
-template <int Dim>
 Points<Dim> MarkerExchange<Dim>::to_cells(const Points<Dim>& values) const {
-  return forward(values, point_type_);
+  return petsc::broadcast(forest_, point_type_, values, here_);
 }
 
 template <int Dim>
 std::vector<double> MarkerExchange<Dim>::to_cells(const std::vector<double>& values) const {
-  return forward(values, MPI_DOUBLE);
+  return petsc::broadcast(forest_, MPI_DOUBLE, values, here_);
 }
 
 template <int Dim>

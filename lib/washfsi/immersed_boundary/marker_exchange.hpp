@@ -24,8 +24,6 @@ class MarkerExchange {
 
  private:
   void rebuild();
-  template <class Values>
-  Values forward(const Values& values, MPI_Datatype type) const;
 
   const Grid<Dim>& grid_;
   PointType<Dim> point_type_;

@@ -6,6 +6,7 @@
 
 #include "washfsi/geometry/near_search.hpp"
 #include "washfsi/immersed_boundary/overlap.hpp"
+#include "washfsi/support/broadcast.hpp"
 
 namespace washfsi {
 
@@ -75,9 +76,7 @@ template <int Dim>
 void MobilityMatrix<Dim>::fill(const std::vector<std::vector<Entry>>& rows, std::size_t begin,
                                const std::vector<std::size_t>& column_of, const std::vector<double>& scales,
                                double own_share) {
-  std::vector<double> scales_of_others(count_of_others());
-  WASH_PETSC(PetscSFBcastBegin(from_others_, MPI_DOUBLE, scales.data(), scales_of_others.data(), MPI_REPLACE));
-  WASH_PETSC(PetscSFBcastEnd(from_others_, MPI_DOUBLE, scales.data(), scales_of_others.data(), MPI_REPLACE));
+  const std::vector<double> scales_of_others = petsc::broadcast(from_others_, MPI_DOUBLE, scales, count_of_others());
   own_ = others_ = {};
   for (std::size_t m = 0; m < rows.size(); ++m) {
     for (const auto& [other, value] : rows[m]) {

@@ -79,7 +79,7 @@ class Mask {
   std::vector<double> constrained_depths_;  ///< `InnerWater`'s for each body in direct forcing, else 0 [m]
   std::vector<CutFace<Dim>> cuts_;
   // all null without bodies
-  Fields fields_, resting_;  ///< of all bodies, and of those at rest alone; the latter null if all rest
+  Fields fields_, resting_;  ///< fields of all bodies, and of those at rest; the latter null if all rest
   petsc::Vector solid_velocity_;
   petsc::Vector constraint_velocity_;  ///< velocity imposed on faces; null if it is the bodies' velocity [m/s]
   bool any_moves_, slides_ = false;

@@ -72,7 +72,7 @@ class Cycles {
   double period_;
   const QuantityList& quantities_;
   CycleSums current_;    ///< sums over the current cycle
-  MeanAndSpread means_;  ///< of the figures, over the cycles counted
+  MeanAndSpread means_;  ///< means and spread of the figures over the cycles counted
   std::vector<Row> completed_;
 
   // Numbers for checkpoints, which hold those of `current_` and `means_` too.

@@ -5,6 +5,20 @@
 
 namespace washfsi {
 
+namespace {
+
+// Sums of so many values per marker, each times the marker's share, over what number_of(marker) counts.
+template <int Dim, class NumberOf>
+std::vector<double> sums_by(const Cloths<Dim>& cloths, std::size_t count, const std::vector<double>& values,
+                            std::size_t each, const NumberOf& number_of) {
+  std::vector<double> sums(count * each, 0.0);
+  for (std::size_t n = 0; n < values.size(); ++n)
+    sums[number_of(n / each) * each + n % each] += cloths.marker_shares()[n / each] * values[n];
+  return ordered_sum(cloths.comm(), sums);
+}
+
+}  // namespace
+
 template <int Dim>
 MarkerMeans<Dim>::MarkerMeans(const Cloths<Dim>& cloths) : cloths_(cloths) {
   const std::vector<double> ones(cloths.owned(), 1.0);
@@ -14,19 +28,14 @@ MarkerMeans<Dim>::MarkerMeans(const Cloths<Dim>& cloths) : cloths_(cloths) {
 
 template <int Dim>
 std::vector<double> MarkerMeans<Dim>::group_sums(const std::vector<double>& values, std::size_t each) const {
-  const std::vector<double>& shares = cloths_.marker_shares();
-  std::vector<double> sums(cloths_.groups().size() * each, 0.0);
-  for (std::size_t n = 0; n < values.size(); ++n)
-    sums[cloths_.group_number(n / each) * each + n % each] += shares[n / each] * values[n];
-  return ordered_sum(cloths_.comm(), sums);
+  return sums_by(cloths_, cloths_.groups().size(), values, each,
+                 [this](std::size_t marker) { return cloths_.group_number(marker); });
 }
 
 template <int Dim>
 std::vector<double> MarkerMeans<Dim>::cloth_sums(const std::vector<double>& values) const {
-  const std::vector<double>& shares = cloths_.marker_shares();
-  std::vector<double> sums(cloths_.pieces().size(), 0.0);
-  for (std::size_t m = 0; m < values.size(); ++m) sums[cloths_.piece_of_marker()[m]] += shares[m] * values[m];
-  return ordered_sum(cloths_.comm(), sums);
+  return sums_by(cloths_, cloths_.pieces().size(), values, 1,
+                 [this](std::size_t marker) { return cloths_.piece_of_marker()[marker]; });
 }
 
 template <int Dim>

@@ -33,7 +33,7 @@ class MeanAndSpread {
 
  private:
   double count_ = 0;
-  std::vector<double> means_, squares_;  ///< of each figure: mean, sum of squares of deviations from it
+  std::vector<double> means_, squares_;  ///< mean of each figure, and sum of squares of deviations from it
 };
 
 }  // namespace washfsi
