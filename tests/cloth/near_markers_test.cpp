@@ -13,7 +13,7 @@
 namespace washfsi::test {
 namespace {
 
-constexpr double spacing = 0.02;
+constexpr double marker_spacing = 0.02;
 
 /// Small cloths all over a box of one metre, each flat, or in the plane straight, along a direction of its own.
 template <int Dim>
@@ -23,9 +23,9 @@ class Scattered {
     const auto pieces = cloths_.pieces().size();
     const Points<Dim> middles = random_points<Dim>(pieces, 31, 0.5), ways = random_points<Dim>(pieces, 32);
     for (std::size_t p = 0; p < pieces; ++p) {
-      const Point<Dim> along = spacing * ways[p].normalized();
+      const Point<Dim> along = marker_spacing * ways[p].normalized();
       Point<Dim> beside = Point<Dim>::Zero();
-      if constexpr (Dim == 3) beside = spacing * along.cross(Point<3>::UnitX()).normalized();
+      if constexpr (Dim == 3) beside = marker_spacing * along.cross(Point<3>::UnitX()).normalized();
       for (std::size_t k = 0; k < static_cast<std::size_t>(cloths_.pieces()[p].count); ++k) {
         const std::size_t width = group().sheet.width;
         all_.push_back(middles[p] + static_cast<double>(k / width) * along + static_cast<double>(k % width) * beside);
@@ -39,7 +39,7 @@ class Scattered {
   Points<Dim> own(const Points<Dim>& values) const {
     return {values.begin() + cloths_.begin(), values.begin() + cloths_.end()};
   }
-  std::vector<double> reaches() const { return std::vector<double>(cloths_.owned(), 0.3 * spacing); }
+  std::vector<double> reaches() const { return std::vector<double>(cloths_.owned(), 0.3 * marker_spacing); }
   bool is_own(std::size_t number) const {
     const auto marker = static_cast<PetscInt>(number);
     return marker >= cloths_.begin() && marker < cloths_.end();
@@ -49,7 +49,7 @@ class Scattered {
     Point<Dim> way = all_[a] - all_[b];
     for (int d = 0; d < Dim; ++d)
       if (space_.periodic[d]) way[d] -= space_.length[d] * std::round(way[d] / space_.length[d]);
-    return way.cwiseAbs().maxCoeff() - 0.6 * spacing;
+    return way.cwiseAbs().maxCoeff() - 0.6 * marker_spacing;
   }
 
  private:
@@ -59,8 +59,8 @@ class Scattered {
     group.count = 40;
     group.markers = {5, Dim == 3 ? 4 : 1};
     group.sheet.width = Dim == 3 ? 4 : 1;
-    group.sheet.ds = spacing;
-    group.sheet.dr = Dim == 3 ? spacing : 1;
+    group.sheet.ds = marker_spacing;
+    group.sheet.dr = Dim == 3 ? marker_spacing : 1;
     return group;
   }
 
@@ -95,7 +95,7 @@ TYPED_TEST_SUITE(NearMarkersTest, Dimensions, );
 // By all pairs of markers; and facets with a marker of this rank are known whole.
 TYPED_TEST(NearMarkersTest, AreAllThatMayComeNear) {
   constexpr int Dim = TypeParam::value;
-  constexpr double distance = 1.5 * spacing;
+  constexpr double distance = 1.5 * marker_spacing;
   for (const bool is_periodic : {false, true}) {
     const Scattered<Dim> scattered(box<Dim>(is_periodic));
     const Near<Dim> near(scattered, distance);
@@ -115,7 +115,8 @@ TYPED_TEST(NearMarkersTest, AreAllThatMayComeNear) {
 TYPED_TEST(NearMarkersTest, AreFewOfAll) {
   constexpr int Dim = TypeParam::value;
   const Scattered<Dim> scattered(box<Dim>(false));
-  const double others = static_cast<double>(Near<Dim>(scattered, 0.1 * spacing).size() - scattered.cloths().owned());
+  const double others =
+      static_cast<double>(Near<Dim>(scattered, 0.1 * marker_spacing).size() - scattered.cloths().owned());
   EXPECT_LT(others, 0.5 * static_cast<double>(scattered.all().size()));
   EXPECT_EQ(others > 0, ranks_of(PETSC_COMM_WORLD) > 1);
 }
@@ -123,7 +124,7 @@ TYPED_TEST(NearMarkersTest, AreFewOfAll) {
 TYPED_TEST(NearMarkersTest, HaveTheValuesOfTheirOwners) {
   constexpr int Dim = TypeParam::value;
   const Scattered<Dim> scattered(box<Dim>(true));
-  const Near<Dim> near(scattered, 2 * spacing);
+  const Near<Dim> near(scattered, 2 * marker_spacing);
   const Points<Dim> places = near.values(scattered.own(scattered.all()));
   std::vector<double> firsts;
   for (const auto& place : scattered.own(scattered.all())) firsts.push_back(place[0]);
@@ -140,7 +141,7 @@ TYPED_TEST(NearMarkersTest, HaveTheValuesOfTheirOwners) {
 TYPED_TEST(NearMarkersTest, GiveTheirOwnersSumsAndTheLeast) {
   constexpr int Dim = TypeParam::value;
   const Scattered<Dim> scattered(box<Dim>(false));
-  const Near<Dim> near(scattered, 4 * spacing);
+  const Near<Dim> near(scattered, 4 * marker_spacing);
   const double rank = rank_of(PETSC_COMM_WORLD);
   const Points<Dim> sums = near.sums(Points<Dim>(near.size(), Point<Dim>::Ones()));
   const std::vector<double> least = near.least(std::vector<double>(near.size(), rank));
@@ -158,7 +159,7 @@ TYPED_TEST(NearMarkersTest, GiveTheirOwnersSumsAndTheLeast) {
 TYPED_TEST(NearMarkersTest, KeepWhatTheyKnewIfAsked) {
   constexpr int Dim = TypeParam::value;
   const Scattered<Dim> scattered(box<Dim>(false));
-  Near<Dim> near(scattered, 4 * spacing);
+  Near<Dim> near(scattered, 4 * marker_spacing);
   const std::vector<std::size_t> before = near.numbers();
   near.choose(scattered.own(scattered.all()), scattered.reaches(), 0, Before::keep);
   EXPECT_EQ(near.numbers(), before);

@@ -9,8 +9,6 @@
 namespace washfsi::test {
 namespace {
 
-constexpr double ds = 0.1, dr = 0.07;
-
 /// An incompressible neo-Hookean membrane: mu/2 (C11 + C22 + 1/det C - 3), C = 1 + 2E; mu = G times the thickness.
 struct NeoHookean {
   double mu = 40;
@@ -85,7 +83,7 @@ struct LawModel {
   Sheet sheet;
   Law law;
 
-  explicit LawModel(std::size_t width) : sheet{.width = width, .ds = ds, .dr = dr} {}
+  explicit LawModel(std::size_t width) : sheet{.width = width, .ds = woven_ds, .dr = woven_dr} {}
 
   double energy(const Points<3>& x) const { return elastic_energy_of(law, SheetLattice<3>(sheet, x), 0, x.size()); }
   Points<3> forces(const Points<3>& x) const {
@@ -109,8 +107,8 @@ struct LawModel {
 
 // Little crumpled: at the corners of uneven quads det C may vanish.
 Points<3> uneven_sheet(const Shape& shape) {
-  Points<3> x = flat_sheet(shape.rows, shape.width, 1.1 * ds, 1.2 * dr);
-  const Points<3> moves = random_points<3>(x.size(), 3, 0.15 * dr);
+  Points<3> x = flat_sheet(shape.rows, shape.width, 1.1 * woven_ds, 1.2 * woven_dr);
+  const Points<3> moves = random_points<3>(x.size(), 3, 0.15 * woven_dr);
   for (std::size_t k = 0; k < x.size(); ++k) x[k] += moves[k];
   return x;
 }
@@ -142,13 +140,13 @@ TEST(PointwiseQuad, WithTheLinearLawsEnergyIsTheLinearLaw) {
   const Quadratic quadratic;
   for (const Shape& shape : shapes) {
     const LawModel<PointwiseFabric<Quadratic>> pointwise(shape.width);
-    SheetModel<3> linear{pointwise.sheet};
-    linear.sheet.fabric = LinearFabric(quadratic.moduli);
-    const Points<3> x = crumpled_sheet(shape.rows, shape.width, ds, dr, 5);
-    const Eigen::MatrixXd stiffness = linear.stiffness(x);
-    EXPECT_NEAR(pointwise.energy(x), linear.energy(x), 1e-13 * linear.energy(x));
-    EXPECT_LE((as_vector<3>(pointwise.forces(x)) - as_vector<3>(linear.forces(x))).norm(),
-              1e-13 * as_vector<3>(linear.forces(x)).norm());
+    SheetModel<3> by_moduli{pointwise.sheet};
+    by_moduli.sheet.fabric = LinearFabric(quadratic.moduli);
+    const Points<3> x = crumpled_sheet(shape.rows, shape.width, woven_ds, woven_dr, 5);
+    const Eigen::MatrixXd stiffness = by_moduli.stiffness(x);
+    EXPECT_NEAR(pointwise.energy(x), by_moduli.energy(x), 1e-13 * by_moduli.energy(x));
+    EXPECT_LE((as_vector<3>(pointwise.forces(x)) - as_vector<3>(by_moduli.forces(x))).norm(),
+              1e-13 * as_vector<3>(by_moduli.forces(x)).norm());
     EXPECT_LE((pointwise.stiffness(x) - stiffness).norm(), 1e-13 * stiffness.norm());
   }
 }
@@ -157,7 +155,8 @@ TEST(PointwiseQuad, WithTheLinearLawsEnergyIsTheLinearLaw) {
 TEST(PointwiseQuad, LetsAFreeSheetContract) {
   constexpr double c = 1.5;
   const LawModel<PointwiseFabric<NeoHookean>> model(6);
-  const Points<3> x = flat_sheet(7, 6, ds * std::sqrt(c), dr * std::pow(c, -0.25)), forces = model.forces(x);
+  const Points<3> x = flat_sheet(7, 6, woven_ds * std::sqrt(c), woven_dr * std::pow(c, -0.25)),
+                  forces = model.forces(x);
   const double pull = model.sheet.dr * model.law.warp(0.5 * (c - 1), 1).resultant * std::sqrt(c);
   for (std::size_t k = 0; k < x.size(); ++k) {
     const std::size_t i = k / 6;

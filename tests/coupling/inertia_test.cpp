@@ -16,7 +16,7 @@ CaseOptions<2> heavy_fibre(double excess_mass) {
   return options;
 }
 
-CouplingOptions coupling(const std::string& name) {
+CouplingOptions coupling_with_inertia(const std::string& name) {
   CouplingOptions options;
   options.scheme = name.starts_with("semi_implicit") ? "semi_implicit" : "implicit";
   options.mobility = name == "semi_implicit_row_sums" ? Mobility::row_sums : Mobility::matrix;
@@ -68,7 +68,7 @@ TEST_P(EveryCarrier, ExchangesMomentumOfClothAndWaterExactly) {
   disturb(*system, 0.004);
   for (auto& velocity : system->state.velocities) velocity = {0.1, 0.3};
   system->state.velocities_before = system->state.velocities;
-  const auto scheme = make_coupling_scheme<2>(coupling(GetParam()), *system);
+  const auto scheme = make_coupling_scheme<2>(coupling_with_inertia(GetParam()), *system);
   const bool bdf2 = GetParam() != "implicit_trapezoidal" && GetParam() != "semi_implicit_second_order";
   double scale = 0, dt_before = 0;
   for (int n = 0; n < 30; ++n) {
@@ -91,7 +91,7 @@ TEST_P(EveryCarrier, ExchangesMomentumOfClothAndWaterExactly) {
 Points<2> places_after(const std::string& name, double time, int steps, bool varying) {
   const auto system = start_system<2>(PETSC_COMM_WORLD, heavy_fibre(5), {});
   disturb(*system, 1e-3);
-  CouplingOptions options = coupling(name);
+  CouplingOptions options = coupling_with_inertia(name);
   options.sweeps = 2;
   options.slip_tolerance = 0;
   const auto scheme = make_coupling_scheme<2>(options, *system);
@@ -100,7 +100,7 @@ Points<2> places_after(const std::string& name, double time, int steps, bool var
   return of_all_ranks(PETSC_COMM_WORLD, system->state.positions);
 }
 
-double difference(const Points<2>& a, const Points<2>& b) {
+double largest_distance(const Points<2>& a, const Points<2>& b) {
   double largest = 0;
   for (std::size_t m = 0; m < a.size(); ++m) largest = std::max(largest, (a[m] - b[m]).norm());
   return largest;
@@ -110,7 +110,7 @@ double observed_order(const std::string& name, bool varying) {
   const double time = 0.016;
   const Points<2> coarse = places_after(name, time, 40, varying), medium = places_after(name, time, 80, varying),
                   fine = places_after(name, time, 160, varying);
-  return std::log2(difference(coarse, medium) / difference(medium, fine));
+  return std::log2(largest_distance(coarse, medium) / largest_distance(medium, fine));
 }
 
 TEST(Inertia, LeavesTheOrderInTime) {
@@ -126,7 +126,7 @@ TEST(Inertia, OfAnyMassIsStableAndSlipsLittle) {
     options.model.fluid.momentum_tolerance = options.model.fluid.pressure_tolerance = 1e-7;
     const auto system = start_system<2>(PETSC_COMM_WORLD, options, {});
     disturb(*system, 2e-3);
-    const auto scheme = make_coupling_scheme<2>(coupling("semi_implicit"), *system);
+    const auto scheme = make_coupling_scheme<2>(coupling_with_inertia("semi_implicit"), *system);
     for (int n = 0; n < 30; ++n) scheme->advance(*system, 2e-3);
     EXPECT_LE(system->step.cloth_slip, 0.02) << mass;
     for (const Point<2>& velocity : system->state.velocities) EXPECT_TRUE(velocity.allFinite());
@@ -158,7 +158,7 @@ Points<2> displacements(const std::string& name, int finer, const Start& how) {
   }
   before = mean = velocities;
   const Points<2> start = positions;
-  const auto scheme = make_coupling_scheme<2>(coupling(name), *system);
+  const auto scheme = make_coupling_scheme<2>(coupling_with_inertia(name), *system);
   for (int n = 0; n < 40; ++n) scheme->advance(*system, 1e-3);
   Points<2> moved = positions - start;
   for (Point<2>& d : moved) d = (how.turn.transpose() * d).eval();
@@ -170,7 +170,7 @@ INSTANTIATE_TEST_SUITE_P(Inertia, EveryOrder, testing::Values("semi_implicit", "
                          [](const auto& test) { return test.param; });
 
 double largest_of(const Points<2>& displacements) {
-  return difference(displacements, Points<2>(displacements.size(), Point<2>::Zero()));
+  return largest_distance(displacements, Points<2>(displacements.size(), Point<2>::Zero()));
 }
 
 // Whole cells and swapped axes change nothing; half a cell and a turn less and less, the finer the grid.
@@ -178,7 +178,7 @@ TEST_P(EveryOrder, DoesNotDependOnPlaceAndDirection) {
   const auto part = [](int finer, const Start& how) {
     const Points<2> here = displacements(GetParam(), finer, {});
     EXPECT_GT(largest_of(here), 3e-4);
-    return difference(displacements(GetParam(), finer, how), here) / largest_of(here);
+    return largest_distance(displacements(GetParam(), finer, how), here) / largest_of(here);
   };
   EXPECT_LE(part(1, {.cells = {3, -2}}), 1e-7);
   EXPECT_LE(part(1, {.turn = Eigen::Matrix2d::Identity().rowwise().reverse()}), 1e-7);
@@ -199,7 +199,8 @@ TEST(Inertia, MarkersNearerThanCellsLock) {
       const Start aligned{.markers = markers},
           turned{.markers = markers, .turn = Eigen::Rotation2Dd(0.5).toRotationMatrix()};
       const Points<2> here = displacements("semi_implicit_second_order", finer, aligned);
-      parts.push_back(difference(displacements("semi_implicit_second_order", finer, turned), here) / largest_of(here));
+      parts.push_back(largest_distance(displacements("semi_implicit_second_order", finer, turned), here) /
+                      largest_of(here));
       RecordProperty(std::to_string(markers) + "_" + std::to_string(finer), std::to_string(parts.back()));
     }
   EXPECT_LE(parts[1], 0.7 * parts[0]);
@@ -213,7 +214,7 @@ TEST(Inertia, OfAClothThatMovesWithTheWaterIsNotFelt) {
   const auto system = start_system<2>(PETSC_COMM_WORLD, options, {});
   system->model.fluid.start([](const Point<2>&, int c) { return c == 0 ? 0.2 : 0.1; });
   const Points<2> start = system->state.positions;
-  const auto scheme = make_coupling_scheme<2>(coupling("semi_implicit"), *system);
+  const auto scheme = make_coupling_scheme<2>(coupling_with_inertia("semi_implicit"), *system);
   for (int n = 0; n < 20; ++n) scheme->advance(*system, 1e-3);
   for (std::size_t m = 0; m < start.size(); ++m)
     EXPECT_LE((system->state.positions[m] - start[m] - 0.02 * Point<2>(0.2, 0.1)).norm(), 1e-12);

@@ -10,7 +10,7 @@
 namespace washfsi::test {
 namespace {
 
-constexpr double viscosity = 2, density = 3, height = 1;  // half of it is 1/2
+constexpr double channel_viscosity = 2, channel_density = 3, channel_height = 1;  // half of it is 1/2
 
 /// A channel along the axis `along`, with walls across the next one.
 template <int Dim>
@@ -31,7 +31,7 @@ class Channel {
     const ConstFaceView<Dim> u(grid_.face_dm(), fluid().velocity());
     double worst = 0;
     for_each<Dim>(grid_.inner_faces(along_), [&](const Index<Dim>& face) {
-      const double y = grid_.face_center(face, along_)[across_] / height;
+      const double y = grid_.face_center(face, along_)[across_] / channel_height;
       worst = std::max(worst, std::abs(u(face, along_) - peak * 4 * y * (1 - y)));
     });
     return largest(grid_.comm(), worst);
@@ -55,7 +55,7 @@ class Channel {
     GridShape<Dim> shape;
     shape.cells.fill(8);
     shape.cells[across_] = cells;
-    shape.upper[across_] = height;
+    shape.upper[across_] = channel_height;
     shape.periodic.fill(true);
     shape.periodic[across_] = false;
     return shape;
@@ -68,8 +68,8 @@ class Channel {
   }
   static FluidOptions<Dim> options(const DrivingOptions<Dim>& driving) {
     FluidOptions<Dim> options;
-    options.density = density;
-    options.viscosity = viscosity;
+    options.density = channel_density;
+    options.viscosity = channel_viscosity;
     options.momentum_tolerance = 1e-14;
     options.pressure_tolerance = 1e-13;
     options.driving = driving;
@@ -98,7 +98,7 @@ DrivingOptions<Dim> bulk_velocity(int along, double value) {
 
 /// The parabola's peak under a gradient [m/s].
 double peak_of(double pressure_gradient) {
-  return -pressure_gradient * height * height / (8 * viscosity);
+  return -pressure_gradient * channel_height * channel_height / (8 * channel_viscosity);
 }
 
 template <int Dim>
@@ -130,7 +130,7 @@ void expect_kept_bulk(int along) {
     channel.run(1, n % 2 == 0 ? 0.01 : 0.007);
     EXPECT_NEAR(channel.bulk()[along], 0.5, 1e-13);
   }
-  const double friction = -12 * viscosity * 0.5 / (height * height);
+  const double friction = -12 * channel_viscosity * 0.5 / (channel_height * channel_height);
   EXPECT_NEAR(channel.fluid().driving().gradient()[along] / friction, 1, 2e-3);
   EXPECT_LT(channel.off_parabola(0.75), 2e-3);
 }
@@ -155,7 +155,7 @@ TEST(Driving, DrivesOnlyItsShare) {
   constexpr double share = 0.25, dt = 1e-6;
   Channel<3> channel(0, 32, gradient<3>(0, -16));
   channel.run_with_share(share, dt);
-  EXPECT_NEAR(channel.bulk()[0] / (share * 16 / density * dt), 1, 1e-3);
+  EXPECT_NEAR(channel.bulk()[0] / (share * 16 / channel_density * dt), 1, 1e-3);
   const Point<3> held = mean_velocity<3>(channel.grid(), channel.fluid().constraint_force());
   EXPECT_NEAR(held[0], (1 - share) * -16, 1e-12);
   const Point<3> part =

@@ -8,22 +8,22 @@
 namespace washfsi::test {
 namespace {
 
-constexpr double k = 2 * std::numbers::pi;
+constexpr double wave_number = 2 * std::numbers::pi;
 
 // Taylor and Green's decaying vortices in the x,y plane of a unit box.
 template <int Dim>
 ExactFlow<Dim> taylor_green() {
   ExactFlow<Dim> flow;
   flow.viscosity = 0.01;
-  const double rate = 2 * flow.viscosity * k * k;
+  const double rate = 2 * flow.viscosity * wave_number * wave_number;
   flow.velocity = [rate](const Point<Dim>& x, double t) {
     Point<Dim> u = Point<Dim>::Zero();
-    u[0] = -std::cos(k * x[0]) * std::sin(k * x[1]) * std::exp(-rate * t);
-    u[1] = std::sin(k * x[0]) * std::cos(k * x[1]) * std::exp(-rate * t);
+    u[0] = -std::cos(wave_number * x[0]) * std::sin(wave_number * x[1]) * std::exp(-rate * t);
+    u[1] = std::sin(wave_number * x[0]) * std::cos(wave_number * x[1]) * std::exp(-rate * t);
     return u;
   };
   flow.pressure = [rate](const Point<Dim>& x, double t) {
-    return -0.25 * (std::cos(2 * k * x[0]) + std::cos(2 * k * x[1])) * std::exp(-2 * rate * t);
+    return -0.25 * (std::cos(2 * wave_number * x[0]) + std::cos(2 * wave_number * x[1])) * std::exp(-2 * rate * t);
   };
   return flow;
 }
@@ -32,11 +32,11 @@ ExactFlow<Dim> taylor_green() {
 ExactFlow<3> beltrami() {
   ExactFlow<3> flow;
   flow.viscosity = 0.01;
-  const double rate = flow.viscosity * k * k;
+  const double rate = flow.viscosity * wave_number * wave_number;
   flow.velocity = [rate](const Point<3>& x, double t) {
-    return Point<3>((std::sin(k * x[2]) + 0.5 * std::cos(k * x[1])) * std::exp(-rate * t),
-                    (0.7 * std::sin(k * x[0]) + std::cos(k * x[2])) * std::exp(-rate * t),
-                    (0.5 * std::sin(k * x[1]) + 0.7 * std::cos(k * x[0])) * std::exp(-rate * t));
+    return Point<3>((std::sin(wave_number * x[2]) + 0.5 * std::cos(wave_number * x[1])) * std::exp(-rate * t),
+                    (0.7 * std::sin(wave_number * x[0]) + std::cos(wave_number * x[2])) * std::exp(-rate * t),
+                    (0.5 * std::sin(wave_number * x[1]) + 0.7 * std::cos(wave_number * x[0])) * std::exp(-rate * t));
   };
   flow.pressure = [u = flow.velocity](const Point<3>& x, double t) { return -0.5 * u(x, t).squaredNorm(); };
   return flow;

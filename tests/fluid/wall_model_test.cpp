@@ -24,7 +24,7 @@ TEST(WallLaw, IsViscousNearAndLogarithmicFar) {
 /// A channel whose walls lie across one axis and move with a velocity, and in it a mean flow relative to them along
 /// `direction`: Reichardt's law from the nearer wall.
 template <int Dim>
-struct Channel {
+struct ChannelCase {
   int axis;
   Point<Dim> direction, walls = Point<Dim>::Zero();  ///< of length 1; [m/s]
   double friction_speed = 0.05, nu = 1e-5, density = 1000, height = 1;
@@ -60,7 +60,7 @@ struct Channel {
 /// Water in a channel.
 template <int Dim>
 struct ChannelWater {
-  explicit ChannelWater(const Channel<Dim>& of)
+  explicit ChannelWater(const ChannelCase<Dim>& of)
       : channel(of),
         grid(PETSC_COMM_WORLD, of.shape()),
         boundary(grid, of.sides()),
@@ -96,7 +96,7 @@ struct ChannelWater {
     return Point<Dim>(sums.data()) / grid.cell_count();
   }
 
-  Channel<Dim> channel;
+  ChannelCase<Dim> channel;
   Grid<Dim> grid;
   Boundary<Dim> boundary;
   Water<Dim> water;
@@ -104,7 +104,7 @@ struct ChannelWater {
 
 // y+ of the first cell is 125.
 template <int Dim>
-void expect_friction_of_the_law(const Channel<Dim>& channel) {
+void expect_friction_of_the_law(const ChannelCase<Dim>& channel) {
   ChannelWater<Dim> flow(channel);
   flow.update();
   const double stress = channel.density * channel.friction_speed * channel.friction_speed;
@@ -133,7 +133,7 @@ TEST(WallModel, SlowsTheWaterDown) {
 }
 
 TEST(WallModel, ChangesNothingWhereTheLayerIsResolved) {
-  Channel<3> channel{1, {1, 0, 0}};
+  ChannelCase<3> channel{1, {1, 0, 0}};
   channel.friction_speed = 6e-4;  // y+ 1.5 and 4.5
   ChannelWater<3> flow(channel);
   flow.update();

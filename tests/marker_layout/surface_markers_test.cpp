@@ -15,35 +15,35 @@
 namespace washfsi::test {
 namespace {
 
-const KernelMoments moments(DeltaKernel::yang, 2);
+const KernelMoments yang_moments(DeltaKernel::yang, 2);
 
 MarkerLayout<3> layout(double cell) {
-  return {Point<3>::Constant(cell), 1.2, moments};
+  return {Point<3>::Constant(cell), 1.2, yang_moments};
 }
 
 TEST(KernelMoments, AreThoseOfTheDelta) {
-  EXPECT_NEAR(moments.variance(), 0.3818, 1e-3);
-  EXPECT_NEAR(moments.retraction(10), 0.5 * moments.sheet_reach(), 1e-9);
+  EXPECT_NEAR(yang_moments.variance(), 0.3818, 1e-3);
+  EXPECT_NEAR(yang_moments.retraction(10), 0.5 * yang_moments.sheet_reach(), 1e-9);
   double sum = 0, square = 0;
   constexpr double step = 0.01;
   for (int n = -400; n <= 400; ++n) {
     const double shift = n * step;
-    sum += step * moments.overlap(shift);
-    square += step * moments.overlap(shift) * shift * shift;
+    sum += step * yang_moments.overlap(shift);
+    square += step * yang_moments.overlap(shift) * shift * shift;
   }
   EXPECT_NEAR(sum, 1, 1e-4);
-  EXPECT_NEAR(square, 2 * moments.variance(), 1e-3);
-  EXPECT_EQ(moments.overlap(4.1), 0);
+  EXPECT_NEAR(square, 2 * yang_moments.variance(), 1e-3);
+  EXPECT_EQ(yang_moments.overlap(4.1), 0);
 }
 
 TEST(KernelMoments, PutOneSheetIntoThinParts) {
-  const double thinnest = moments.sheet_reach();
-  for (const double b : {0.1, 0.3, 0.6}) EXPECT_NEAR(moments.retraction(b), b, 1e-9);
+  const double thinnest = yang_moments.sheet_reach();
+  for (const double b : {0.1, 0.3, 0.6}) EXPECT_NEAR(yang_moments.retraction(b), b, 1e-9);
   double before = thinnest;
   for (int n = 0; n < 23; ++n) {
     const double b = thinnest + 0.05 + 0.1 * n;
-    EXPECT_LE(moments.retraction(b), before + 2e-4);  // but for what the grid takes
-    before = moments.retraction(b);
+    EXPECT_LE(yang_moments.retraction(b), before + 2e-4);  // but for what the grid takes
+    before = yang_moments.retraction(b);
   }
 }
 
@@ -62,7 +62,7 @@ std::pair<double, double> radii(const MarkerLayout<3>& layout) {
 // stress of the eddies that their slip drives within it is taken into account, unless it turns.
 TEST(SurfaceMarkers, LieBehindABall) {
   constexpr double cell = 0.1;
-  const double flat = 0.5 * moments.sheet_reach() * cell, bend = moments.variance() * cell * cell;
+  const double flat = 0.5 * yang_moments.sheet_reach() * cell, bend = yang_moments.variance() * cell * cell;
   MarkerLayout<3> turning = layout(cell);
   turning.inside.turns = true;
   for (const double radius : {radii(turning).first, radii(turning).second})
@@ -150,7 +150,7 @@ TEST(SurfaceMarkers, OfASheetInFlatCellsAreInItsMiddle) {
   const Point<3> cell(0.3, 0.3, 0.1);
   const Cuboid<3> vane(Point<3>(1.2 * cell[0], 3, 1));
   const auto patches =
-      surface_markers<3>(vane, Bounds<3>::round(Point<3>::Zero(), Point<3>::Constant(4)), {cell, 1.2, moments});
+      surface_markers<3>(vane, Bounds<3>::round(Point<3>::Zero(), Point<3>::Constant(4)), {cell, 1.2, yang_moments});
   double widest = 0;
   for (const auto& marker : patches.markers) {
     if (std::abs(marker[2]) > 0.5 - 1.5 * cell[2]) continue;
@@ -217,12 +217,12 @@ Points<2> foil() {
 TEST(SurfaceMarkers, OfThinShapesThatAreTheirOwnImagesAreSoToo) {
   const Bounds<2> around = Bounds<2>::round(Point<2>::Zero(), {1, 1});
   for (const double cell : {1.0 / 16, 1.0 / 33, 1.0 / 64}) {
-    const MarkerLayout<2> layout{Point<2>::Constant(cell), 1.0, moments};
+    const MarkerLayout<2> layout{Point<2>::Constant(cell), 1.0, yang_moments};
     EXPECT_TRUE(are_mirrored<2>(surface_markers<2>(Polygon(foil()), around, layout), 1)) << cell;
     EXPECT_TRUE(are_mirrored<2>(surface_markers<2>(Cuboid<2>({0.7, 0.015}), around, layout), 1)) << cell;
     EXPECT_TRUE(are_mirrored<2>(surface_markers<2>(Cuboid<2>({0.015, 0.7}), around, layout), 0)) << cell;
   }
-  const MarkerLayout<3> layout{Point<3>::Constant(1.0 / 20), 1.0, moments};
+  const MarkerLayout<3> layout{Point<3>::Constant(1.0 / 20), 1.0, yang_moments};
   const Bounds<3> room = Bounds<3>::round(Point<3>::Zero(), {1, 1, 0.4});
   EXPECT_TRUE(are_mirrored<3>(surface_markers<3>(Extruded(std::make_unique<Polygon>(foil()), 0.5), room, layout), 1));
 }
@@ -231,7 +231,7 @@ TEST(SurfaceMarkers, OfASheetLeaveNoGaps) {
   constexpr double cell = 0.1;
   const Cuboid<2> plate(Point<2>(0.03, 1));
   MarkerPatches<2> patches = surface_markers<2>(plate, Bounds<2>::round(Point<2>::Zero(), Point<2>::Constant(1)),
-                                                {Point<2>::Constant(cell), 1.2, moments});
+                                                {Point<2>::Constant(cell), 1.2, yang_moments});
   std::sort(patches.markers.begin(), patches.markers.end(), [](const auto& a, const auto& b) { return a[1] < b[1]; });
   for (std::size_t m = 1; m < patches.markers.size(); ++m) {
     EXPECT_LT(patches.markers[m][1] - patches.markers[m - 1][1], 1.2 * cell);

@@ -10,12 +10,12 @@
 namespace washfsi::test {
 namespace {
 
-constexpr double viscosity = 0.3, height = 1, length = 2;
+constexpr double channel_viscosity = 0.3, channel_height = 1, channel_length = 2;
 
 GridShape<2> channel() {
   GridShape<2> shape;
   shape.cells = {16, 12};
-  shape.upper = {length, height};
+  shape.upper = {channel_length, channel_height};
   return shape;
 }
 
@@ -36,18 +36,18 @@ TEST(WallLoads, OfAChannelBalanceItsPressureDrop) {
     const CellView<2> p(grid.cell_dm(), pressure);
     for_each<2>(grid.owned(), [&](const Index<2>& cell) {
       u(cell, 0) = parabola(grid.face_center(cell, 0)[1], grid.spacing()[1]);
-      p(cell) = -2 * viscosity * grid.cell_center(cell)[0];
+      p(cell) = -2 * channel_viscosity * grid.cell_center(cell)[0];
     });
   }
   const auto sides = exposed_walls<2>(grid, boundary, {});
   ASSERT_EQ(sides.size(), 4U);
   const GhostedVelocity<2> local_velocity(boundary, grid.face_dm(), velocity, 0);
-  const auto loads = wall_loads<2>(grid, boundary, {}, sides, local_velocity, pressure, {viscosity}, 0);
-  const double drop = 2 * viscosity * length, friction = viscosity * length;
-  EXPECT_NEAR(loads[0].force[0], 0, 1e-12);               // x lower, where p = 0
-  EXPECT_NEAR(loads[1].force[0], -drop * height, 1e-12);  // x upper
-  EXPECT_NEAR(loads[2].force[0], friction, 1e-12);        // y lower
-  EXPECT_NEAR(loads[3].force[0], friction, 1e-12);        // y upper
+  const auto loads = wall_loads<2>(grid, boundary, {}, sides, local_velocity, pressure, {channel_viscosity}, 0);
+  const double drop = 2 * channel_viscosity * channel_length, friction = channel_viscosity * channel_length;
+  EXPECT_NEAR(loads[0].force[0], 0, 1e-12);                       // x lower, where p = 0
+  EXPECT_NEAR(loads[1].force[0], -drop * channel_height, 1e-12);  // x upper
+  EXPECT_NEAR(loads[2].force[0], friction, 1e-12);                // y lower
+  EXPECT_NEAR(loads[3].force[0], friction, 1e-12);                // y upper
   EXPECT_NEAR(loads[2].torque[0] + loads[3].torque[0], 0, 1e-12);
   EXPECT_NEAR(loads[2].force[1] + loads[3].force[1], 0, 1e-12);
 }
@@ -56,7 +56,7 @@ TEST(WallLoads, LeaveOutWhatABodyCovers) {
   std::vector<Body<2>> bodies(1);
   bodies[0].name = "drum";
   bodies[0].shape = std::make_unique<Inverted<2>>(std::make_unique<Sphere<2>>(0.45));
-  bodies[0].motion.center = {length / 2, height / 2};
+  bodies[0].motion.center = {channel_length / 2, channel_height / 2};
   const Grid<2> grid(PETSC_COMM_WORLD, channel());
   const Boundary<2> boundary(grid, {});
   EXPECT_TRUE(exposed_walls<2>(grid, boundary, bodies).empty());
@@ -67,7 +67,7 @@ TEST(WallLoads, LeaveOutWhatABodyCovers) {
 TEST(WallLoads, AreThereWhereATurningBodyCoversASideOnlyAtTimes) {
   std::vector<Body<2>> bodies(1);
   bodies[0].shape = std::make_unique<Inverted<2>>(std::make_unique<Cuboid<2>>(Point<2>(1.7, 0.5)));
-  bodies[0].motion.center = {length / 2, height / 2};
+  bodies[0].motion.center = {channel_length / 2, channel_height / 2};
   const Grid<2> grid(PETSC_COMM_WORLD, channel());
   const Boundary<2> boundary(grid, {});
   EXPECT_TRUE(exposed_walls<2>(grid, boundary, bodies).empty());
@@ -81,7 +81,7 @@ TEST(WallLoads, OfTheWaterBesideABodyAreNotTheBodys) {
   std::vector<Body<2>> bodies(1);
   bodies[0].name = "foot";
   bodies[0].shape = std::make_unique<Sphere<2>>(0.33);
-  bodies[0].motion.center = {length / 2, 0};  // half of it beneath the floor
+  bodies[0].motion.center = {channel_length / 2, 0};  // half of it beneath the floor
   const Grid<2> grid(PETSC_COMM_WORLD, channel());
   const Boundary<2> boundary(grid, {});
   Mask<2> mask(grid, bodies, {.method = BodyMethod::cut_stencil});
@@ -90,7 +90,7 @@ TEST(WallLoads, OfTheWaterBesideABodyAreNotTheBodys) {
   WASH_PETSC(VecSet(velocity, 1));
   mask.apply(velocity);
   const GhostedVelocity<2> local_velocity(boundary, grid.face_dm(), velocity, 0);
-  const auto loads = hidden_wall_shear(mask, boundary, local_velocity, {viscosity}, 0);
+  const auto loads = hidden_wall_shear(mask, boundary, local_velocity, {channel_viscosity}, 0);
   EXPECT_NEAR(loads[0].force[0], 0, 1e-12);
 }
 

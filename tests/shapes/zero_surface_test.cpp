@@ -31,11 +31,11 @@ std::array<double, 2> area_and_volume(const SimplexMesh<3>& mesh, const Point<3>
 }
 
 TEST(ZeroSurface, OfABallIsClosedAndOfItsSize) {
-  constexpr double radius = 0.3, pi = std::numbers::pi;
+  constexpr double radius = 0.3;
   for (const Point<3>& center : {Point<3>(0.5, 0.5, 0.5), Point<3>(0.513, 0.472, 0.391)}) {
     const auto [area, volume] = area_and_volume(ball<3>(20, radius, center), center);
-    EXPECT_NEAR(area, 4 * pi * radius * radius, 0.01 * area);
-    EXPECT_NEAR(volume, 4 * pi / 3 * radius * radius * radius, 0.01 * volume);
+    EXPECT_NEAR(area, 4 * std::numbers::pi * radius * radius, 0.01 * area);
+    EXPECT_NEAR(volume, 4 * std::numbers::pi / 3 * radius * radius * radius, 0.01 * volume);
   }
 }
 

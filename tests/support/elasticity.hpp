@@ -23,6 +23,16 @@ inline Points<3> crumpled_sheet(std::size_t rows, std::size_t width, double ds, 
   return x;
 }
 
+/// Woven cloth: different along warp and weft, Poisson's ratio and all stiffnesses present; its markers lie apart by
+/// these.
+inline constexpr double woven_ds = 0.1, woven_dr = 0.07;
+inline constexpr LinearModuli woven_moduli{
+    .ke_s = 50, .ke_r = 30, .ks = 8, .kb_s = 0.02, .kb_r = 0.05, .kt = 0.03, .poisson = 0.3};
+
+inline Points<3> crumpled_woven(std::size_t rows, std::size_t width, unsigned seed) {
+  return crumpled_sheet(rows, width, woven_ds, woven_dr, seed);
+}
+
 /// Numbers of rows and of markers in a row: sheets of all shapes, down to single rows and columns.
 struct Shape {
   std::size_t rows, width;

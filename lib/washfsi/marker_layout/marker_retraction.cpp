@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
+#include "washfsi/support/eigensystem.hpp"
 
 namespace washfsi {
 
@@ -19,8 +19,7 @@ constexpr double farthest = 2;        // depth that is searched [cells]: deeper 
 
 template <int Dim>
 double largest_of(const Eigen::Matrix<double, Dim, Dim>& symmetric) {
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, Dim, Dim>>(symmetric, Eigen::EigenvaluesOnly)
-      .eigenvalues()[Dim - 1];
+  return eigensystem<Dim>(symmetric).values[Dim - 1];
 }
 
 }  // namespace

@@ -3,9 +3,8 @@
 
 #include <algorithm>
 
-#include <Eigen/Eigenvalues>
-
 #include "washfsi/grid/index.hpp"
+#include "washfsi/support/eigensystem.hpp"
 
 namespace washfsi {
 
@@ -29,7 +28,7 @@ Point<Dim> main_way_out(const Shape<Dim>& shape, const Point<Dim>& place, const 
     way.normalize();
     moments += std::max(0.0, outside) * way * way.transpose();
   });
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, Dim, Dim>>(moments).eigenvectors().col(Dim - 1);
+  return eigensystem<Dim>(moments).vectors.col(Dim - 1);
 }
 
 }  // namespace

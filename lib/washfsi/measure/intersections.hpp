@@ -10,7 +10,7 @@ namespace washfsi {
 
 /// A place where two cloths, or two parts of one, go through each other.
 template <int Dim>
-struct Intersection {
+struct ClothIntersection {
   std::size_t first, second;  ///< pieces
   Point<Dim> place;           ///< [m]
 };
@@ -28,7 +28,7 @@ class IntersectionCount {
   void count(const Points<Dim>& positions);
   double total() const { return total_; }
   /// One of them; the same on all ranks.
-  const std::optional<Intersection<Dim>>& example() const { return example_; }
+  const std::optional<ClothIntersection<Dim>>& example() const { return example_; }
   /// Describes the example: which cloths, and where.
   std::string describe() const;
 
@@ -44,7 +44,7 @@ class IntersectionCount {
   Point<Dim> lengths_;
   ClothMesh<Dim> mesh_;
   double total_ = 0;
-  std::optional<Intersection<Dim>> example_;
+  std::optional<ClothIntersection<Dim>> example_;
 };
 
 extern template class IntersectionCount<2>;

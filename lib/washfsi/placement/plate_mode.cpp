@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
+#include "washfsi/support/eigensystem.hpp"
 
 namespace washfsi {
 
@@ -48,11 +48,11 @@ PlateMode::PlateMode(const BendingModuli& bending, double length_s, double lengt
                               2 * bending.twist * kronecker(ds.transpose() * ds, dr.transpose() * dr);
   const Eigen::MatrixXd mixed = kronecker(dss.transpose(), drr);
   stiffness += bending.cross * (mixed + mixed.transpose());
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(stiffness);
+  const auto modes = eigensystem<Eigen::Dynamic>(stiffness);
   constexpr int rigid_motions = 3;
   const Eigen::Index number = rigid_motions - 1 + mode;
-  frequency_ = std::sqrt(solver.eigenvalues()[number]);
-  const Eigen::VectorXd shape = solver.eigenvectors().col(number);
+  frequency_ = std::sqrt(modes.values[number]);
+  const Eigen::VectorXd shape = modes.vectors.col(number);
   Eigen::Index largest = 0;
   shape.cwiseAbs().maxCoeff(&largest);
   coefficients_ = (shape[largest] > 0 ? 1 : -1) * shape.reshaped(terms, terms).transpose();
