@@ -233,7 +233,7 @@ std::vector<double> stretch_over_a_period(const std::string& scheme_name, int st
   for (Point<2>& place : x) place[0] -= 1e-4 * std::cos(std::numbers::pi * (place[0] - 0.06) / 0.2);
   // w = pi/L sqrt(Ke/m) for a bar with free ends, with 20 markers 2/ds sin(pi/40) sqrt(Ke/m)
   const double w = 2 / 0.01 * std::sin(std::numbers::pi / 40) * std::sqrt(1000.0 / 100);
-  const auto scheme = make_coupling_scheme<2>(coupling(scheme_name), *system);
+  const auto scheme = make_coupling_scheme<2>(coupling_with_inertia(scheme_name), *system);
   std::vector<double> stretch;
   for (int n = 0; n <= steps; ++n) {
     const Points<2> all = of_all_ranks(PETSC_COMM_WORLD, x);

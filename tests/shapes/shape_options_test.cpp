@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/shapes/shape_options.hpp"
 
-#include <algorithm>
 #include <fstream>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "support/option_database.hpp"
 #include "support/random_points.hpp"
 #include "washfsi/motion/body.hpp"
 #include "washfsi/shapes/combinations.hpp"
@@ -20,30 +20,9 @@
 namespace washfsi::test {
 namespace {
 
-/// PETSc's options are those of a text as long as this lives.
-class Database {
- public:
-  explicit Database(const std::string& text) {
-    std::string line = text.starts_with('#') ? text.substr(text.find('\n')) : text;  // resolved options begin so
-    std::replace(line.begin(), line.end(), '\n', ' ');
-    WASH_PETSC(PetscOptionsCreate(&database_));
-    WASH_PETSC(PetscOptionsInsertString(database_, line.c_str()));
-    WASH_PETSC(PetscOptionsPush(database_));
-  }
-  ~Database() {
-    (void)PetscOptionsPop();
-    (void)PetscOptionsDestroy(&database_);
-  }
-  Database(const Database&) = delete;
-  Database& operator=(const Database&) = delete;
-
- private:
-  PetscOptions database_ = nullptr;
-};
-
 template <int Dim>
 ShapePtr<Dim> read(const std::string& text) {
-  const Database database(text);
+  const OptionDatabase database(text);
   Options options(PETSC_COMM_WORLD);
   auto shape = shape_from_options<Dim>(options, "a", 0.01);
   options.reject_unread();
@@ -149,7 +128,7 @@ TEST(ShapeOptions, RefuseWithOneLineThatNamesOptionAndValue) {
 TEST(BodyOptions, ResolvedOptionsGiveTheSameBody) {
   std::string resolved;
   const auto body = [&](const std::string& text) {
-    const Database database(text);
+    const OptionDatabase database(text);
     Options options(PETSC_COMM_WORLD);
     auto read_body = Body<2>::from_options(options, "a", 0.01);
     resolved = options.resolved();
@@ -170,7 +149,7 @@ RigidMotion<2> motion_of(const std::string& content, const std::string& more = "
   const std::string path = "motion_table_" + std::to_string(ranks_of(PETSC_COMM_WORLD)) + ".csv";
   if (rank_of(PETSC_COMM_WORLD) == 0) std::ofstream(path) << content;
   MPI_Barrier(PETSC_COMM_WORLD);
-  const Database database("-a_motion_file " + path + " " + more);
+  const OptionDatabase database("-a_motion_file " + path + " " + more);
   Options options(PETSC_COMM_WORLD);
   return RigidMotion<2>::from_options(options, "a");
 }

@@ -28,8 +28,10 @@ std::vector<long> numbers_in(const std::string& folder) {
   std::vector<long> numbers;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const std::string stem = entry.path().stem().string();
-    const bool digits = !stem.empty() && stem.size() < 18 && stem.find_first_not_of("0123456789") == std::string::npos;
-    if (digits && entry.path().extension() == ".h5") numbers.push_back(std::stol(stem));
+    const bool digits =
+        stem.size() >= 6 && stem.size() < 18 && stem.find_first_not_of("0123456789") == std::string::npos;
+    if (digits && entry.path().extension() == ".h5" && six_digits(std::stol(stem)) == stem)
+      numbers.push_back(std::stol(stem));
   }
   std::ranges::sort(numbers);
   return numbers;

@@ -5,6 +5,8 @@
 #include <set>
 #include <sstream>
 
+#include "washfsi/support/petsc_options.hpp"
+
 namespace washfsi {
 
 namespace {
@@ -28,10 +30,10 @@ std::map<std::string, std::string> options_in(const std::string& text) {
 std::string case_options(const std::string& resolved) {
   static const std::set<std::string> of_the_run{
       "time_end", "max_steps", "output_dir", "history_interval", "case_name", "output_interval", "checkpoint_interval",
-      "restart",  "check"};
+      "restart",  "check",     "strict"};
   std::string text;
   for (const auto& [name, value] : options_in(resolved))
-    if (!of_the_run.contains(name)) text += "-" + name + " " + value + "\n";
+    if (!of_the_run.contains(name) && !belongs_to_petsc(name)) text += "-" + name + " " + value + "\n";
   return text;
 }
 
