@@ -14,6 +14,7 @@ double depth_before_a_roller(const std::string& scheme, Mobility mobility, doubl
   CaseOptions<2> options = fibre_in_water(0.093, 0);
   options.model.grid.shape.cells = {32, 64};
   options.model.grid.shape.upper = {0.32, 0.64};
+  options.model.treatment.method = BodyMethod::mapping;
   options.model.surrounding_forces.push_back(BodyContact<2>::maker({.pressure = 2e4, .distance = 0.01}));
   std::vector<Body<2>> bodies(1);
   bodies[0].name = "roller";
@@ -24,6 +25,7 @@ double depth_before_a_roller(const std::string& scheme, Mobility mobility, doubl
   CouplingOptions coupling;
   coupling.scheme = scheme;
   coupling.mobility = mobility;
+  coupling.order = 1;
   const auto advance = make_coupling_scheme<2>(coupling, *system);
   double deepest = 0;
   while (system->state.clock.time < 0.15) {

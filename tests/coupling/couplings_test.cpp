@@ -12,7 +12,7 @@ CouplingOptions coupling(const std::string& scheme, TimeScheme time_scheme = Tim
   CouplingOptions options;
   options.scheme = scheme.starts_with("semi_implicit") ? "semi_implicit" : scheme;
   if (scheme == "semi_implicit_row_sums") options.mobility = Mobility::row_sums;
-  if (scheme == "semi_implicit_second_order") options.order = 2;
+  options.order = scheme == "semi_implicit_second_order" ? 2 : 1;
   options.time_scheme = time_scheme;
   options.tolerance = 1e-9;
   return options;

@@ -120,6 +120,7 @@ Points<2> places_with(const std::string& scheme, Mobility mobility, int steps) {
   CouplingOptions options;
   options.scheme = scheme;
   options.mobility = mobility;
+  options.order = 1;
   options.tolerance = 1e-9;
   const auto coupling = make_coupling_scheme<2>(options, *system);
   for (int n = 0; n < steps; ++n) coupling->advance(*system, 2 * change / steps);

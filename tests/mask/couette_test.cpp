@@ -6,7 +6,7 @@
 namespace washfsi::test {
 namespace {
 
-constexpr BodyTreatment mapping{}, smooth{BodyMethod::mapping, MaskEdge::smooth},
+constexpr BodyTreatment mapping{BodyMethod::mapping}, smooth{BodyMethod::mapping, MaskEdge::smooth},
     variable{BodyMethod::mapping_variable};
 constexpr BodyTreatment ghost{BodyMethod::ghost}, cut_stencil{BodyMethod::cut_stencil};
 constexpr BodyTreatment direct_forcing{BodyMethod::direct_forcing};

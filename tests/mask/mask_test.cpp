@@ -32,7 +32,7 @@ struct Couette {
         grid(PETSC_COMM_WORLD, shape(n)),
         boundary(grid, {}),
         water(grid, boundary, liquid(viscosity)),
-        mask(grid, bodies, {}) {}
+        mask(grid, bodies, {.method = BodyMethod::mapping}) {}
   static GridShape<2> shape(PetscInt n) {
     GridShape<2> shape;
     shape.cells = {n, n};
@@ -139,7 +139,7 @@ TEST(Mask, EqualsADirectSearchOverAllFaces) {
   shape.upper = {0.8, 0.7};
   const Grid<2> grid(PETSC_COMM_WORLD, shape);
   const auto bodies = crowd();
-  Mask<2> mask(grid, bodies, {});
+  Mask<2> mask(grid, bodies, {.method = BodyMethod::mapping});
   for (const double time : {0.0, 0.3, 1.1}) {
     mask.update(time);
     const ConstFaceView<2> fraction(grid.face_dm(), mask.fluid_fraction()),

@@ -229,8 +229,8 @@ class Tries:
     def ball(path):
         """Returns the options of a body from an STL file."""
         return ["-grid_cells", "8,8,8", "-grid_lower", "-1,-1,-1", "-grid_upper", "1,1,1", "-fluid_viscosity", 0.05,
-                "-fluid_density", 1, "-bodies", "ball", "-ball_shape", "stl", "-ball_file", path, "-time_step", 0.02,
-                "-time_end", 1, "-max_steps", 1, "-output_dir", "out"]
+                "-fluid_density", 1, "-bodies", "ball", "-body_method", "mapping", "-ball_shape", "stl", "-ball_file", path,
+                "-time_step", 0.02, "-time_end", 1, "-max_steps", 1, "-output_dir", "out"]
 
     def motion(self, draw, folder):
         """Breaks the table of a motion."""

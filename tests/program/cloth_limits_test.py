@@ -28,6 +28,8 @@ STREAM = """
 -sheet_ke 1e3
 -sheet_excess_mass 1e3
 -sheet_hold middle
+-contact none
+-coupling_order 1
 -time_step 0.01
 -time_end 4
 """.split()

@@ -13,15 +13,17 @@ TUNNEL = ["-grid_cells", "72,24", "-grid_upper", "3,1", "-bc_x_lower", "inflow",
           "parabolic", "-bc_x_upper", "outflow", "-fluid_density", 1, "-fluid_viscosity", 0.01, "-fluid_initial", "uniform",
           "-fluid_initial_velocity", "0.6,0", "-output_interval", 100]
 FLAP = [*TUNNEL, "-cloths", "fl", "-fl_size", 0.5, "-fl_markers", 11, "-fl_ke", 1e3, "-fl_kb", 0.05, "-fl_excess_mass", 0.1, "-fl_center",
-        "1,0.28", "-fl_direction", "0,1", "-fl_hold", "edge"]
-GATE = [*TUNNEL, "-bodies", "gate", "-gate_shape", "box", "-gate_size", "0.1,0.8", "-gate_center", "1,0.5"]
+        "1,0.28", "-fl_direction", "0,1", "-fl_hold", "edge", "-contact", "none", "-coupling_order", 1]
+GATE = [*TUNNEL, "-bodies", "gate", "-body_method", "mapping", "-gate_shape", "box", "-gate_size", "0.1,0.8", "-gate_center", "1,0.5"]
 BOX = ["-grid_cells", "24,12,12", "-grid_upper", "2,1,1", "-bc_x_lower", "periodic", "-bc_x_upper", "periodic", "-fluid_density", 1,
        "-fluid_viscosity", 0.02, "-fluid_initial", "uniform", "-fluid_initial_velocity", "1,0,0", "-output_interval", 100]
 SHEET = [*BOX, "-cloths", "sail", "-sail_size", "0.8,0.8", "-sail_markers", "9,9", "-sail_ke", 1e3, "-sail_kb", 1e-3, "-sail_excess_mass",
-         0.1, "-sail_center", "1,0.5,0.5", "-sail_direction", "0,1,0", "-sail_across", "0,0,1", "-sail_hold", "corners"]
-BLOCK = [*BOX, "-bodies", "block", "-block_shape", "box", "-block_size", "0.3,0.8,0.8", "-block_center", "1,0.5,0.5"]
-PLUNGE = ["-grid_cells", "32,32", "-grid_upper", "1,1", "-fluid_density", 1, "-fluid_viscosity", 0.01, "-bodies", "ram", "-ram_shape", "box",
-          "-ram_size", "0.7,0.2", "-ram_center", "0.5,0.3", "-ram_velocity", "0,1", "-output_interval", 100]
+         0.1, "-sail_center", "1,0.5,0.5", "-sail_direction", "0,1,0", "-sail_across", "0,0,1", "-sail_hold", "corners", "-contact", "none",
+         "-coupling_order", 1]
+BLOCK = [*BOX, "-bodies", "block", "-body_method", "mapping", "-block_shape", "box", "-block_size", "0.3,0.8,0.8", "-block_center",
+         "1,0.5,0.5"]
+PLUNGE = ["-grid_cells", "32,32", "-grid_upper", "1,1", "-fluid_density", 1, "-fluid_viscosity", 0.01, "-bodies", "ram", "-body_method",
+          "mapping", "-ram_shape", "box", "-ram_size", "0.7,0.2", "-ram_center", "0.5,0.3", "-ram_velocity", "0,1", "-output_interval", 100]
 MACHINE = ["-options_file", SOURCE / "inputs" / "wash.opts", "-grid_cells", "16,16,8", "-towel_count", 2, "-towel_markers", 4,
            "-agitator_frequency", 0, "-time_tolerance", 0, "-output_interval", 100]
 

@@ -8,7 +8,7 @@ import numpy as np
 from support import ProgramTest, read_columns
 
 DRUM = ["-grid_cells", "24,24", "-grid_lower", "-0.35,-0.35", "-grid_upper", "0.35,0.35", "-fluid_viscosity", 1,
-        "-bodies", "drum", "-drum_radius", 0.3, "-drum_inverted", "-time_step", 2e-3, "-time_end", 0.1]
+        "-bodies", "drum", "-body_method", "mapping", "-drum_radius", 0.3, "-drum_inverted", "-time_step", 2e-3, "-time_end", 0.1]
 IN_SPACE = ["-grid_cells", "16,16,8", "-grid_lower", "-0.35,-0.35,0", "-grid_upper", "0.35,0.35,0.3",
             "-drum_shape", "cylinder", "-drum_height", 2, "-bc_z_lower", "slip", "-bc_z_upper", "slip"]
 # with ends of its own, two cells from those of the box, which rest

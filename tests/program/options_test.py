@@ -69,8 +69,21 @@ class Options(ProgramTest):
         self.assertIn("-cloths does not name long", self.resolved("-options_file", nested)[0])
         self.assertNotIn("warning", self.resolved("-options_file", self.folder / "resolved.opts")[0])
 
+    def test_defaults_are_what_we_recommend(self):
+        """And nobody is told of a default that is of no matter to the run."""
+        box = ["-grid_cells", "16,16", "-time_step", 1e-3, "-time_end", 1]
+        ball = ["-bodies", "ball", "-ball_radius", 0.1, "-ball_center", "0.3,0.5"]
+        line = ["-cloths", "line", "-line_size", 0.3, "-line_markers", 8, "-line_center", "0.7,0.5", "-line_direction", "0,1", "-line_ke", 100]
+        for options, contact in (([*ball, *line], "barrier"), ([*ball, *line, "-contact_pressure", 100], "penalty"),
+                                 ([*ball, *line, "-contact_pressure", 0], "none"), ([*line, "-coupling_scheme", "midpoint"], "barrier"),
+                                 ([*ball, *line, "-fluid", "none"], "barrier"), (ball, "none"), ([], "none")):
+            with self.subTest(options):
+                printed, used = self.resolved(*box, *options)
+                self.assertEqual([used[name] for name in ("body_method", "contact", "coupling_order")], ["direct_forcing", contact, "2"])
+                self.assertNotRegex(printed, r"(?m)^(warning|note): .*(body_method|contact|coupling_order)")
+
     def test_default_shape_that_another_replaces(self):
-        case = self.write("case.opts", "-grid_cells 16,16", "-bodies pole", "-pole_radius 0.1", "-time_end 1",
+        case = self.write("case.opts", "-grid_cells 16,16", "-bodies pole", "-body_method mapping", "-pole_radius 0.1", "-time_end 1",
                           "-time_step 0.1")
         printed, _ = self.resolved("-options_file", case, "-pole_shape", "box", "-pole_size", "0.2,0.2")
         self.assertIn("warning: -pole_shape is another now, so without effect: -pole_radius", printed)
@@ -83,12 +96,12 @@ class Options(ProgramTest):
             self.assertIn(f"{options[0]} {options[1]}: no part of this run reads this option", outcome.stderr)
 
     def test_an_option_of_another_shape_in_one_file_is_refused(self):
-        case = self.write("case.opts", "-grid_cells 16,16", "-bodies pole", "-pole_shape box", "-pole_size 0.2,0.2",
-                          "-pole_radius 0.1", "-time_end 1", "-time_step 0.1")
+        case = self.write("case.opts", "-grid_cells 16,16", "-bodies pole", "-body_method mapping", "-pole_shape box",
+                          "-pole_size 0.2,0.2", "-pole_radius 0.1", "-time_end 1", "-time_step 0.1")
         self.assertEqual(run(1, "-options_file", case, folder=self.folder).returncode, 2)
 
     def test_files_named_in_a_file_are_relative_to_it(self):
-        self.write("cases/parts/drum.opts", "-bodies drum", "-drum_motion_file ../tables/turn.csv")
+        self.write("cases/parts/drum.opts", "-bodies drum", "-body_method mapping", "-drum_motion_file ../tables/turn.csv")
         self.write("cases/tables/turn.csv", "0,0,0,0", "1,0,0,3")
         case = self.write("cases/case.opts", "-grid_cells 16,16", "-time_end 0.02", "-time_step 0.01",
                           "-options_file parts/drum.opts", "-drum_radius 0.2", "-drum_center 0.5,0.5")
@@ -104,7 +117,7 @@ class Options(ProgramTest):
     def test_names_of_files_may_have_blanks(self):
         self.write("two words/turn.csv", "0,0,0,0", "1,0,0,3")
         case = self.write("two words/case.opts", "-grid_cells 16,16", "-time_end 0.02", "-time_step 0.01", "-bodies drum",
-                          "-drum_radius 0.2", "-drum_center 0.5,0.5", "-drum_motion_file 'turn.csv' # quoted")
+                          "-body_method mapping", "-drum_radius 0.2", "-drum_center 0.5,0.5", "-drum_motion_file 'turn.csv' # quoted")
         used = self.resolved("-options_file", case)[1]["drum_motion_file"]
         self.assertEqual(used, f'"{self.folder}/two words/turn.csv"')
         self.assertEqual(self.resolved("-options_file", self.folder / "resolved.opts")[1]["drum_motion_file"], used)

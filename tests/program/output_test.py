@@ -161,7 +161,7 @@ class Output(ProgramTest):
     def test_steps_see_a_body_that_starts_off(self):
         rest = "".join(f"{0.1 * n},0,0,0\n" for n in range(51))  # long steps until 5 s, then a quick start
         (self.folder / "motion.csv").write_text(f"time,x,y,angle\n{rest}5.2,0,0,2\n5.6,0,0,8\n7,0,0,28\n")
-        self.run_well(2, "-grid_cells", "24,24", "-bodies", "bar", "-bar_shape", "box", "-bar_size", "0.6,0.2",
+        self.run_well(2, "-grid_cells", "24,24", "-bodies", "bar", "-body_method", "mapping", "-bar_shape", "box", "-bar_size", "0.6,0.2",
                       "-bar_center", "0.5,0.5", "-bar_motion_file", "motion.csv", "-fluid_viscosity", 0.1,
                       "-time_cfl", 0.5, "-time_end", 5.3, "-output_dir", "out")
 
@@ -186,7 +186,7 @@ class Output(ProgramTest):
     def test_cloth_that_has_not_moved_is_not_at_rest(self):
         self.run_well(1, "-grid_cells", "16,16", "-cloths", "line", "-line_size", 0.3, "-line_markers", 8,
                       "-line_center", "0.5,0.5", "-line_ke", 100, "-line_excess_mass", 0.1, "-gravity", "0,-9.81",
-                      "-time_step", 1e-5, "-rest_speed", 1e-3, "-time_end", 1e-3, "-output_dir", "out")
+                      "-contact", "none", "-coupling_order", 1, "-time_step", 1e-5, "-rest_speed", 1e-3, "-time_end", 1e-3, "-output_dir", "out")
         self.assertEqual(len(read_columns(self.folder / "out" / "history.csv")["step"]), 100)
 
     def test_solvers_report_what_they_have_done(self):

@@ -83,7 +83,7 @@ class PeriodicBodies(ProgramTest):
                 np.testing.assert_allclose(theirs, mine, rtol=0, atol=1e-6)
 
     def test_what_is_written_of_a_body_lies_in_the_box(self):
-        self.history(*PADDLE, "-post_center", "14.9,0.47", "-output_interval", 0.15)
+        self.history(*PADDLE, "-body_method", "mapping", "-post_center", "14.9,0.47", "-output_interval", 0.15)
         for frame in sorted((self.folder / "out" / "surfaces").glob("[0-9]*.h5")):
             with h5py.File(frame) as file:
                 places = file["position"][()]
@@ -95,7 +95,8 @@ class PeriodicBodies(ProgramTest):
         for options, words in ((["-post_radius", 0.6, "-grid_cells", "16,16", "-grid_upper", "1,1"],
                                 ["post", "overlaps its own images along x", "1 m"]),
                                (["-post_shape", "halfspace", "-post_normal", "-0.1,1"], ["post", "without end along x"])):
-            outcome = run(1, *CHANNEL, "-post_center", "1.5,0.5", *options, "-time_step", 0.02, "-time_end", 0.04, folder=self.folder)
+            outcome = run(1, *CHANNEL, "-body_method", "mapping", "-post_center", "1.5,0.5", *options, "-time_step", 0.02, "-time_end", 0.04,
+                          folder=self.folder)
             self.assertEqual(outcome.returncode, 2)
             lines = [line for line in (outcome.stdout + outcome.stderr).splitlines() if "-bodies" in line]
             self.assertEqual(len(lines), 1)

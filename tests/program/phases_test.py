@@ -16,8 +16,8 @@ from washfsi import Results  # noqa: E402
 from washfsi.plot.phases import draw_phases  # noqa: E402
 
 TANK = ["-grid_cells", "14,14,10", "-grid_lower", "-0.14,-0.14,0", "-grid_upper", "0.14,0.14,0.2", "-bc_z_upper", "slip",
-        "-fluid_viscosity", "0.2", "-bodies", "tank,agitator", "-tank_shape", "cylinder", "-tank_radius", "0.12",
-        "-tank_height", "2", "-tank_inverted", "-agitator_shape", "box", "-agitator_size", "0.14,0.03,0.08",
+        "-fluid_viscosity", "0.2", "-bodies", "tank,agitator", "-body_method", "mapping", "-tank_shape", "cylinder",
+        "-tank_radius", "0.12", "-tank_height", "2", "-tank_inverted", "-agitator_shape", "box", "-agitator_size", "0.14,0.03,0.08",
         "-agitator_center", "0,0,0.08", "-agitator_angular_speed", "6", "-agitator_frequency", "5", "-turbulence", "vreman",
         "-time_step", "0.01", "-history_interval", "0.1", *TIGHT]
 PHASES = [*TANK, "-statistics_phases", "4"]

@@ -201,6 +201,7 @@ class RestartOfMovingBodies(ProgramTest):
         (self.folder / "case.opts").write_text("""
             -grid_cells 32,32
             -bodies paddle,bar
+            -body_method mapping
             -paddle_shape difference
             -paddle_parts plate,hole
             -paddle_plate_shape box
@@ -235,7 +236,7 @@ class RestartOfSurfaces(ProgramTest):
     """The bodies' surfaces are joined alike on any number of ranks, so that the frames of several starts are one series."""
 
     case = ["-grid_cells", "16,16,12", "-fluid_viscosity", 1, "-time_step", 5e-3, "-output_interval", 0.01, "-bodies", "ball,egg",
-            "-ball_radius", 0.21, "-ball_center", "0.31,0.47,0.52", "-ball_velocity", "1,0,0",
+            "-body_method", "mapping", "-ball_radius", 0.21, "-ball_center", "0.31,0.47,0.52", "-ball_velocity", "1,0,0",
             "-egg_radius", 0.13, "-egg_center", "0.7,0.53,0.5"]
 
     def areas(self, folder):

@@ -20,7 +20,7 @@ PHASES = [*BOX, "-statistics_phases", 4, "-statistics_phase_period", 1]
 # the case, the options, and what the line must hold
 REFUSED = [
     (LOADER, ["-drum_wall_radius", 0.5], ["-drum_wall_inverted", "outside the box", "0.1"]),
-    (BOX, ["-bodies", "tub", "-tub_radius", 5, "-tub_inverted"], ["-tub_inverted", "outside the box"]),
+    (BOX, ["-bodies", "tub", "-body_method", "mapping", "-tub_radius", 5, "-tub_inverted"], ["-tub_inverted", "outside the box"]),
     (PLANE, ["-drum_radius", 5], ["-drum_inverted", "outside the box"]),
     (MACHINE, ["-contact_body_distance", 5], ["-contact_body_distance 5", "at most"]),
     (PLANE, ["-contact_distance", 5], ["-contact_distance 5", "at most"]),
@@ -46,7 +46,7 @@ REFUSED = [
     (MACHINE, ["-coupling_slip_tolerance", 3], ["-coupling_slip_tolerance 3", "from 0 to 1"]),
     (BOX, ["-profiles", "line", "-line_from", "0,0,0", "-line_to", "1,0,0", "-line_points", 10**9], ["-line_points", "1000000"]),
     (BOX, ["-fluid_initial", "channel", "-fluid_initial_disturbance", 40], ["-fluid_initial_disturbance 40", "from 0 to 1"]),
-    ([*BOX, "-bodies", "rock", "-rock_shape", "stl", "-rock_file", INPUTS / "agitator_stl" / "agitator.stl"],
+    ([*BOX, "-bodies", "rock", "-body_method", "mapping", "-rock_shape", "stl", "-rock_file", INPUTS / "agitator_stl" / "agitator.stl"],
      ["-rock_scale", 1e-3, "-rock_sample_spacing", 0.5], ["-rock_sample_spacing 0.5", "two of the smallest cells"]),
     (MACHINE, ["-drum_axis", "1,0,0"], ["-drum_axis 1,0,0", "bodies turn about z"]),
     (MACHINE, ["-bodies_axis", "1,0,0"], ["-bodies_axis 1,0,0", "bodies turn about z"]),
@@ -58,7 +58,7 @@ REFUSED = [
 # the case, the options that have no effect with their values, and the reason that is told
 IDLE = [
     (MACHINE, ["-contact_friction", 0.4], ["-contact", "none"], "-contact is none"),
-    (MACHINE, ["-contact_pressure", 3e3], [], "-contact is barrier"),
+    (MACHINE, ["-contact_pressure", 3e3], ["-contact", "barrier"], "-contact is barrier"),
     (PLANE, ["-contact_friction", 0.3], [], "-contact is penalty"),
     (PLANE, ["-contact_distance", 0.01], ["-contact_pressure", 0], "-contact is none"),
     (MACHINE, ["-turbulence_constant", 0.1], [], "-turbulence is none"),

@@ -11,9 +11,9 @@ WASH = ["-options_file", SOURCE / "inputs" / "wash.opts", "-grid_cells", "12,12,
 # explicit: cloths that lie in each other cannot be solved for
 SHEET = ["-options_file", SOURCE / "inputs" / "sheet.opts", "-check", "-coupling_scheme", "explicit", "-time_cfl", 0,
          "-time_step", 1e-5]
-STL = [*WATER, "-bodies", "rock", "-rock_shape", "stl", "-rock_file", "rock.stl"]
-DRUM = ["-grid_cells", "16,16,12", "-fluid_viscosity", 1, "-time_step", 5e-3, "-time_end", 0.02, "-bodies", "drum", "-drum_inverted",
-        "-drum_shape", "cylinder", "-drum_radius", 0.4, "-drum_height", 2, "-drum_center", "0.5,0.5,0.5", "-drum_angular_speed", 1]
+STL = [*WATER, "-bodies", "rock", "-body_method", "mapping", "-rock_shape", "stl", "-rock_file", "rock.stl"]
+DRUM = ["-grid_cells", "16,16,12", "-fluid_viscosity", 1, "-time_step", 5e-3, "-time_end", 0.02, "-bodies", "drum", "-body_method",
+        "mapping", "-drum_inverted", "-drum_shape", "cylinder", "-drum_radius", 0.4, "-drum_height", 2, "-drum_center", "0.5,0.5,0.5", "-drum_angular_speed", 1]
 LOW, HIGH = (0.3, 0.3, 0.3), (0.7, 0.6, 0.7)
 
 
@@ -122,7 +122,7 @@ class Trust(ProgramTest):
         self.assert_found(self.findings(*STL), "body rock", "ok", "to (0.812,0.812,0.812)")
 
     def test_bodies_where_they_do_not_belong(self):
-        ball = ["-ball_radius", 0.2, "-ball_center"]
+        ball = ["-body_method", "mapping", "-ball_radius", 0.2, "-ball_center"]
         self.assert_found(self.findings(*WATER, "-bodies", "ball", *ball, "3,0,0"), "body ball", "fail", "outside the box")
         found = self.findings(*WATER, "-bodies", "ball", *ball, "0.5,0.5,0.5", "-ball_radius", 3)
         self.assert_found(found, "body ball", "fail", "it fills the box, all 4096 cells: no water is left")
@@ -153,7 +153,7 @@ class Trust(ProgramTest):
 
     def test_a_motion_in_degrees(self):
         (self.folder / "turn.csv").write_text("time,x,y,z,angle\n0,0,0,0,0\n0.1,0,0,0,60\n0.2,0,0,0,0\n")
-        found = self.findings(*WATER, "-bodies", "ball", "-ball_radius", 0.2, "-ball_center", "0.5,0.5,0.5",
+        found = self.findings(*WATER, "-bodies", "ball", "-body_method", "mapping", "-ball_radius", 0.2, "-ball_center", "0.5,0.5,0.5",
                               "-ball_motion_file", "turn.csv")
         self.assert_found(found, "ball speed", "warn", "degrees")
 

@@ -306,7 +306,7 @@ class WrongInputs(ProgramTest):
 
     def test_stl_file_that_is_none(self):
         (self.folder / "part.stl").write_text("solid part\nfacet normal 0 0 1\n")
-        case = ["-grid_cells", "8,8,8", "-time_end", 1, "-time_step", 0.1, "-bodies", "part", "-part_shape", "stl"]
+        case = ["-grid_cells", "8,8,8", "-time_end", 1, "-time_step", 0.1, "-bodies", "part", "-body_method", "mapping", "-part_shape", "stl"]
         self.assert_refused(WRONG_INPUT, ["-part_file part.stl", "cut short"], *case, "-part_file", "part.stl")
         self.assert_refused(WRONG_INPUT, ["-part_file nowhere.stl"], *case, "-part_file", "nowhere.stl")
         self.assert_refused(WRONG_INPUT, ["-part_file"], *case)

@@ -67,7 +67,7 @@ def sheet_options(cells_on_side, direction, viscosity):
             "-fluid_density", WATER, "-fluid_viscosity", viscosity, "-gravity", f"0,0,{-GRAVITY}", "-cloths", "sheet",
             "-sheet_size", f"{SIDE},{SIDE}", "-sheet_markers", f"{markers},{markers}", "-sheet_excess_mass", MASS,
             "-sheet_direction", "0,0,1" if edgewise else "1,0,0", "-sheet_across", "0,1,0", "-sheet_center", "0,0,0",
-            "-sheet_ke", 1e4, "-sheet_kb", 0.2, "-coupling_order", 2, "-time_step", 1e-3, "-time_end", 0.1]
+            "-sheet_ke", 1e4, "-sheet_kb", 0.2, "-contact", "none", "-coupling_order", 2, "-time_step", 1e-3, "-time_end", 0.1]
 
 
 def plate_speed(direction, viscosity, time):

@@ -31,6 +31,7 @@ def drag(cells, permeance):
                                "-fluid_initial_velocity", f"{SPEED},0,0", "-cloths", "sheet", "-sheet_size", "1,1", "-sheet_markers",
                                f"{2 * cells},{2 * cells}", "-sheet_center", "0,0,0", "-sheet_direction", "0,1,0", "-sheet_across", "0,0,1",
                                "-sheet_ke", 1e3, "-sheet_excess_mass", 1e7, "-sheet_hold", "middle", "-sheet_permeance", permeance,
+                               "-contact", "none", "-coupling_order", 1,
                                "-time_step", 0.24 / cells, "-time_end", END, "-output_interval", END, "-output_dir", folder),
                        check=True, stdout=subprocess.DEVNULL)
         history = read_columns(Path(folder) / "history.csv")

@@ -30,16 +30,17 @@ void mark_unused(Options& options, const ContactOptions& contact) {
 
 }  // namespace
 
-ContactOptions ContactOptions::from_options(Options& options) {
+ContactOptions ContactOptions::from_options(Options& options, bool has_cloths) {
   ContactOptions contact;
-  bool is_chosen = false;
+  if (!has_cloths) contact.kind = ContactKind::none;
+  bool is_chosen = false, has_pressure = false;
   options.alias_value("contact", "cushion", "penalty");
   options.block("", "Contact of cloths", [&](OptionBlock& block) {
     is_chosen = block.given("contact");
     block.choice(
         "contact", contact.kind,
-        "what keeps cloth out of others: only water; penalty contact with bodies and walls, which is the default "
-        "with a contact pressure; or a barrier between cloths, which none passes, and on bodies and walls");
+        "what keeps cloth out of others: a barrier between cloths, which none passes, and on bodies and walls; penalty "
+        "contact with bodies and walls, which is the default with a contact pressure; or only water");
   });
   options.block("contact_", "Contact of cloths", [&](OptionBlock& block) {
     block.real(
@@ -48,6 +49,7 @@ ContactOptions ContactOptions::from_options(Options& options) {
     block.real("body_distance", contact.body_distance, "m", non_negative,
                "at which the barrier of bodies and walls begins; 0: 0.4 of the least spacing of markers, and in "
                "water at least the least width of a cell");
+    has_pressure = block.given("pressure");
     block.real("pressure", contact.pressure, "Pa", non_negative,
                "of penalty contact, on cloth at a body's surface; 0: there is none");
     block.real("stiffness", contact.stiffness, "Pa", positive, "of the barrier");
@@ -64,11 +66,11 @@ ContactOptions ContactOptions::from_options(Options& options) {
     block.real("verify_interval", contact.verify_interval, "s", non_negative,
                "between counts of the cloths' intersections, with the barrier; 0: after each step");
   });
-  if (!is_chosen && contact.pressure > 0) contact.kind = ContactKind::penalty;
+  if (!is_chosen && has_pressure) contact.kind = contact.pressure > 0 ? ContactKind::penalty : ContactKind::none;
   if (contact.kind == ContactKind::penalty && contact.pressure == 0 && !options.help())
     throw InputError("-contact penalty: needs -contact_pressure, above 0");
   options.record("contact", name_of(contact.kind));
-  mark_unused(options, contact);
+  if (has_cloths) mark_unused(options, contact);
   return contact;
 }
 

@@ -16,8 +16,8 @@ const ChoiceNames<ContactKind>& names_of(ContactKind);
 
 /// All options of contact, prefix contact_.
 struct ContactOptions {
-  ContactKind kind = ContactKind::none;  ///< by default that of a contact pressure, if there is one
-  double distance = 0;                   ///< contact distance [m]; 0: the default of the kind
+  ContactKind kind = ContactKind::barrier;  ///< by default that of a contact pressure, if one is given
+  double distance = 0;                      ///< contact distance [m]; 0: the default of the kind
   double body_distance = 0;    ///< barrier's contact distance of bodies and sides of the box [m]; 0: its default
   double pressure = 0;         ///< P0 of penalty contact [Pa]; 0: there is none
   double stiffness = 1e4;      ///< kappa of the barrier [Pa]
@@ -27,7 +27,8 @@ struct ContactOptions {
   bool drainage = false;       ///< whether films between cloths nearer than a cell drain
   double verify_interval = 0;  ///< interval between counts of intersections [s]; 0: after each step
 
-  static ContactOptions from_options(Options& options);
+  /// Without cloths there is no contact by default.
+  static ContactOptions from_options(Options& options, bool has_cloths);
   /// Makers of the forces that these options request.
   template <int Dim>
   std::vector<MakeForce<Dim>> forces(bool in_water) const;

@@ -100,7 +100,7 @@ void CouplingOptions::read_solution(Options& options) {
     block.choice("time_scheme", time_scheme,
                  "of the implicit coupling: as in the thesis, or damping more; both of first order");
     block.integer("order", order, one_or_two,
-                  "in time: 1 damps waves that the step is long for; 2 follows smooth motions (semi_implicit)");
+                  "in time: 2 follows smooth motions; 1 damps waves that the step is long for (semi_implicit)");
     block.choice("mobility", mobility,
                  "what stands for the mobility of the markers: that without pressure, or its row sums (semi_implicit)");
     block.real("mobility_factor", mobility_factor, "-", {0.01, 100.0, false, "a number from 0.01 to 100"},

@@ -30,7 +30,7 @@ struct CouplingOptions {
   Mobility mobility = Mobility::matrix;
   double mobility_factor = 1;                     ///< factor of the markers' mobility
   double tolerance = 1e-5;                        ///< rms residual of the markers' velocities over the flow's speed
-  PetscInt order = 1;                             ///< order in time of the semi-implicit coupling: 1 or 2
+  PetscInt order = 2;                             ///< order in time of the semi-implicit coupling: 1 or 2
   PetscInt sweeps = 1;                            ///< most sweeps of the semi-implicit coupling
   MassCarrier mass_carrier = MassCarrier::water;  ///< default carrier of the cloths' excess mass
   double slip_tolerance = 0.01;  ///< relative slip of cloth and water below which no further sweep is made

@@ -177,7 +177,7 @@ void check_symmetry(const Model<Dim>& model) {
   if (model.forces.have_step_limit() && delta.spread_width != delta.interpolate_width)
     throw InputError(
         "-contact barrier: needs -delta_spread_width equal to -delta_interpolate_width, or -coupling_mobility "
-        "row_sums");
+        "row_sums, or else -contact none");
 }
 
 template void check_symmetry<2>(const Model<2>&);

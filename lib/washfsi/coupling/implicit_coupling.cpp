@@ -26,7 +26,7 @@ ImplicitCoupling<Dim>::ImplicitCoupling(System<Dim>& system, const CouplingOptio
   check_symmetry(system.model);
   if (const MarkerForce<Dim>* force = without_jacobian(system.model.forces))
     throw InputError(force->origin() +
-                     ": has no energy; with -contact barrier use -coupling_scheme explicit or midpoint");
+                     ": has no energy; use -coupling_scheme explicit or midpoint, or else -contact none");
 }
 
 template <int Dim>

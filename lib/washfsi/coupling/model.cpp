@@ -72,9 +72,10 @@ ModelOptions<Dim> ModelOptions<Dim>::from_options(Options& options, MassCarrier 
                   "beside cloth -advection central gives way to upwind, for thin liquids and coarse grids");
   });
   model.treatment = BodyTreatment::from_options(options);
+  if (model.medium == Medium::none) model.treatment.method = BodyMethod::mapping;  // there is no water to hold
   model.treatment.inner_water_slides = model.fluid.wall_model != WallTreatment::none;
   model.delta = DeltaOptions::from_options(options);
-  const ContactOptions contact = ContactOptions::from_options(options);
+  const ContactOptions contact = ContactOptions::from_options(options, !model.cloths.empty());
   model.surrounding_forces = contact.forces<Dim>(model.medium == Medium::water);
   model.cloth.films_drain = contact.drainage;
   model.cloth.verify_interval = contact.verify_interval;

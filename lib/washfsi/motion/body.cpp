@@ -38,9 +38,9 @@ BodyTreatment BodyTreatment::from_options(Options& options) {
   options.block("", "Bodies and water", [&](OptionBlock& block) {
     block.choice(
         "body_method", treatment.method,
-        "how bodies hold the water: mapping is the thesis's (4.2-6) with the plain projection (4.2-12),"
-        " mapping_variable with (4.2-9); ghost extrapolates velocities through the wall; with cut_stencil"
-        " viscous stencils end at the walls; direct_forcing, the most accurate, holds it by markers on the walls");
+        "how bodies hold the water: direct_forcing, the most accurate, by markers on the walls; mapping is the thesis's"
+        " (4.2-6) with the plain projection (4.2-12), mapping_variable with (4.2-9); ghost extrapolates velocities"
+        " through the wall; with cut_stencil viscous stencils end at the walls");
     block.choice("body_mask", treatment.edge,
                  "mask of the solid; smooth over two spacings to either side, for the mapping methods");
     block.real("body_marker_spacing", treatment.marker_spacing, "cells", spacings,

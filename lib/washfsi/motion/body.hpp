@@ -22,7 +22,7 @@ const ChoiceNames<MaskEdge>& names_of(MaskEdge);
 
 /// -body_method and -body_mask.
 struct BodyTreatment {
-  BodyMethod method = BodyMethod::mapping;
+  BodyMethod method = BodyMethod::direct_forcing;
   MaskEdge edge = MaskEdge::sharp;  ///< smooth: the mapping methods only
   double marker_spacing = 1.0;      ///< direct forcing: width of a patch [cells]
   double slip_tolerance = 0.005;    ///< direct forcing: rms slip left at each body over the largest speed

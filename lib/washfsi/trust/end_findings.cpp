@@ -99,9 +99,9 @@ void add_cloth(const Model<Dim>& model, const QuantityList& quantities, const st
   if (model.body_list.empty()) return;
   const double depth = quantities.summary_value(pointer + "/max_depth"),
                cells = depth / model.grid.spacing().minCoeff();
-  findings.push_back(at_most(name + " depth in bodies", cells, {0.5, 2},
-                             format_text("%.2g m, %.2g cells", depth, cells),
-                             "cloth goes through walls; larger -contact_pressure, shorter -time_step"));
+  findings.push_back(
+      at_most(name + " depth in bodies", cells, {0.5, 2}, format_text("%.2g m, %.2g cells", depth, cells),
+              "cloth goes through walls; -contact barrier, or larger -contact_pressure, shorter -time_step"));
 }
 
 template <int Dim>
