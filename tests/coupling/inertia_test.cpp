@@ -135,9 +135,9 @@ TEST(Inertia, OfAnyMassIsStableAndSlipsLittle) {
 
 // Where and how turned a fibre starts, and its markers on coarse cells.
 struct Start {
-  PetscInt markers = 14;
   Eigen::Matrix2d turn = Eigen::Matrix2d::Identity();
   Point<2> cells = Point<2>::Zero();  ///< away from the middle of the box
+  PetscInt markers = 14;
 };
 
 // Displacements, turned back, of a straight fibre that is thrown into a wave far from the sides of a box. It is never
@@ -197,7 +197,7 @@ TEST(Inertia, MarkersNearerThanCellsLock) {
   for (const PetscInt markers : {14, 20, 40})
     for (const int finer : {1, 2}) {
       const Start aligned{.markers = markers},
-          turned{.markers = markers, .turn = Eigen::Rotation2Dd(0.5).toRotationMatrix()};
+          turned{.turn = Eigen::Rotation2Dd(0.5).toRotationMatrix(), .markers = markers};
       const Points<2> here = displacements("semi_implicit_second_order", finer, aligned);
       parts.push_back(largest_distance(displacements("semi_implicit_second_order", finer, turned), here) /
                       largest_of(here));

@@ -118,6 +118,7 @@ TEST(CircularCouetteFlow, DISABLED_DirectForcingAtAnIrrationalPlaceTable) {
 }
 
 // The table of docs/verification/couette.md, long: run by `--gtest_also_run_disabled_tests --gtest_filter=*Table*`.
+// NOLINTNEXTLINE(readability-identifier-naming): GoogleTest knows what is disabled by this name
 class DISABLED_CouetteTable : public testing::TestWithParam<BodyTreatment> {};
 
 TEST_P(DISABLED_CouetteTable, Coarse) {

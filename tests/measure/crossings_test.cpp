@@ -24,10 +24,10 @@ struct SheetOverSheet {
   Points<3> places(double height) const {
     Points<3> mine;
     for (std::size_t m = 0; m < cloths->owned(); ++m) {
-      const PetscInt number = cloths->number_of(m), k = number % 16;
+      const PetscInt number = cloths->number_of(m), row = number % 16 / 4, column = number % 4;
       const bool upper = number >= 16;
       const Point<3> shift = upper ? Point<3>(0.004, 0.007, height) : Point<3>::Zero();
-      mine.push_back(0.02 * Point<3>(static_cast<double>(k / 4), static_cast<double>(k % 4), 0) + shift);
+      mine.push_back(0.02 * Point<3>(static_cast<double>(row), static_cast<double>(column), 0) + shift);
     }
     return mine;
   }

@@ -14,7 +14,7 @@ namespace {
 MachineAxis axis_from(const std::string& text) {
   const OptionDatabase database(text);
   Options options(PETSC_COMM_WORLD);
-  const auto machine = MachineAxis::from_options(options, {-0.1, 0, 0.2}, {0.5, 0.4, 0.7});
+  auto machine = MachineAxis::from_options(options, {-0.1, 0, 0.2}, {0.5, 0.4, 0.7});
   options.reject_unread();
   return machine;
 }
@@ -42,7 +42,7 @@ TEST(MachineAxis, IsRefusedOutsideTheBox) {
       {"-machine_orbit_center -0.1,0.4", "-machine_orbit_center -0.1,0.4: must be a distance >= 0"},
       {"-machine_axis 0.2", "-machine_axis 0.2: must be 2 numbers"},
   };
-  for (const auto& [text, words] : cases) expect_refusal<InputError>([&] { (void)axis_from(text); }, words);
+  for (const auto& wrong : cases) expect_refusal<InputError>([&] { (void)axis_from(wrong.first); }, wrong.second);
 }
 
 }  // namespace

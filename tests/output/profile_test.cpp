@@ -87,7 +87,7 @@ TEST(ProfileOptions, AreRefusedWithOneLine) {
       {"-profiles grid", "-profiles grid: this name is taken"},
       {"-a_from 0,0", "-a_from 0,0: no part of this run reads this option"},
   };
-  for (const auto& [text, words] : cases) expect_refusal<InputError>([&] { (void)profiles_in(text); }, words);
+  for (const auto& wrong : cases) expect_refusal<InputError>([&] { (void)profiles_in(wrong.first); }, wrong.second);
 }
 
 }  // namespace

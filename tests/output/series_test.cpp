@@ -37,7 +37,7 @@ TEST(FlowSeries, HasVelocityAndPressureInTheMiddlesOfCells) {
   const std::string frame = folder.file("flow/000000.h5");
   const auto velocity = values_in(frame, "/velocity", {6, 8, 3}), pressure = values_in(frame, "/pressure", {6, 8});
   for_each<2>(flow.grid.owned(), [&](const Index<2>& cell) {
-    const auto n = static_cast<std::size_t>(8 * cell[1] + cell[0]);
+    const auto n = 8 * static_cast<std::size_t>(cell[1]) + static_cast<std::size_t>(cell[0]);
     const Point<2> place = flow.grid.cell_center(cell), expected = LinearFlow::velocity_at(place);
     EXPECT_NEAR(velocity[3 * n], expected[0], 1e-13);
     EXPECT_NEAR(velocity[3 * n + 1], expected[1], 1e-13);
@@ -58,7 +58,8 @@ TEST(FlowSeries, HasTheVorticityOfALinearFlow) {
   for_each<2>(flow.grid.owned(), [&](const Index<2>& cell) {
     const bool in_corner = (cell[0] == 0 || cell[0] == 7) && (cell[1] == 0 || cell[1] == 5);
     if (in_corner) return;
-    EXPECT_NEAR(vorticity[static_cast<std::size_t>(8 * cell[1] + cell[0])], LinearFlow::vorticity, 1e-12);
+    EXPECT_NEAR(vorticity[8 * static_cast<std::size_t>(cell[1]) + static_cast<std::size_t>(cell[0])],
+                LinearFlow::vorticity, 1e-12);
   });
   EXPECT_EQ(unit_in(frame, "/vorticity"), "1/s");
 }
@@ -76,7 +77,7 @@ TEST(BodySeries, HasTheDistanceFromABodyWhereItIsAtThatTime) {
   const auto distances = values_in(frame, "/ball", {6, 8});
   for_each<2>(flow.grid.owned(), [&](const Index<2>& cell) {
     const double expected = (flow.grid.cell_center(cell) - Point<2>(0.6, 0.5)).norm() - 0.2;
-    EXPECT_NEAR(distances[static_cast<std::size_t>(8 * cell[1] + cell[0])], expected, 1e-13);
+    EXPECT_NEAR(distances[8 * static_cast<std::size_t>(cell[1]) + static_cast<std::size_t>(cell[0])], expected, 1e-13);
   });
   EXPECT_EQ(unit_in(frame, "/ball"), "m");
 }
