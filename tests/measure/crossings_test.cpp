@@ -2,9 +2,10 @@
 #include "washfsi/measure/crossings.hpp"
 
 #include <algorithm>
-#include <optional>
 
 #include <gtest/gtest.h>
+
+#include "support/lattice_group.hpp"
 
 namespace washfsi::test {
 namespace {
@@ -12,19 +13,14 @@ namespace {
 /// Two sheets of 4 x 4 markers 2 cm apart: one at rest in the plane z = 0, the other over it at a height, shifted so
 /// that no marker is over an edge; then 3 x 3 markers of each are over the other one.
 struct SheetOverSheet {
-  SheetOverSheet() {
-    groups[0].name = "towel";
-    groups[0].count = 2;
-    groups[0].markers = {4, 4};
-    groups[0].sheet = {.width = 4, .ds = 0.02, .dr = 0.02};
-    cloths.emplace(PETSC_COMM_WORLD, groups);
-  }
+  explicit SheetOverSheet(const ClothGroup<3>& group = lattice_group<3>("towel", 2, {4, 4}))
+      : cloths(PETSC_COMM_WORLD, {group}) {}
 
   /// The places of this rank's markers.
   Points<3> places(double height) const {
     Points<3> mine;
-    for (std::size_t m = 0; m < cloths->owned(); ++m) {
-      const PetscInt number = cloths->number_of(m), row = number % 16 / 4, column = number % 4;
+    for (std::size_t m = 0; m < cloths.owned(); ++m) {
+      const PetscInt number = cloths.number_of(m), row = number % 16 / 4, column = number % 4;
       const bool upper = number >= 16;
       const Point<3> shift = upper ? Point<3>(0.004, 0.007, height) : Point<3>::Zero();
       mine.push_back(0.02 * Point<3>(static_cast<double>(row), static_cast<double>(column), 0) + shift);
@@ -32,13 +28,12 @@ struct SheetOverSheet {
     return mine;
   }
 
-  std::vector<ClothGroup<3>> groups{1};
-  std::optional<Cloths<3>> cloths;
+  Cloths<3> cloths;
 };
 
 TEST(ClothCrossings, CountEachMarkerOfSheetsThatJumpThroughEachOther) {
   const SheetOverSheet sheets;
-  ClothCrossings crossings(*sheets.cloths);
+  ClothCrossings crossings(sheets.cloths);
   crossings.observe(sheets.places(0.05));  // beyond their reach
   EXPECT_EQ(crossings.least_distance(), crossings.reach());
   crossings.observe(sheets.places(-0.05));
@@ -50,7 +45,7 @@ TEST(ClothCrossings, CountEachMarkerOfSheetsThatJumpThroughEachOther) {
 
 TEST(ClothCrossings, GoOnFromTheNumberThatARestartKeeps) {
   const SheetOverSheet sheets;
-  ClothCrossings first(*sheets.cloths), second(*sheets.cloths);
+  ClothCrossings first(sheets.cloths), second(sheets.cloths);
   first.observe(sheets.places(0.004));
   first.observe(sheets.places(-0.004));
   std::ranges::copy(first.state(), second.state().begin());
@@ -61,11 +56,8 @@ TEST(ClothCrossings, GoOnFromTheNumberThatARestartKeeps) {
 }
 
 TEST(ClothCrossings, AreNotThoseOfAClothWithItself) {
-  SheetOverSheet sheets;
-  sheets.groups[0].count = 1;
-  sheets.groups[0].markers = {8, 4};  // the same markers as one cloth
-  sheets.cloths.emplace(PETSC_COMM_WORLD, sheets.groups);
-  ClothCrossings crossings(*sheets.cloths);
+  const SheetOverSheet sheets(lattice_group<3>("towel", 1, {8, 4}));  // the same markers as one cloth
+  ClothCrossings crossings(sheets.cloths);
   crossings.observe(sheets.places(0.004));
   crossings.observe(sheets.places(-0.004));
   EXPECT_EQ(crossings.crossings(), 0);

@@ -33,7 +33,7 @@ TEST(MachineAxis, IsWhereTheUserSays) {
 }
 
 TEST(MachineAxis, IsRefusedOutsideTheBox) {
-  const std::vector<std::pair<std::string, std::string>> cases{
+  const std::vector<std::pair<std::string, std::string>> refused{
       {"-machine_axis 0.6,0.2", "-machine_axis 0.6,0.2: must be in the box, x,y from -0.1,0 to 0.5,0.4"},
       {"-machine_axis 0.2,-0.1", "-machine_axis 0.2,-0.1: must be in the box"},
       {"-machine_orbit_center 0.1,0.1",
@@ -42,7 +42,7 @@ TEST(MachineAxis, IsRefusedOutsideTheBox) {
       {"-machine_orbit_center -0.1,0.4", "-machine_orbit_center -0.1,0.4: must be a distance >= 0"},
       {"-machine_axis 0.2", "-machine_axis 0.2: must be 2 numbers"},
   };
-  for (const auto& wrong : cases) expect_refusal<InputError>([&] { (void)axis_from(wrong.first); }, wrong.second);
+  expect_refusals<InputError>(axis_from, refused);
 }
 
 }  // namespace

@@ -5,17 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include "support/lattice_group.hpp"
+
 namespace washfsi::test {
 namespace {
-
-ClothGroup<3> means_group(const std::string& name, PetscInt count, PetscInt rows, MarkerLattice lattice) {
-  ClothGroup<3> group;
-  group.name = name;
-  group.count = count;
-  group.markers = {rows, 3};
-  group.sheet = {.width = 3, .ds = 0.02, .dr = 0.02, .lattice = lattice};
-  return group;
-}
 
 // A value of each of this rank's markers, from its number among all.
 std::vector<double> by_number(const Cloths<3>& cloths, const std::function<double(PetscInt)>& value) {
@@ -28,7 +21,7 @@ std::vector<double> by_number(const Cloths<3>& cloths, const std::function<doubl
 TEST(MarkerMeans, CountEachMarkerByItsArea) {
   for (const auto lattice : {MarkerLattice::centred, MarkerLattice::nodal}) {
     const bool nodal = lattice == MarkerLattice::nodal;
-    const Cloths<3> cloths(PETSC_COMM_WORLD, {means_group("towel", 1, 3, lattice)});
+    const Cloths<3> cloths(PETSC_COMM_WORLD, {lattice_group<3>("towel", 1, {3, 3}, lattice)});
     const MarkerMeans<3> means(cloths);
     const auto of_marker = [&](PetscInt one) {
       return means.of_cloths(by_number(cloths, [&](PetscInt m) { return m == one ? 1.0 : 0.0; })).at(0);
@@ -40,9 +33,7 @@ TEST(MarkerMeans, CountEachMarkerByItsArea) {
 
 // Two towels with markers 0 to 17 and a belt with 18 to 23.
 struct TowelsAndBelt {
-  Cloths<3> cloths{
-      PETSC_COMM_WORLD,
-      {means_group("towel", 2, 3, MarkerLattice::centred), means_group("belt", 1, 2, MarkerLattice::centred)}};
+  Cloths<3> cloths{PETSC_COMM_WORLD, {lattice_group<3>("towel", 2, {3, 3}), lattice_group<3>("belt", 1, {2, 3})}};
   MarkerMeans<3> means{cloths};
 };
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "support/random_points.hpp"
+#include "support/refusal.hpp"
 #include "washfsi/motion/repeat_bodies.hpp"
 #include "washfsi/shapes/agitator.hpp"
 #include "washfsi/shapes/combinations.hpp"
@@ -103,12 +104,7 @@ TEST(Images, OfWhatSpansThePeriodAreOne) {
 
 template <int Dim>
 std::string refusal(const Grid<Dim>& grid, std::vector<Body<Dim>> bodies) {
-  try {
-    (void)repeat_bodies<Dim>(grid, std::move(bodies));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return refusal_of<InputError>([&] { (void)repeat_bodies<Dim>(grid, std::move(bodies)); });
 }
 
 TEST(Images, ThatOverlapAreRefused) {

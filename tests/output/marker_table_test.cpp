@@ -3,20 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include "support/lattice_group.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace washfsi::test {
 namespace {
-
-template <int Dim>
-ClothGroup<Dim> table_group(const std::string& name, PetscInt count, std::array<PetscInt, 2> markers) {
-  ClothGroup<Dim> group;
-  group.name = name;
-  group.count = count;
-  group.markers = markers;
-  group.sheet = {.width = static_cast<std::size_t>(markers[1]), .ds = 0.02, .dr = 0.02};
-  return group;
-}
 
 // The lines of a table in which the first coordinate and velocity of marker m are m + 1, and the others 0.
 template <int Dim>
@@ -35,7 +26,7 @@ TEST(MarkerTable, NumbersTheClothsOfEachGroupAndTheirMarkers) {
                                           "sock,0,1,0,2,0,2,0",      "belt,0,0,0,3,0,3,0",    "belt,0,1,0,4,0,4,0",
                                           "belt,0,2,0,5,0,5,0",      "belt,1,0,0,6,0,6,0",    "belt,1,1,0,7,0,7,0",
                                           "belt,1,2,0,8,0,8,0"};
-  EXPECT_EQ(table_of<2>({table_group<2>("sock", 1, {2, 1}), table_group<2>("belt", 2, {3, 1})}), expected);
+  EXPECT_EQ(table_of<2>({lattice_group<2>("sock", 1, {2, 1}), lattice_group<2>("belt", 2, {3, 1})}), expected);
 }
 
 // i along s, j along r, which is the faster one.
@@ -44,7 +35,7 @@ TEST(MarkerTable, HasPlacesOnTheLatticeOfASheet) {
                                           "towel,0,0,0,1,0,0,1,0,0",     "towel,0,0,1,2,0,0,2,0,0",
                                           "towel,0,0,2,3,0,0,3,0,0",     "towel,0,1,0,4,0,0,4,0,0",
                                           "towel,0,1,1,5,0,0,5,0,0",     "towel,0,1,2,6,0,0,6,0,0"};
-  EXPECT_EQ(table_of<3>({table_group<3>("towel", 1, {2, 3})}), expected);
+  EXPECT_EQ(table_of<3>({lattice_group<3>("towel", 1, {2, 3})}), expected);
 }
 
 }  // namespace

@@ -75,7 +75,7 @@ TEST(ProfileOptions, GiveALineForEachName) {
 }
 
 TEST(ProfileOptions, AreRefusedWithOneLine) {
-  const std::vector<std::pair<std::string, std::string>> cases{
+  const std::vector<std::pair<std::string, std::string>> refused{
       {"-profiles a -a_to 1,0", "-a_from is missing"},
       {"-profiles a -a_from 1,0", "-a_to is missing"},
       {"-profiles a -a_from 0,0 -a_to 1,0.6", "-a_from, -a_to: the line leaves the grid"},
@@ -87,7 +87,7 @@ TEST(ProfileOptions, AreRefusedWithOneLine) {
       {"-profiles grid", "-profiles grid: this name is taken"},
       {"-a_from 0,0", "-a_from 0,0: no part of this run reads this option"},
   };
-  for (const auto& wrong : cases) expect_refusal<InputError>([&] { (void)profiles_in(wrong.first); }, wrong.second);
+  expect_refusals<InputError>(profiles_in, refused);
 }
 
 }  // namespace

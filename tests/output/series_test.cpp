@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/lattice_group.hpp"
 #include "support/linear_flow.hpp"
 #include "support/scratch_folder.hpp"
 #include "washfsi/shapes/primitives.hpp"
@@ -82,19 +83,10 @@ TEST(BodySeries, HasTheDistanceFromABodyWhereItIsAtThatTime) {
   EXPECT_EQ(unit_in(frame, "/ball"), "m");
 }
 
-ClothGroup<3> series_group(const std::string& name, PetscInt count, std::array<PetscInt, 2> markers) {
-  ClothGroup<3> group;
-  group.name = name;
-  group.count = count;
-  group.markers = markers;
-  group.sheet = {.width = static_cast<std::size_t>(markers[1]), .ds = 0.02, .dr = 0.02};
-  return group;
-}
-
 // XDMF: 2, the number of markers and the markers of a line; 5 and the corners of a quadrilateral in their order.
 TEST(ClothSeries, ConnectsTheMarkersOfEachClothAmongThemselvesOnly) {
   const ScratchFolder folder;
-  const Cloths<3> cloths(PETSC_COMM_WORLD, {series_group("belt", 1, {3, 1}), series_group("towel", 2, {2, 2})});
+  const Cloths<3> cloths(PETSC_COMM_WORLD, {lattice_group<3>("belt", 1, {3, 1}), lattice_group<3>("towel", 2, {2, 2})});
   const ClothSeries<3> series(PETSC_COMM_WORLD, cloths, folder.path(), -1);
   const std::string constants = folder.file("cloth/constants.h5");
   EXPECT_EQ(values_in(constants, "/topology", {15}),
@@ -105,7 +97,7 @@ TEST(ClothSeries, ConnectsTheMarkersOfEachClothAmongThemselvesOnly) {
 
 TEST(ClothSeries, HasPlacesVelocitiesAndFieldsWithTheirUnits) {
   const ScratchFolder folder;
-  const Cloths<3> cloths(PETSC_COMM_WORLD, {series_group("belt", 1, {2, 1})});
+  const Cloths<3> cloths(PETSC_COMM_WORLD, {lattice_group<3>("belt", 1, {2, 1})});
   ClothSeries<3> series(PETSC_COMM_WORLD, cloths, folder.path(), -1);
   series.write(0.25, 4, {{1, 2, 3}, {4, 5, 6}}, {{7, 8, 9}, {-1, -2, -3}}, {{"stress", "Pa", {10, 20}}});
   const std::string frame = folder.file("cloth/000000.h5");

@@ -8,6 +8,8 @@
 
 #include "support/option_database.hpp"
 #include "support/random_points.hpp"
+#include "support/refusal.hpp"
+#include "support/scratch_folder.hpp"
 #include "washfsi/motion/body.hpp"
 #include "washfsi/shapes/combinations.hpp"
 #include "washfsi/shapes/polygon.hpp"
@@ -80,15 +82,12 @@ TEST(ShapeOptions, PlaceAShapeInOneOrder) {
 
 /// The one line by which options are refused; empty if they are not.
 std::string refusal(int dim, const std::string& text) {
-  try {
+  return refusal_of<InputError>([&] {
     if (dim == 2)
       (void)read<2>(text);
     else
       (void)read<3>(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  });
 }
 
 TEST(ShapeOptions, RefuseWithOneLineThatNamesOptionAndValue) {
@@ -146,10 +145,9 @@ TEST(BodyOptions, ResolvedOptionsGiveTheSameBody) {
 
 /// Reads a motion from a file with this content.
 RigidMotion<2> motion_of(const std::string& content, const std::string& more = "") {
-  const std::string path = "motion_table_" + std::to_string(ranks_of(PETSC_COMM_WORLD)) + ".csv";
-  if (rank_of(PETSC_COMM_WORLD) == 0) std::ofstream(path) << content;
-  MPI_Barrier(PETSC_COMM_WORLD);
-  const OptionDatabase database("-a_motion_file " + path + " " + more);
+  const ScratchFolder folder;
+  folder.write("motion.csv", content);
+  const OptionDatabase database("-a_motion_file " + folder.file("motion.csv") + " " + more);
   Options options(PETSC_COMM_WORLD);
   return RigidMotion<2>::from_options(options, "a");
 }
@@ -174,15 +172,8 @@ TEST(MotionFile, IsRefusedWithOneLine) {
       {"0,0,0,0\n1,0,0,1\n", "-a_motion_file nowhere.csv", "-a_motion_file nowhere.csv: cannot be read"},
       {"0,0,0,0\n1,0,0,1\n", "-a_motion_file .", "-a_motion_file .: cannot be read"},
   };
-  for (const auto& [content, more, words] : cases) {
-    std::string line;
-    try {
-      (void)motion_of(content, more);
-    } catch (const InputError& error) {
-      line = error.what();
-    }
-    EXPECT_NE(line.find(words), std::string::npos) << content << "\n  " << line;
-  }
+  for (const auto& [content, more, words] : cases)
+    expect_refusal<InputError>([&table = content, &options = more] { (void)motion_of(table, options); }, words);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "support/random_points.hpp"
+#include "support/refusal.hpp"
 #include "washfsi/shapes/mesh_shells.hpp"
 #include "washfsi/shapes/primitives.hpp"
 #include "washfsi/shapes/sampled.hpp"
@@ -88,7 +89,7 @@ std::string binary(const Facets& facets) {
 
 /// A file with this content, one for each number of ranks: such tests may run beside each other.
 std::string file_of(const std::string& content) {
-  const std::string path = "stl_test_" + std::to_string(ranks_of(PETSC_COMM_WORLD)) + ".stl";
+  std::string path = "stl_test_" + std::to_string(ranks_of(PETSC_COMM_WORLD)) + ".stl";
   if (rank_of(PETSC_COMM_WORLD) == 0) std::ofstream(path, std::ios::binary) << content;
   MPI_Barrier(PETSC_COMM_WORLD);
   return path;
@@ -224,15 +225,6 @@ TEST(StlShape, OfABoxKeepsSignsNearEdges) {
   }
 }
 
-std::string refusal(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
-
 TEST(StlShape, RefusesBrokenFilesWithOneLine) {
   const Facets good = box({1, 1, 1});
   const auto changed = [&](const std::function<void(Facets&)>& change) {
@@ -272,15 +264,15 @@ TEST(StlShape, RefusesBrokenFilesWithOneLine) {
       {binary(infinite), "facet 3 has a corner that is not finite"},
   };
   for (const auto& [content, words] : cases) {
-    const std::string line = refusal([&] { (void)read(content, 0.1); });
+    const std::string line = refusal_of<InputError>([&facets = content] { (void)read(facets, 0.1); });
     EXPECT_NE(line.find(words), std::string::npos) << words << "\n  " << line;
     EXPECT_EQ(line.find("-a_file stl_test_"), 0U) << line;
     EXPECT_EQ(line.find('\n'), std::string::npos);
   }
-  const std::string line = refusal([&] { (void)read(bytes, 1e-4); });
+  const std::string line = refusal_of<InputError>([&] { (void)read(bytes, 1e-4); });
   EXPECT_EQ(line.find("-a_sample_spacing " + to_text(1e-4) + ": must be at least about 3.0e-03"), 0U) << line;
   for (const std::string path : {"nowhere.stl", "."})
-    EXPECT_EQ(refusal([&] {
+    EXPECT_EQ(refusal_of<InputError>([&] {
                 Options options(PETSC_COMM_WORLD);
                 (void)shape_from_stl(options, {path, 1, 0.1}, "a");
               }),

@@ -23,8 +23,7 @@ inline Points<3> crumpled_sheet(std::size_t rows, std::size_t width, double ds, 
   return x;
 }
 
-/// Woven cloth: different along warp and weft, Poisson's ratio and all stiffnesses present; its markers lie apart by
-/// these.
+/// Woven cloth: the spacings of its markers [m], and its moduli, which differ along warp and weft; none is zero.
 inline constexpr double woven_ds = 0.1, woven_dr = 0.07;
 inline constexpr LinearModuli woven_moduli{
     .ke_s = 50, .ke_r = 30, .ks = 8, .kb_s = 0.02, .kb_r = 0.05, .kt = 0.03, .poisson = 0.3};

@@ -29,7 +29,7 @@ TEST(OldOptionNames, AreTheSameInCapitals) {
   const OptionDatabase options("-Cloth_Coupling explicit");
   OldOptionNames names;
   EXPECT_TRUE(names.replace("cloth_coupling", "coupling_scheme", {}));
-  EXPECT_EQ(value_in_database("coupling_scheme"), "explicit");
+  EXPECT_EQ(petsc::option_value("", "-coupling_scheme", ""), "explicit");
 }
 
 TEST(OldOptionNames, AreRefusedBesideThePresentOnesInOnePlace) {

@@ -3,6 +3,8 @@
 
 #include <concepts>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -25,6 +27,12 @@ void expect_refusal(const Work& work, const std::string& words) {
   const std::string line = refusal_of<Error>(work);
   EXPECT_NE(line.find(words), std::string::npos) << "expected: " << words << "\n  found: " << line;
   EXPECT_EQ(line.find('\n'), std::string::npos) << line;
+}
+
+/// Expects that each text is refused so when it is read, with the words beside it.
+template <class Error, class Read>
+void expect_refusals(const Read& read, const std::vector<std::pair<std::string, std::string>>& texts_and_words) {
+  for (const auto& wrong : texts_and_words) expect_refusal<Error>([&] { (void)read(wrong.first); }, wrong.second);
 }
 
 }  // namespace washfsi::test

@@ -29,14 +29,14 @@ Notes notes_of(const std::string& text) {
 }
 
 TEST(UnreadOptions, AreRefusedWithTheNameThatWasMeant) {
-  const std::vector<std::pair<std::string, std::string>> cases{
+  const std::vector<std::pair<std::string, std::string>> refused{
       {"-fluid_densty 900", "-fluid_densty 900: no part of this run reads this option; did you mean -fluid_density?"},
       {"-sock_kee 5", "did you mean -sock_ke?"},
       {"-qqq", "-qqq: no part of this run reads this option (-help lists all)"},
       {"-viscosity 1", "-viscosity 1: is -fluid_viscosity now"},
       {"-ksp_rtol 1e-9", "-ksp_rtol 1e-9: no solver is without a prefix; say -pressure_ksp_rtol"},
   };
-  for (const auto& [text, words] : cases) expect_refusal<InputError>([&] { (void)notes_of(text); }, words);
+  expect_refusals<InputError>(notes_of, refused);
 }
 
 TEST(UnreadOptions, MayBePetscsOwn) {

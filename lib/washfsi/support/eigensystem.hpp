@@ -12,8 +12,8 @@ struct Eigensystem {
   Eigen::Matrix<double, Size, Size> vectors;
 };
 
-/// Of a symmetric matrix, of which the lower half is read; Size is 2, 3 or Eigen::Dynamic. Eigen's solver takes ten
-/// seconds to compile, so it is compiled here alone.
+/// Reads the lower half of a symmetric matrix; Size is 2, 3 or Eigen::Dynamic. Eigen's solver takes ten seconds to
+/// compile, so it is compiled in this source alone.
 template <int Size>
 Eigensystem<Size> eigensystem(const Eigen::Matrix<double, Size, Size>& symmetric);
 

@@ -14,7 +14,7 @@ bool OldOptionNames::replace(const std::string& old_name, const std::string& nam
   const bool old_on_line = given.on_command_line(old_name), new_on_line = given.on_command_line(name);
   if (both && old_on_line == new_on_line)
     throw InputError("-" + old_name + ": is the old name of -" + name + ", which is given too; leave one out");
-  const std::string value = value_in_database(old_name);
+  const std::string value = petsc::option_value("", "-" + old_name, "");
   WASH_PETSC(PetscOptionsClearValue(nullptr, ("-" + old_name).c_str()));
   if (both && new_on_line) return false;  // it overrides the file
   WASH_PETSC(PetscOptionsSetValue(nullptr, ("-" + name).c_str(), value.empty() ? nullptr : value.c_str()));

@@ -36,7 +36,7 @@ std::optional<std::string> OptionBlock::ask(const std::string& name, const std::
   }
   // asked even where the group has its own: so it counts as read
   const bool for_all = !fallback_.empty() && petsc::option_given("", "-" + fallback_ + name);
-  std::string value = for_all ? value_in_database(fallback_ + name) : current;
+  std::string value = for_all ? petsc::option_value("", "-" + fallback_ + name, "") : current;
   const auto given = ask_petsc(name, value, description);
   if (given) value = *given;
   register_.declared.add({title_, prefix_ + name, value, description.unit, description.meaning, description.allowed});

@@ -64,11 +64,11 @@ bool option_given(const std::string& prefix, const std::string& name) {
 }
 
 std::string option_value(const std::string& prefix, const std::string& name, const std::string& otherwise) {
-  std::array<char, 256> value{};
+  const char* value = nullptr;
   PetscBool given = PETSC_FALSE;
-  WASH_PETSC(PetscOptionsGetString(nullptr, prefix.empty() ? nullptr : prefix.c_str(), name.c_str(), value.data(),
-                                   value.size(), &given));
-  return given ? value.data() : otherwise;
+  WASH_PETSC(PetscOptionsFindPair(nullptr, prefix.empty() ? nullptr : prefix.c_str(), name.c_str(), &value, &given));
+  if (!given) return otherwise;
+  return value ? value : "";
 }
 
 void set_default_option(const std::string& name, const std::string& value) {

@@ -6,11 +6,9 @@
 #include <cctype>
 #include <cstdlib>
 #include <sstream>
-#include <stdexcept>
 #include <string_view>
 
 #include "washfsi/support/petsc.hpp"
-#include "washfsi/support/text.hpp"
 
 namespace washfsi {
 
@@ -36,12 +34,6 @@ std::map<std::string, std::string> options_in_database() {
   }
   (void)PetscFree(text);
   return entries;
-}
-
-std::string value_in_database(const std::string& name) {
-  for (const auto& [given, value] : options_in_database())
-    if (lower_case(given) == lower_case(name)) return value;
-  throw std::logic_error("-" + name + ": is not given");
 }
 
 bool belongs_to_petsc(const std::string& name) {

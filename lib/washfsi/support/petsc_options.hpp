@@ -13,8 +13,6 @@ bool is_option_name(const std::string& word);
 
 /// Every option in PETSc's database with its value, which may be empty.
 std::map<std::string, std::string> options_in_database();
-/// The value of an option that is given; names are the same in capitals, as they are for PETSc.
-std::string value_in_database(const std::string& name);
 
 /// Whether PETSc itself reads an option, or a solver of ours that it sets up.
 bool is_for_petsc(const std::string& name);
