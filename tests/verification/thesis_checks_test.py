@@ -34,6 +34,13 @@ class Checks(unittest.TestCase):
         self.assertTrue(hold(check, kept(-0.4, 0.1)))
         self.assertFalse(hold(check, kept(0.4, 0.2)))
 
+    def test_a_standard_deviation_may_have_a_limit_of_its_own(self):
+        row = Row("t", "a", "stress", "", lambda _: 0, within=0.1, within_spread=0.5)
+        self.assertLess(rows.moved(row, (1.05, 1.4), (1, 1)), 1)
+        self.assertGreater(rows.moved(row, (1.15, 1), (1, 1)), 1)
+        self.assertGreater(rows.moved(row, (1, 1.6), (1, 1)), 1)
+        self.assertGreater(rows.moved(row._replace(within_spread=0), (1, 1.4), (1, 1)), 1)
+
     def test_trends_and_limits(self):
         self.assertTrue(hold(checks.falls("t", "abc"), kept(3, 2, 1)))
         self.assertFalse(hold(checks.falls("t", "abc"), kept(3, 1, 2)))

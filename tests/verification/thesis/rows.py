@@ -57,6 +57,7 @@ class Row(NamedTuple):
     numerics: tuple = NUMERICS  # it is measured with these
     not_run: str = ""  # why not with the others, and what it would cost
     within: float = WITHIN  # infinite: the kept figure is only told, and checks judge (checks.py)
+    within_spread: float = 0  # the same of its standard deviation, the second figure; 0: as the first
     slack: float = 0  # it may move by so much however small it is
     is_error: bool = False  # the thesis's figure is an error itself: smaller is better
     miss: str = ""  # why ours is worse, where it is
@@ -113,11 +114,12 @@ def moved(row, figures, kept):
     if len(figures) != len(kept):
         return math.inf
     largest = 0.0
-    for found, known in zip(figures, kept):
+    allowed = (row.within, *[row.within_spread or row.within] * len(kept))
+    for found, known, within in zip(figures, kept, allowed):
         if math.isnan(found) != math.isnan(known):
             return math.inf
-        if not math.isnan(found) and row.within < math.inf:
-            largest = max(largest, abs(found - known) / max(row.within * abs(known), row.slack, 1e-12))
+        if not math.isnan(found) and within < math.inf:
+            largest = max(largest, abs(found - known) / max(within * abs(known), row.slack, 1e-12))
     return largest
 
 
