@@ -5,7 +5,7 @@ import json
 
 import numpy as np
 
-UNITS = {"agitator_work": "J", "agitator_power_mean": "W", "drum_work": "J", "towel_relative_speed": "m/s",
+UNITS = {"agitator_work": "J", "agitator_power_mean": "W", "drum_work": "J", "towel_friction_work": "J", "towel_relative_speed": "m/s",
          "towel_water_shear": "Pa", "towel_stress": "Pa", "towel_turns": "-", "towel_path": "m"}
 PERIOD = 1.5
 
@@ -32,6 +32,7 @@ def write_run(folder, status="finished", cycles=4, **figures):
              for name, column in zip(figures, rows.T)} if cycles > 2 else {}
     summary = {"program": "washfsi", "case": "fixture", "status": status, "time": cycles * PERIOD, "steps": 100 * cycles,
                "wall_seconds": 12.0, "cloth_crossings": 3,
+               "bodies": {name: {} for name in ("drum", "agitator")},
                "cycles": {"time": PERIOD, "complete": cycles, "first": 2, "figures": means},
                "cloths": {"towel": {"stress_mean": 2e5, "stress_std": 1e4, "max_stretch": 1.2, "max_depth": 0.0,
                                     "tumbles": 0.5}}}
@@ -47,7 +48,7 @@ def write_study(folder, designs, seeds, spread=0.02):
         for seed in range(1, seeds + 1):
             factors = 1 + spread * random.standard_normal(4)
             place = folder / "study" / name / (f"seed_{seed}" if seeds > 1 else "")
-            write_run(place, agitator_work=work * factors[0], drum_work=0.0, agitator_power_mean=work / PERIOD,
-                      towel_relative_speed=speed * factors[1], towel_water_shear=3 * speed * factors[1],
+            write_run(place, agitator_work=work * factors[0], drum_work=0.0, towel_friction_work=0.1 * work,
+                      agitator_power_mean=work / PERIOD, towel_relative_speed=speed * factors[1], towel_water_shear=3 * speed * factors[1],
                       towel_stress=stress * factors[2], towel_turns=0.5 * factors[3])
     return files

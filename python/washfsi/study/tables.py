@@ -17,9 +17,9 @@ def group_of(name, groups):
     return max(owners, key=len, default=None)
 
 
-def total_work(figures):
-    """Returns the work of all bodies in a cycle, None where no figure is a work: (mean, unit)."""
-    works = [figure for name, figure in figures.items() if name.endswith("_work")]
+def total_work(figures, bodies):
+    """Returns the work of all bodies in a cycle, None where none has a work: (mean, unit)."""
+    works = [figures[f"{body}_work"] for body in bodies if f"{body}_work" in figures]
     return (sum(work[0] for work in works), works[0][2]) if works else None
 
 
@@ -27,7 +27,7 @@ def figures_of(run, group):
     """Returns the figures of a run that concern a group or the machine: by name (mean over cycles, std, unit). `work` is
     that of all bodies."""
     figures, groups = run.figures(), list(run.summary().get("cloths", {}))
-    work = total_work(figures)
+    work = total_work(figures, run.summary().get("bodies", {}))
     mine = {"work": (work[0], None, work[1])} if work else {}
     for name, figure in figures.items():
         owner = group_of(name, groups)
