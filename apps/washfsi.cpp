@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "washfsi/simulation/document.hpp"
+#include "washfsi/simulation/presets.hpp"
 #include "washfsi/simulation/simulation.hpp"
 #include "washfsi/simulation/version.hpp"
 #include "washfsi/support/collective.hpp"
@@ -47,7 +48,7 @@ void run_or_document(const CommandLine& line) {
 
 int main(int argc, char** argv) {
   return washfsi::run_program("washfsi", [&] {
-    washfsi::CommandLine line(MPI_COMM_WORLD, argc, argv);
+    washfsi::CommandLine line(MPI_COMM_WORLD, argc, argv, washfsi::preset_options());
     if (line.asks_for_version()) return washfsi::print_version();
     WASH_PETSC(PetscInitialize(&line.count(), &line.words(), nullptr, washfsi::help_text));
     (void)std::signal(SIGPIPE, SIG_IGN);  // a reader that has seen enough does not end a run

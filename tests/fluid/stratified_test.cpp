@@ -75,8 +75,8 @@ struct StratifiedBox {
   double speed_after(int steps) {
     const Weight<Dim> weight(grid, water.liquid);
     for (int n = 0; n < steps; ++n)
-      water.take_step(1e-3,
-                      {.liquid = water.liquid.fields(), .force = water.force, .constraint = {}, .forces = {&weight}});
+      water.take_step(
+          1e-3, {.liquid = water.liquid.fields(), .force = water.force, .constraint = {}, .force_fields = {&weight}});
     double speed = 0;
     WASH_PETSC(VecNorm(water.fluid.velocity(), NORM_INFINITY, &speed));
     return speed / std::sqrt(gravity);

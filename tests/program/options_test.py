@@ -74,13 +74,33 @@ class Options(ProgramTest):
         box = ["-grid_cells", "16,16", "-time_step", 1e-3, "-time_end", 1]
         ball = ["-bodies", "ball", "-ball_radius", 0.1, "-ball_center", "0.3,0.5"]
         line = ["-cloths", "line", "-line_size", 0.3, "-line_markers", 8, "-line_center", "0.7,0.5", "-line_direction", "0,1", "-line_ke", 100]
-        for options, contact in (([*ball, *line], "barrier"), ([*ball, *line, "-contact_pressure", 100], "penalty"),
-                                 ([*ball, *line, "-contact_pressure", 0], "none"), ([*line, "-coupling_scheme", "midpoint"], "barrier"),
+        for options, contact in (([*ball, *line], "barrier"), ([*ball, *line, "-contact", "penalty", "-contact_pressure", 100], "penalty"),
+                                 ([*ball, *line, "-contact", "none"], "none"), ([*line, "-coupling_scheme", "midpoint"], "barrier"),
                                  ([*ball, *line, "-fluid", "none"], "barrier"), (ball, "none"), ([], "none")):
             with self.subTest(options):
                 printed, used = self.resolved(*box, *options)
                 self.assertEqual([used[name] for name in ("body_method", "contact", "coupling_order")], ["direct_forcing", contact, "2"])
                 self.assertNotRegex(printed, r"(?m)^(warning|note): .*(body_method|contact|coupling_order)")
+
+    def test_a_preset_stands_for_its_options_and_gives_way_to_all_others(self):
+        machine = {"body_slip_tolerance": 5e-4, "coupling_tolerance": 1e-4, "time_tolerance": 5e-4, "time_cfl": 0.55}
+        line = ["-cloths", "line", "-line_size", 0.3, "-line_markers", 8, "-line_center", "0.5,0.5", "-line_ke", 100, "-bodies", "ball",
+                "-ball_radius", 0.1, "-ball_center", "0.3,0.2", "-grid_cells", "16,16", "-time_step", 1e-3, "-time_end", 1]
+        own = self.write("own.opts", "-time_cfl 0.3")
+        for options, cfl in ((line, 0.55), (["-options_file", own, *line], 0.3), ([*line, "-time_cfl", 0.4], 0.4)):
+            with self.subTest(options):
+                printed, used = self.resolved(*options, "-preset", "machine")
+                self.assertEqual({name: float(used[name]) for name in machine}, {**machine, "time_cfl": cfl})
+                self.assertNotIn("warning: -", printed)
+        file = self.write("case.opts", "-preset machine")
+        self.assertEqual(float(self.resolved("-options_file", file, *line, "-preset", "none")[1]["time_cfl"]), 0)
+        again = self.resolved("-options_file", self.folder / "resolved.opts")[1]
+        self.assertEqual(float(again["time_cfl"]), 0)
+
+    def test_a_presets_options_that_have_no_effect_are_no_matter(self):
+        box = ["-grid_cells", "16,16", "-time_step", 1e-3, "-time_end", 1, "-preset", "machine"]
+        self.assertNotRegex(self.resolved(*box)[0], r"(?m)^(warning|note): -")
+        self.assertIn("so without effect: -coupling_tolerance", self.resolved(*box, "-coupling_tolerance", 1e-3)[0])
 
     def test_default_shape_that_another_replaces(self):
         case = self.write("case.opts", "-grid_cells 16,16", "-bodies pole", "-body_method mapping", "-pole_radius 0.1", "-time_end 1",

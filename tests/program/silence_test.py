@@ -58,9 +58,9 @@ REFUSED = [
 # the case, the options that have no effect with their values, and the reason that is told
 IDLE = [
     (MACHINE, ["-contact_friction", 0.4], ["-contact", "none"], "-contact is none"),
-    (MACHINE, ["-contact_pressure", 3e3], ["-contact", "barrier"], "-contact is barrier"),
+    (MACHINE, ["-contact_pressure", 3e3], [], "-contact is barrier"),
     (PLANE, ["-contact_friction", 0.3], [], "-contact is penalty"),
-    (PLANE, ["-contact_distance", 0.01], ["-contact_pressure", 0], "-contact is none"),
+    (PLANE, ["-contact_distance", 0.01], ["-contact", "none"], "-contact is none"),
     (MACHINE, ["-turbulence_constant", 0.1], [], "-turbulence is none"),
     (MACHINE, ["-statistics_axes", "z", "-statistics_spectra", 0.1], [], "-statistics is false"),
     (MACHINE, ["-statistics_start", 0.1], [], "neither -statistics nor -statistics_phases"),

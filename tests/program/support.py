@@ -9,6 +9,7 @@ import os
 import pathlib
 import subprocess
 import tempfile
+import time
 import unittest
 
 import numpy as np
@@ -28,9 +29,11 @@ TIGHT = ["-momentum_tolerance", "1e-13", "-pressure_tolerance", "1e-12"]
 
 
 class ProgramTest(unittest.TestCase):
-    """Tests in a fresh temporary folder each, removed afterwards."""
+    """Tests in a fresh temporary folder each, removed afterwards. Each prints how long it took."""
 
     def setUp(self):
+        start = time.monotonic()
+        self.addCleanup(lambda: print(f"{self.id()}: {time.monotonic() - start:.1f} s"))
         folder = tempfile.TemporaryDirectory(prefix="washfsi_")
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)

@@ -18,6 +18,8 @@ TEST(GivenOptions, HaveNamesInAnyCaseOfWhichTheLastCounts) {
   EXPECT_TRUE(given.on_command_line("TIME_END"));
   EXPECT_FALSE(given.is_recorded("time_end"));
   EXPECT_FALSE(given.on_command_line("time_step"));
+  EXPECT_EQ(given.value("Time_end"), "2");
+  EXPECT_EQ(given.value("time_step"), "");
 }
 
 TEST(GivenOptions, LackAValueUnlessOneIsGivenEvenAnEmptyOne) {

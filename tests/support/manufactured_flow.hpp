@@ -87,7 +87,7 @@ template <int Dim>
 class ManufacturedRun {
  public:
   ManufacturedRun(ExactFlow<Dim> exact, const GridShape<Dim>& shape, typename Boundary<Dim>::Sides sides, bool forced,
-                  Advection advection = Advection::central)
+                  const std::string& advection = "central")
       : exact_(std::move(exact)),
         grid_(PETSC_COMM_WORLD, shape),
         boundary_(grid_, std::move(sides)),
@@ -128,7 +128,7 @@ class ManufacturedRun {
   const Grid<Dim>& grid() const { return grid_; }
 
  private:
-  FluidOptions<Dim> options(Advection advection) const {
+  FluidOptions<Dim> options(const std::string& advection) const {
     FluidOptions<Dim> options;
     options.advection = advection;
     options.density = exact_.density;

@@ -48,6 +48,14 @@ TEST(UnreadOptions, AreToldTogetherWhereTheirPartIsSwitchedOff) {
             Notes{"warning: -cloths does not name sock any more, so without effect: -sock_kb -sock_ke"});
 }
 
+// What the program itself has written, in resolved.opts or by a preset, is no wish of the user.
+TEST(UnreadOptions, AreNoMatterWhereTheProgramWroteThem) {
+  OptionRegister known = read_register();
+  known.given.add({"-sock_ke", "5", true, "resolved.opts", true});
+  const OptionDatabase database("-sock_ke 5");
+  EXPECT_EQ(reject_unread_options(known), Notes{});
+}
+
 // Who switches water off on the command line knows that a file has a density.
 TEST(UnreadOptions, AreNoWarningWhereALaterPlaceMakesThemIdle) {
   for (const bool on_line : {true, false}) {

@@ -13,7 +13,7 @@ std::unique_ptr<WallForces<Dim>> make_walls(const Grid<Dim>& grid, const Boundar
                                             const std::vector<Body<Dim>>& list, BodyTreatment treatment,
                                             const FluidOptions<Dim>& fluid) {
   if (treatment.method != BodyMethod::direct_forcing || list.empty()) return nullptr;
-  treatment.limits_advection &= fluid.advection == Advection::central;
+  treatment.limits_advection &= fluid.advects_centrally();
   return std::make_unique<WallForces<Dim>>(grid, boundary, list, treatment);
 }
 

@@ -8,9 +8,9 @@
 namespace washfsi {
 
 /// Keeps cloths, and the parts of one, from passing through each other (Li et al., ACM Trans. Graph. 39 (2020) 49). Two
-/// surfaces repel each other where they are nearer than the contact distance d^: the middle of each face, a sample, at
+/// surfaces repel each other where they are nearer than the contact distance d^: a sample, a Gauss point of a face, at
 /// the distance d from another surface, has the energy
-///   E = kappa w d^ b(d/d^),     w half of the undeformed area of the face
+///   E = kappa w d^ b(d/d^),     w half of the undeformed area that the sample stands for
 /// and pushes its markers, and those of what it faces (contact/surface_samples.hpp), by -kappa w b' share n. So two
 /// flat sheets at the distance d press each other with -kappa b'(d/d^), wherever they lie. Corners and creases may come
 /// nearer than samples see. So pairs of facets without a common marker, a marker and a triangle or two edges, in the

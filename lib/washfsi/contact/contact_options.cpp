@@ -33,14 +33,12 @@ void mark_unused(Options& options, const ContactOptions& contact) {
 ContactOptions ContactOptions::from_options(Options& options, bool has_cloths) {
   ContactOptions contact;
   if (!has_cloths) contact.kind = ContactKind::none;
-  bool is_chosen = false, has_pressure = false;
   options.alias_value("contact", "cushion", "penalty");
   options.block("", "Contact of cloths", [&](OptionBlock& block) {
-    is_chosen = block.given("contact");
     block.choice(
         "contact", contact.kind,
         "what keeps cloth out of others: a barrier between cloths, which none passes, and on bodies and walls; penalty "
-        "contact with bodies and walls, which is the default with a contact pressure; or only water");
+        "contact with bodies and walls, of a given pressure; or only water");
   });
   options.block("contact_", "Contact of cloths", [&](OptionBlock& block) {
     block.real(
@@ -49,7 +47,6 @@ ContactOptions ContactOptions::from_options(Options& options, bool has_cloths) {
     block.real("body_distance", contact.body_distance, "m", non_negative,
                "at which the barrier of bodies and walls begins; 0: 0.4 of the least spacing of markers, and in "
                "water at least the least width of a cell");
-    has_pressure = block.given("pressure");
     block.real("pressure", contact.pressure, "Pa", non_negative,
                "of penalty contact, on cloth at a body's surface; 0: there is none");
     block.real("stiffness", contact.stiffness, "Pa", positive, "of the barrier");
@@ -64,12 +61,10 @@ ContactOptions ContactOptions::from_options(Options& options, bool has_cloths) {
                   "water between cloths that are nearer than a cell drains along them, by the law of squeezed films "
                   "(semi_implicit, implicit)");
     block.real("verify_interval", contact.verify_interval, "s", non_negative,
-               "between counts of the cloths' intersections, with the barrier; 0: after each step");
+               "between counts of the cloths' intersections; 0: after each step with the barrier, else never");
   });
-  if (!is_chosen && has_pressure) contact.kind = contact.pressure > 0 ? ContactKind::penalty : ContactKind::none;
   if (contact.kind == ContactKind::penalty && contact.pressure == 0 && !options.help())
     throw InputError("-contact penalty: needs -contact_pressure, above 0");
-  options.record("contact", name_of(contact.kind));
   if (has_cloths) mark_unused(options, contact);
   return contact;
 }

@@ -70,7 +70,7 @@ void predict_water(System<Dim>& system, double dt) {
                          .constraint = model.bodies.constraint(),
                          .upwind_weight = model.upwind_weight(),
                          .driven_share = model.bodies.driven_share()};
-  for (const auto& force : model.water_forces) fields.forces.push_back(force.get());
+  for (const auto& force : model.water_forces) fields.force_fields.push_back(force.get());
   model.water_step().predict(state.clock.next(dt), fields);
 }
 

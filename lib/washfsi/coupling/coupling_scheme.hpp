@@ -28,11 +28,11 @@ struct CouplingOptions {
   std::string scheme_option = "coupling_scheme";  ///< the name by which the user gave it
   TimeScheme time_scheme = TimeScheme::trapezoidal;
   Mobility mobility = Mobility::matrix;
-  double mobility_factor = 1;                     ///< factor of the markers' mobility
-  double tolerance = 1e-5;                        ///< rms residual of the markers' velocities over the flow's speed
-  PetscInt order = 2;                             ///< order in time of the semi-implicit coupling: 1 or 2
-  PetscInt sweeps = 1;                            ///< most sweeps of the semi-implicit coupling
-  MassCarrier mass_carrier = MassCarrier::water;  ///< default carrier of the cloths' excess mass
+  double mobility_factor = 1;  ///< factor of the markers' mobility
+  double tolerance = 1e-5;     ///< rms residual of the markers' velocities over the flow's speed
+  PetscInt order = 2;          ///< order in time of the semi-implicit coupling: 1 or 2
+  PetscInt sweeps = 1;         ///< most sweeps of the semi-implicit coupling; `from_options` has more by default
+  MassCarrier mass_carrier = MassCarrier::water;  ///< of the cloths' excess mass; `from_options`: as the scheme has it
   double slip_tolerance = 0.01;  ///< relative slip of cloth and water below which no further sweep is made
 
   static CouplingOptions from_options(Options& options);

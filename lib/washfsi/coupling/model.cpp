@@ -40,7 +40,7 @@ GridShape<Dim> with_ghosts_for(GridShape<Dim> shape, const ModelOptions<Dim>& op
 
 template <int Dim>
 bool cloth_limits(const ModelOptions<Dim>& options) {
-  return options.cloth_limits_advection && options.fluid.advection == Advection::central && !options.cloths.empty();
+  return options.cloth_limits_advection && options.fluid.advects_centrally() && !options.cloths.empty();
 }
 
 template <int Dim>

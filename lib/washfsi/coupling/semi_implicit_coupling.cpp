@@ -203,7 +203,7 @@ double SemiImplicitCoupling<Dim>::slip(MPI_Comm comm, const Points<Dim>& interpo
   return speed > 0 ? norm(comm, velocities_ - interpolated) / speed : 0;
 }
 
-// Lines 5 to 7: advances from the forces at the start to those at the end, with the water's velocity at the markers.
+// Items 5 to 7: advances from the forces at the start to those at the end, with the water's velocity at the markers.
 template <int Dim>
 void SemiImplicitCoupling<Dim>::iterate(System<Dim>& system, double dt, Points<Dim> forces, Points<Dim> interpolated) {
   auto& [model, state, step] = system;

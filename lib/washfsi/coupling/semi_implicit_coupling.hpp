@@ -10,10 +10,11 @@
 //                  guess is F = F^n + I^n/a, where I^n is the previous step's force of inertia
 //   2. fluid       u, p by the fractional step with f
 //   3. markers     U = J [H (a u + b u^n + c u^(n-1)) + (1-H) u_solid]. For permeable cloth B f is
-//                  added to U, and M + a B/dt replaces M from line 4 on (coupling/seepage.hpp)
-//   4. mobility    M = factor times a^2 J H S / rho, a sparse matrix or a product that bounds the true mobility of the
-//                  markers, that of cloths lying on each other included; or, D, its row sums, a diagonal. Stable for
-//                  any step if factor >= 3/4 and the density is nearly uniform; a heavy plate needs 1
+//                  added to U, and M + a B/dt replaces M from item 4 on (coupling/seepage.hpp)
+//   4. mobility    M = factor times a^2 times the mobility J H S / rho, as a sparse matrix, or, where many cloths lie
+//                  on each other, as the product itself. With the pressure markers yield less than this. D is the
+//                  diagonal of its row sums. Stable for any step if factor >= 3/4 and the density is nearly uniform; a
+//                  heavy plate needs 1
 //   5. elasticity  W - U = dt M [F(X^n + dt W) - F], by Newton's method. With D the equations are the gradient of a
 //                  potential; with M they are solved by GMRES, preconditioned by those with D. Where contact limits
 //                  the motion, see coupling/force_equation.hpp
@@ -59,7 +60,7 @@ class SemiImplicitCoupling : public CouplingScheme<Dim> {
   Points<Dim> reached_velocities(const System<Dim>& system, double dt) const;
   void prepare_end_forces(System<Dim>& system, double dt) const;
   void iterate(System<Dim>& system, double dt, Points<Dim> forces, Points<Dim> interpolated);
-  /// Solves line 5 for W from U and F. Collective. Errors: DivergedError.
+  /// Solves item 5 for W from U and F. Collective. Errors: DivergedError.
   Points<Dim> solve_velocities(System<Dim>& system, double dt, const Points<Dim>& free_velocities,
                                const Points<Dim>& forces);
   Points<Dim> solve_by_matrix(System<Dim>& system, double dt, const Points<Dim>& free_velocities,

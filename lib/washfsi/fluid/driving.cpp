@@ -42,7 +42,7 @@ bool Driving<Dim>::is_there() const {
 }
 
 template <int Dim>
-const Point<Dim>& Driving<Dim>::begin() {
+const Point<Dim>& Driving<Dim>::begin_trial() {
   return gradient_ = guess_;
 }
 

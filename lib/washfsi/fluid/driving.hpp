@@ -37,7 +37,7 @@ class Driving {
   bool is_there() const;
 
   /// Begins the trial of a step and returns G for the momentum solve [Pa/m].
-  const Point<Dim>& begin();
+  const Point<Dim>& begin_trial();
   /// Adds G (1 - share) to a force density on faces [N/m3]: the reaction of bodies on their share, which is not driven.
   void add_reaction_of_undriven(Vec driven_share, Vec force) const;
   /// Gives u* its bulk velocity. `driven_share` is H on faces; null for 1 everywhere. Collective.

@@ -50,12 +50,12 @@ void FractionalStep<Dim>::predict(const TimeStep& step, const StepFields<Dim>& f
 // All force density of a step is the given one, that of the force fields, and the reaction of what is not driven.
 template <int Dim>
 void FractionalStep<Dim>::add_further_forces() {
-  if (fields_.forces.empty() && !fields_.driven_share) return;
+  if (fields_.force_fields.empty() && !fields_.driven_share) return;
   if (!force_) force_ = grid_.face_vector();
   WASH_PETSC(VecCopy(fields_.force, force_));
   fields_.force = force_;
   if (fields_.driven_share) driving_.add_reaction_of_undriven(fields_.driven_share, force_);
-  for (const ForceField* field : fields_.forces) field->add_to(force_);
+  for (const ForceField* field : fields_.force_fields) field->add_to(force_);
 }
 
 template <int Dim>
@@ -63,7 +63,8 @@ void FractionalStep<Dim>::explicit_terms() {
   const GhostedVelocity<Dim> local_u(boundary_, advection_.velocity_dm(), velocity_, step_.start);
   const petsc::LocalVector local_p(grid_.cell_dm(), projection_.pressure());
   boundary_.advance_outflow(local_u, step_.start, step_.dt);
-  advection_.find({local_u, fields_.liquid.density, fields_.constraint.fluid_fraction, fields_.upwind_weight});
+  advection_.find({advection_.velocity_dm(), local_u, fields_.liquid.density, fields_.constraint.fluid_fraction,
+                   fields_.upwind_weight});
   with_viscosity<Dim>(grid_, fields_.liquid.viscosity,
                       [&](const auto& viscosity) { sum_explicit_terms(viscosity, local_u, local_p); });
 }
@@ -80,7 +81,7 @@ void FractionalStep<Dim>::sum_explicit_terms(const Form& viscosity, Vec local_u,
   const ConstFaceView<Dim> now(grid_.face_dm(), advection_.now()), before(grid_.face_dm(), advection_.before());
   const ConstFaceView<Dim> earlier(grid_.face_dm(), advection_.earlier());
   const ConstCellView<Dim> p(grid_.cell_dm(), local_p);
-  const Point<Dim> mean_gradient = driving_.begin();
+  const Point<Dim> mean_gradient = driving_.begin_trial();
   const FaceView<Dim> b(grid_.face_dm(), rhs_);
   grid_.for_each_inner_face([&](const Index<Dim>& face, auto c) {
     const double stress =

@@ -33,7 +33,7 @@ struct StepFields {
   LiquidFields liquid;
   Vec force = nullptr;
   Constraint<Dim> constraint;
-  std::vector<const ForceField*> forces = {};  ///< act beside `force` from the start of the step; none is null
+  std::vector<const ForceField*> force_fields = {};  ///< act beside `force` from the start of the step; none is null
   /// The weight of upwind advection on faces with `limits_at_edges`: from 1 beside edges and thin parts to 0 beyond the
   /// kernels of their markers.
   Vec upwind_weight = nullptr;

@@ -6,20 +6,13 @@
 #pragma once
 
 #include "washfsi/fluid/adams_bashforth.hpp"
+#include "washfsi/fluid/advection_scheme.hpp"
 #include "washfsi/fluid/options.hpp"
 #include "washfsi/grid/boundary.hpp"
 #include "washfsi/support/petsc.hpp"
 #include "washfsi/support/state_list.hpp"
 
 namespace washfsi {
-
-/// The fields at the start of a step that advection reads.
-struct AdvectedFields {
-  Vec local_velocity = nullptr;  ///< with the ghosts of `velocity_dm`, filled [m/s]
-  Vec density = nullptr;         ///< on faces [kg/m3]
-  Vec fluid_fraction = nullptr;  ///< on faces; null: 1. Water in solids dissipates nothing by its advection.
-  Vec upwind_weight = nullptr;   ///< on faces, for advection that is limited at edges
-};
 
 template <int Dim>
 class MomentumAdvection {
@@ -29,17 +22,14 @@ class MomentumAdvection {
 
   /// The face DM with the ghosts that advection and open sides need.
   DM velocity_dm() const { return velocity_dm_; }
-  /// Whether what it carries is bounded by its neighbours everywhere.
-  bool is_bounded() const { return scheme_ == Advection::upwind; }
-  /// Whether it departs from central; and the power that it then dissipated in the last step, which central advection
-  /// does not [W; W/m in the plane].
-  bool departs_from_central() const { return scheme_ != Advection::central || limits_at_edges_; }
+  const AdvectionScheme<Dim>& scheme() const { return *scheme_; }
+  /// The power that the scheme dissipated in the last step and central advection does not [W; W/m in two dimensions].
   double numerical_dissipation() const { return numerical_dissipation_; }
   /// Length of the last step [s]; 0 before the first.
   double last_step() const { return dt_before_; }
 
   /// Finds the term at the start of a step. May be repeated. Collective.
-  void find(const AdvectedFields& fields);
+  void find(const AdvectedFields& fields) { numerical_dissipation_ = scheme_->find(fields, now_); }
   /// The weights of the three terms in a step of this length [s].
   AdvectionWeights weights(double dt) const { return adams_bashforth(bend_, dt, dt_before_, dt_earlier_); }
   Vec now() const { return now_; }          ///< (u.grad u)^n, on inner faces [m/s2]
@@ -52,12 +42,8 @@ class MomentumAdvection {
   void register_state(StateList& state);
 
  private:
-  template <class Flux>
-  void replace(const Box<Dim>& where, const AdvectedFields& fields, const Flux& flux);
-
   const Grid<Dim>& grid_;
-  Advection scheme_;
-  bool limits_at_edges_;
+  std::unique_ptr<AdvectionScheme<Dim>> scheme_;
   double bend_;  ///< `bend` of `adams_bashforth`
   DM velocity_dm_;
   petsc::Vector now_, before_, earlier_;

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/fluid/options.hpp"
 
+#include "washfsi/fluid/advection_scheme.hpp"
 #include "washfsi/fluid/viscosity_models.hpp"
 #include "washfsi/support/errors.hpp"
 
 namespace washfsi {
-
-const ChoiceNames<Advection>& names_of(Advection) {
-  static const ChoiceNames<Advection> names{
-      {"central", Advection::central}, {"wide_central", Advection::wide_central}, {"upwind", Advection::upwind}};
-  return names;
-}
 
 namespace {
 
@@ -29,7 +24,7 @@ FluidOptions<Dim> FluidOptions<Dim>::from_options(Options& options) {
     block.real("fluid_viscosity", fluid.viscosity, "Pa s", non_negative,
                "dynamic viscosity of the water; 0: inviscid, not with -wall_model");
     block.boolean("fluid_projection", fluid.projection, "make the velocity divergence free");
-    block.choice("advection", fluid.advection,
+    block.choice("advection", fluid.advection, advection_schemes(),
                  "scheme of the advection term; wide_central has less error on a given grid; upwind is bounded (van "
                  "Leer), for grids too coarse for central");
     block.integer(

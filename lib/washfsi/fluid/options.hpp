@@ -7,10 +7,6 @@
 
 namespace washfsi {
 
-/// Central differences with means of two or of four faces, or upwind ones with van Leer's limiter.
-enum class Advection { central, wide_central, upwind };
-const ChoiceNames<Advection>& names_of(Advection);
-
 /// The liquid and the numerics of its equations.
 template <int Dim>
 struct FluidOptions {
@@ -19,13 +15,14 @@ struct FluidOptions {
   ViscosityModels<Dim> viscosity_models;
   WallTreatment wall_model = WallTreatment::none;
   DrivingOptions<Dim> driving;
-  Advection advection = Advection::central;
-  bool limits_at_edges = false;      ///< whether central advection becomes upwind by the nearness in a step's fields
-  int advection_steps = 3;           ///< steps from which advection is extrapolated; 2: Adams-Bashforth (thesis)
-  bool projection = true;            ///< false: the cloth tests of thesis 3.5.1, where u = u*
-  double momentum_tolerance = 1e-7;  ///< rms residual of the momentum rows over the largest speed
-  double pressure_tolerance = 5e-7;  ///< divergence left after a step over (largest speed)/h
+  std::string advection = "central";  ///< name of a scheme (`advection_scheme.hpp`)
+  bool limits_at_edges = false;       ///< whether central advection becomes upwind by the nearness in a step's fields
+  int advection_steps = 3;            ///< steps from which advection is extrapolated; 2: Adams-Bashforth (thesis)
+  bool projection = true;             ///< false: the cloth tests of thesis 3.5.1, where u = u*
+  double momentum_tolerance = 1e-7;   ///< rms residual of the momentum rows over the largest speed
+  double pressure_tolerance = 5e-7;   ///< divergence left after a step over (largest speed)/h
 
+  bool advects_centrally() const { return advection == "central"; }
   static FluidOptions from_options(Options& options);
 };
 

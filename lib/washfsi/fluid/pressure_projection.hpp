@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The projection of a step, and the pressure that it updates:
-//   div( (1/rho) grad q ) = div u* / dt,    u^(n+1) = u* - (dt/rho) grad q,    p^(n+1/2) = p^(n-1/2) + q - (mu/2) div
-//   u*
+//   div( (1/rho) grad q ) = div u* / dt,    u^(n+1) = u* - (dt/rho) grad q
+//   p^(n+1/2) = p^(n-1/2) + q - (mu/2) div u*
 // and again after a further force, then with p += q alone. Where the viscosity varies, mu div u* takes the place of
 // (mu/2) div u*.
 #pragma once
@@ -57,7 +57,7 @@ class PressureProjection : public Projection {
   bool is_on_;
   PressureSolver<Dim> poisson_;
   petsc::Vector pressure_;
-  petsc::Vector phi_;  ///< dt q / rho_f of the last `project`: the next one's guess
+  petsc::Vector phi_;  ///< phi (`pressure.hpp`) of the last `project`: the next one's guess
   petsc::Vector minus_divergence_;
   petsc::Vector phi_of_force_, saved_pressure_;  ///< created when first used
   TimeStep step_;

@@ -19,7 +19,7 @@ constexpr double sheet_mean_spacing = Dim == 2 ? 0.65 : 0.38;
 template <int Dim>
 struct MarkerLayout {
   Point<Dim> cell;                  ///< the grid's spacing [m]
-  double spacing = 1.0;             ///< width of patches: 1.2 times on sheets, 1.8 on solids [cells]
+  double spacing = 1.0;             ///< least distance of patches: 1.2 times on sheets, 1.3 on solids [cells]
   KernelMoments moments;            ///< moments of the markers' delta
   bool inner_water_slides = false;  ///< whether water within bodies, and all at thin parts, slides along the walls
   Point<Dim> period = Point<Dim>::Zero();  ///< surface's period where it repeats after the region, else 0

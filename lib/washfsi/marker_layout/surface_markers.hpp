@@ -16,7 +16,7 @@ struct Surface {
   MarkerLayout<Dim> layout;
 };
 
-/// Markers on surfaces, each in its shape's frame and within its region: evenly spread, half a patch's spacing apart,
+/// Markers on surfaces, each in its shape's frame and within its region: evenly spread, about half a cell apart,
 /// and gathered in patches about evenly spread middles. Fewer forces than markers keep the forces well determined,
 /// while their markers leave no gaps. They are retracted behind the surface by the reach of their delta: by
 /// `KernelMoments::retraction`, and by 1/2 sum_d sigma^2 h_d^2 d2Phi/dx_d2 more, since the delta of a marker on a

@@ -12,7 +12,7 @@ namespace washfsi {
 ///   force = sum over cells  V t  +  sum over faces  V [ (1 - H) rho a_solid - w (rho du/dt - f) ]
 ///   t     = rho u (u . grad w) + p grad w - mu (grad u + grad u^T) grad w
 /// with u and p in the middle of the step; the torque has the cross products with the arms. Nothing is evaluated at the
-/// wall, so the noise of its staircase does not enter: a check of `Mask::loads`.
+/// wall, so the noise of its staircase does not enter: a check of the loads by the constraint force (`mask_loads.hpp`).
 template <int Dim>
 class ControlVolumes {
  public:

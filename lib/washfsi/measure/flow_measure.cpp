@@ -27,7 +27,7 @@ void FlowMeasure<Dim>::declare(QuantityList& quantities) {
   quantities.add(
       {"dissipation", U::power, "2 mu e:e over the fluid, e the rate of strain", [this] { return flow_.dissipation; }},
       {{"dissipated", U::energy, OverCycle::integral, "energy lost to the water's friction", -1}});
-  if (fluid.advection().departs_from_central())
+  if (fluid.advection().scheme().departs_from_central())
     quantities.add(
         {"numerical_dissipation", U::power,
          "power that the advection scheme took out of the flow beyond central differences",

@@ -43,9 +43,10 @@ BodyTreatment BodyTreatment::from_options(Options& options) {
         " through the wall; with cut_stencil viscous stencils end at the walls");
     block.choice("body_mask", treatment.edge,
                  "mask of the solid; smooth over two spacings to either side, for the mapping methods");
-    block.real("body_marker_spacing", treatment.marker_spacing, "cells", spacings,
-               "width of a patch of markers, which share one force: 1.2 times this on thin parts, 1.8 round solids "
-               "(direct_forcing)");
+    block.real(
+        "body_marker_spacing", treatment.marker_spacing, "cells", spacings,
+        "least distance of the middles of patches, whose markers share one force: 1.2 times this on thin parts, 1.3 "
+        "times round solids (direct_forcing)");
     block.real("body_slip_tolerance", treatment.slip_tolerance, "-", tight,
                "rms slip that is left at each body, as deltas see it, over the largest speed (direct_forcing)");
     block.boolean("body_limits_advection", treatment.limits_advection,

@@ -21,7 +21,7 @@ class History {
   /// Starts a new file, or continues one after `restart_step`. Collective. Errors: FileError.
   History(MPI_Comm comm, const std::string& path, const std::vector<Column>& columns, long restart_step);
 
-  /// Appends a row of as many values as there are columns. Collective. Errors: FileError.
+  /// Appends a row: the step, then a value for each column after the first. Collective. Errors: FileError.
   void append(long step, const std::vector<double>& values);
 
  private:

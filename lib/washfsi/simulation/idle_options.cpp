@@ -73,8 +73,8 @@ void mark_of_cloths(Options& options, const CaseOptions<Dim>& chosen) {
   const auto& groups = chosen.model.cloths;
   if (std::ranges::all_of(groups, [](const auto& group) { return group.excess_mass == 0; }))
     options.mark_idle("no cloth has an excess mass", {"gravity"});
-  if (chosen.model.fluid.advection != Advection::central)
-    options.mark_idle("-advection is " + name_of(chosen.model.fluid.advection), {"cloth_limits_advection"});
+  if (!chosen.model.fluid.advects_centrally())
+    options.mark_idle("-advection is " + chosen.model.fluid.advection, {"cloth_limits_advection"});
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const std::string& name = groups[g].name;
     const ClothShape shape = groups[g].shape;

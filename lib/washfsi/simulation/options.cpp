@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/simulation/options.hpp"
 
+#include "washfsi/simulation/presets.hpp"
 #include "washfsi/support/errors.hpp"
 
 namespace washfsi {
@@ -9,10 +10,11 @@ RunOptions RunOptions::from_options(Options& options, const std::string& case_na
   RunOptions run;
   run.case_name = case_name;
   options.block("", "Run", [&](OptionBlock& block) {
+    declare_preset(block);
     block.require("time_end", "the time at which the run ends, in s");
     block.real("time_step", run.time_step, "s", non_negative,
                "length of a step, the longest if -time_cfl is given too; 0: half of the cloth's bound, if the coupling "
-               "has one, or a CFL number of 0.3, the shorter");
+               "has one, or a CFL number of -time_cfl, 0.3 without it, the shorter");
     block.real("time_cfl", run.time_cfl, "-", non_negative,
                "choose each step for this CFL number; 0: steps of equal length");
     block.real(

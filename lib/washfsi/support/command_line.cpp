@@ -129,6 +129,16 @@ std::string petsc_word(const std::string& word) {
   return word == "--help" || word == "-h" ? "-help" : word;
 }
 
+// Puts the options of the preset that is given last before all others. Nobody is told of those without effect.
+GivenOptions after_preset(const GivenOptions& given, const PresetOptions& presets) {
+  const auto preset = presets.find(given.value("preset"));
+  if (preset == presets.end()) return given;
+  GivenOptions all;
+  for (const auto& [name, value] : preset->second) all.add({"-" + name, value, true, "-preset " + preset->first, true});
+  for (const GivenOption& option : given.all()) all.add(option);
+  return all;
+}
+
 // The options of files and the command line, in this order.
 GivenOptions read_all(int argc, char** argv) {
   GivenOptions given, of_line;
@@ -163,11 +173,11 @@ std::string last_options_file(int argc, char** argv) {
 
 }  // namespace
 
-CommandLine::CommandLine(MPI_Comm comm, int argc, char** argv) {
+CommandLine::CommandLine(MPI_Comm comm, int argc, char** argv, const PresetOptions& presets) {
   on_first_rank<InputError>(comm, [&] {
     check_for_stray_words(argc, argv);
     check_petsc_resources();
-    given_ = read_all(argc, argv);
+    given_ = after_preset(read_all(argc, argv), presets);
   });
   given_ = GivenOptions::unpacked(from_first_rank(comm, given_.packed()));
   if (const std::string file = last_options_file(argc, argv); !file.empty())

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <mpi.h>
@@ -10,14 +12,18 @@
 
 namespace washfsi {
 
+/// Names of presets, each with options, without their dash, and values: -preset NAME stands for them.
+using PresetOptions = std::map<std::string, std::vector<std::pair<std::string, std::string>>>;
+
 /// The words of the command line, checked before PETSc sees them, which would print a trace for garbage. Options files
 /// are read here, in the order in which they are named, and PETSc gets their options as words; those of the command
 /// line itself come last, and so override them wherever they stand.
 class CommandLine {
  public:
   /// Checks the words, the files that they name, PETSc's own resource files and PETSC_OPTIONS. A file named
-  /// in a file is relative to its folder. Collective; rank 0's findings count. Errors: InputError.
-  CommandLine(MPI_Comm comm, int argc, char** argv);
+  /// in a file is relative to its folder. The options of -preset come first, so that all others override them.
+  /// Collective; rank 0's findings count. Errors: InputError.
+  CommandLine(MPI_Comm comm, int argc, char** argv, const PresetOptions& presets = {});
 
   /// The words for PetscInitialize.
   int& count() { return count_; }

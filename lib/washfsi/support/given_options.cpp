@@ -19,6 +19,11 @@ const GivenOption* GivenOptions::last(const std::string& name) const {
   return found == options_.rend() ? nullptr : &*found;
 }
 
+std::string GivenOptions::value(const std::string& name) const {
+  const GivenOption* option = last(name);
+  return option ? option->value : "";
+}
+
 bool GivenOptions::on_command_line(const std::string& name) const {
   const GivenOption* option = last(name);
   return option && option->file.empty();

@@ -15,8 +15,8 @@ struct GivenOption {
   std::string word;        ///< the option with its dash
   std::string value;       ///< its value, perhaps empty
   bool has_value = false;  ///< whether it has a value, perhaps an empty one
-  std::string file;        ///< file in which it stands; empty: the command line
-  bool recorded = false;   ///< whether a run wrote the file, with options without effect
+  std::string file;        ///< file in which it stands, or the preset; empty: the command line
+  bool recorded = false;   ///< whether the program wrote it, a run or a preset, with options without effect
 
   /// The name without the dash, in lower case: PETSc ignores case.
   std::string name() const;
@@ -28,10 +28,12 @@ class GivenOptions {
   void add(GivenOption option) { options_.push_back(std::move(option)); }
   const std::vector<GivenOption>& all() const { return options_; }
 
+  /// The value that counts; empty if there is none.
+  std::string value(const std::string& name) const;
   bool on_command_line(const std::string& name) const;
   /// Whether an option was given without a value, not even "".
   bool lacks_value(const std::string& name) const;
-  /// Whether an option stands in a file in which a run has recorded its options.
+  /// Whether an option stands in a file in which a run has recorded its options, or in a preset.
   bool is_recorded(const std::string& name) const;
   /// A file name that was given as this option's value: relative to the folder of the options file in which it stands;
   /// on the command line to the working directory.

@@ -58,9 +58,9 @@ void Options::block(const std::string& prefix, const std::string& title,
 }
 
 void Options::claim_prefix(const std::string& name, const std::string& option) {
-  static constexpr std::array<std::string_view, 16> ours{
-      "grid",  "bc",      "fluid",    "body",     "bodies", "machine", "cloth",      "cloths",
-      "delta", "contact", "momentum", "pressure", "time",   "output",  "checkpoint", "coupling"};
+  static constexpr std::array<std::string_view, 18> ours{
+      "grid",    "bc",       "fluid",    "body", "bodies", "machine",    "cloth",    "cloths", "delta",
+      "contact", "momentum", "pressure", "time", "output", "checkpoint", "coupling", "walls",  "statistics"};
   const std::string lower = documents_ ? name : lower_case(name);  // PETSc takes no notice of case
   const bool reserved = std::find(ours.begin(), ours.end(), lower) != ours.end() || belongs_to_petsc(lower + "_");
   if (reserved || !claimed_.insert(lower).second)

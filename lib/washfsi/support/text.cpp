@@ -17,7 +17,7 @@ std::string to_text(double value) {
 
 std::string join(const std::vector<std::string>& words, const std::string& separator) {
   std::string text;
-  for (const auto& word : words) text += (text.empty() ? "" : separator) + word;
+  for (std::size_t n = 0; n < words.size(); ++n) text += (n == 0 ? "" : separator) + words[n];
   return text;
 }
 

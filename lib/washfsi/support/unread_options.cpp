@@ -72,7 +72,7 @@ NamesByReason left_out_of_database(const OptionRegister& options) {
     if (!is_unread(options, name, value)) continue;
     const auto left_out = reasons.find(name);
     if (left_out == reasons.end()) refuse_unread(options, name, value);
-    names[left_out->second].push_back("-" + name);
+    if (!options.given.is_recorded(name)) names[left_out->second].push_back("-" + name);
   }
   return names;
 }

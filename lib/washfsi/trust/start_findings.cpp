@@ -55,7 +55,7 @@ void add_wall_model(const Model<Dim>& model, Findings& findings) {
 // Central differences may let water go round the edges of a sheet as if it had no friction.
 template <int Dim>
 void add_water_beside_cloth(const Model<Dim>& model, double cell_reynolds, Findings& findings) {
-  if (model.cloths.marker_count() == 0 || model.cloth_nearness || model.fluid.advection().is_bounded()) return;
+  if (model.cloths.marker_count() == 0 || model.cloth_nearness || model.fluid.advection().scheme().is_bounded()) return;
   findings.push_back(at_most("water beside cloth", cell_reynolds, {100},
                              format_text("cell Reynolds number %.3g, central differences", cell_reynolds),
                              "what a stream loads cloth across it with depends on where it lies in its cells; "

@@ -37,17 +37,17 @@ ClosedWalls<Dim>::ClosedWalls(const Grid<Dim>& grid, const std::vector<Body<Dim>
 
 template <int Dim>
 void ClosedWalls<Dim>::update(const std::vector<typename BodyMarkers<Dim>::State>& states, double time) {
-  areas_ = turned<Dim>(normals_, bodies_, time, true, [this](std::size_t p) { return body_of_[p]; });
+  weighted_normals_ = turned<Dim>(normals_, bodies_, time, true, [this](std::size_t p) { return body_of_[p]; });
   std::vector<double> sums(2 * bodies_.size(), 0.0);  // for each body: squared areas; covered markers
   std::size_t m = 0;
-  for (std::size_t p = 0; p < areas_.size(); ++p) {
+  for (std::size_t p = 0; p < weighted_normals_.size(); ++p) {
     double acting = 0;
     for (const std::size_t end = m + sizes_[p]; m < end; ++m) {
       acting += states[m].acts ? 1 : 0;
       sums[2 * body_of_[p] + 1] += states[m].is_covered ? 1 : 0;
     }
-    areas_[p] *= acting;
-    sums[2 * body_of_[p]] += areas_[p].squaredNorm();
+    weighted_normals_[p] *= acting;
+    sums[2 * body_of_[p]] += weighted_normals_[p].squaredNorm();
   }
   sums = ordered_sum(grid_.comm(), sums);
   squares_.clear();
@@ -59,10 +59,11 @@ template <int Dim>
 void ClosedWalls<Dim>::remove_from(Points<Dim>& values) const {
   if (std::all_of(squares_.begin(), squares_.end(), [](double square) { return square == 0; })) return;
   std::vector<double> sums(bodies_.size(), 0.0);
-  for (std::size_t p = 0; p < values.size(); ++p) sums[body_of_[p]] += values[p].dot(areas_[p]);
+  for (std::size_t p = 0; p < values.size(); ++p) sums[body_of_[p]] += values[p].dot(weighted_normals_[p]);
   sums = ordered_sum(grid_.comm(), sums);
   for (std::size_t p = 0; p < values.size(); ++p)
-    if (const double square = squares_[body_of_[p]]; square > 0) values[p] -= sums[body_of_[p]] / square * areas_[p];
+    if (const double square = squares_[body_of_[p]]; square > 0)
+      values[p] -= sums[body_of_[p]] / square * weighted_normals_[p];
 }
 
 template class ClosedWalls<2>;

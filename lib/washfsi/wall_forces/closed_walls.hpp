@@ -31,7 +31,7 @@ class ClosedWalls {
   std::vector<std::size_t> body_of_, sizes_;  ///< body and number of markers of each of this rank's patches
   Points<Dim> normals_;                       ///< their outward normals in their bodies' frames; 0 where thin
   std::vector<double> thin_patches_;          ///< number of patches of each body where it is thinner than a cell
-  Points<Dim> areas_;                         ///< acting markers of each patch times its normal in space
+  Points<Dim> weighted_normals_;              ///< acting markers of each patch times its normal in space
   std::vector<double> squares_;               ///< sum of the squared areas over each body's patches; 0 for open walls
 };
 

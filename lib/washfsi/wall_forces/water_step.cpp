@@ -6,7 +6,7 @@ namespace washfsi {
 template <int Dim>
 void WaterStep<Dim>::predict(const TimeStep& step, StepFields<Dim> fields) {
   if (walls_) walls_->begin_trial(step, fields.liquid.density);
-  if (walls_) fields.forces.push_back(walls_);
+  if (walls_) fields.force_fields.push_back(walls_);
   fluid_.predict(step, fields);
 }
 

@@ -19,7 +19,7 @@ class WaterStep {
   /// `walls` is null without direct forcing. Both stay alive.
   WaterStep(FractionalStep<Dim>& fluid, WallForces<Dim>* walls) : fluid_(fluid), walls_(walls) {}
 
-  /// Phases 1 and 2, with the walls' forces of the previous step. Collective.
+  /// Phases 1 and 2 of `fractional_step.hpp`, with the walls' forces of the previous step. Collective.
   void predict(const TimeStep& step, StepFields<Dim> fields);
   /// Phase 3 without a slip correction, for steps in which `add_force` follows, which corrects the slip. Collective.
   void project() { fluid_.projection().project(); }
