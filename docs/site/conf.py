@@ -34,10 +34,11 @@ mathjax_options = {"defer": "defer"}
 
 # The navigation: what README.md lists in words.
 CONTENTS = {
-    "Use it": ["install", "user-guide", "gallery/README", "report", "python", "trust", "licences"],
-    "Look up": ["options", "quantities", "method", "durability", "performance"],
-    "How accurate": ["verification"],
-    "Take part": ["development", "release", "/CONTRIBUTING", "/CHANGELOG"],
+    "Start": ["install", "tutorials/README", "gallery/README"],
+    "Use it": ["guide/README", "troubleshooting", "faq", "glossary"],
+    "Look up": ["reference/options", "reference/quantities", "reference/python"],
+    "Understand": ["theory/README", "validation/README", "developer/performance", "developer/durability"],
+    "Take part": ["developer/README", "developer/release", "licences", "cite", "/CONTRIBUTING", "/CHANGELOG"],
 }
 
 
@@ -48,11 +49,11 @@ def toctree(title, pages):
 
 
 def below(first):
-    """Returns the pages that the first page of some links, in its order."""
-    path = ROOT / "docs" / f"{first}.md"
-    links = re.findall(r"\]\(([\w/.]+)\.md[)#]", path.read_text(encoding="utf-8"))
-    pages = dict.fromkeys((path.parent / link).resolve().relative_to(ROOT / "docs") for link in links if not link.startswith(".."))
-    return [str(page) for page in pages if page.parts[0] in ("gallery", "verification")]
+    """Returns the pages of its folder, and of folders in it, that the first page of a folder links, in its order."""
+    path = ROOT / f"{first}.md"
+    links = re.findall(r"\]\(([\w/.\-]+)\.md[)#]", path.read_text(encoding="utf-8"))
+    pages = dict.fromkeys((path.parent / link).resolve().relative_to(ROOT) for link in links)
+    return [f"/{page}" for page in pages if path.parent.relative_to(ROOT) in page.parents and str(page) != first]
 
 
 def complete(_app, name, source):
@@ -60,11 +61,11 @@ def complete(_app, name, source):
     text = source[0].replace("```math\n", "```{math}\n")
     if name == "README":
         text += "".join(toctree(*entry) for entry in CONTENTS.items())
-    if name == "docs/gallery/README":
-        text += toctree("", below("gallery/README"))
-    if name == "docs/verification":
+    elif name.endswith("/README") and name.startswith("docs/") and name != "docs/developer/README":
+        text += toctree("", below(name))
+    if name == "docs/validation/README":
         data = sorted((ROOT / "tests" / "verification" / "reference").glob("*/README.md"))
-        text += toctree("", below("verification") + [f"/{path.relative_to(ROOT).with_suffix('')}" for path in data])
+        text += toctree("", [f"/{path.relative_to(ROOT).with_suffix('')}" for path in data])
     source[0] = text
 
 

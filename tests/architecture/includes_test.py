@@ -7,7 +7,7 @@ import sys
 
 LIBRARY = pathlib.Path(os.environ["WASHFSI_SOURCE"]) / "lib" / "washfsi"
 
-# The arrows, as docs/development.md draws them; CMake must declare the same.
+# The arrows, as docs/developer/README.md draws them; CMake must declare the same.
 ARROWS = {
     "support": set(),
     "geometry": {"support"},

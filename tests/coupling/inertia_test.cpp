@@ -191,7 +191,7 @@ TEST_P(EveryOrder, DoesNotDependOnPlaceAndDirection) {
 }
 
 // Which is no longer so where markers lie nearer than cells: then the fibre locks unless it is along an axis
-// (docs/method.md). The table there.
+// (docs/theory/coupling.md). The table there.
 TEST(Inertia, MarkersNearerThanCellsLock) {
   std::vector<double> parts;
   for (const PetscInt markers : {14, 20, 40})
@@ -251,7 +251,8 @@ double quarter_of_period(const std::vector<double>& stretch) {
   return 1;
 }
 
-// At 100 steps a period, w dt = 0.063, backward differences leave 0.9990 of the amplitude a step (docs/method.md).
+// At 100 steps a period, w dt = 0.063, backward differences leave 0.9990 of the amplitude a step
+// (docs/theory/coupling.md).
 TEST(Inertia, SwingsAHeavyFibreWithItsOwnPeriodAndLittleDamping) {
   const auto first = stretch_over_a_period("semi_implicit", 100),
              second = stretch_over_a_period("semi_implicit_second_order", 100);

@@ -180,7 +180,7 @@ TEST(ManufacturedFlow, MovingWallsKeepTheOrderInTime) {
 }
 
 // In the corners the pressure is less regular: its largest error is of order 1.4 to 2, after the ratio of step to
-// spacing (docs/verification/order.md).
+// spacing (docs/validation/order.md).
 TEST(ManufacturedFlow, MovingWallsKeepTheOrderInSpaceAndTime) {
   expect_second_order("moving channel", run_pair(moving_channel_flow(), true), 1.85);
   expect_second_order("moving box", run_pair(moving_box_flow(), false), 1.4);

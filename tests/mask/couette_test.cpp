@@ -117,7 +117,7 @@ TEST(CircularCouetteFlow, DISABLED_DirectForcingAtAnIrrationalPlaceTable) {
     print(n, "irrational place", CircularCouette(n, {std::sqrt(0.5), std::sqrt(0.2)}, direct_forcing).run(5, 0.4));
 }
 
-// The table of docs/verification/couette.md, long: run by `--gtest_also_run_disabled_tests --gtest_filter=*Table*`.
+// The table of docs/validation/couette.md, long: run by `--gtest_also_run_disabled_tests --gtest_filter=*Table*`.
 // NOLINTNEXTLINE(readability-identifier-naming): GoogleTest knows what is disabled by this name
 class DISABLED_CouetteTable : public testing::TestWithParam<BodyTreatment> {};
 

@@ -78,7 +78,7 @@ class Install(ProgramTest):
 
     def test_manual_pages_tell_every_option(self):
         text = (self.place / "share" / "man" / "man1" / "washfsi.1").read_text(encoding="utf-8").replace("\\-", "-")
-        listed = (SOURCE / "docs" / "options.md").read_text(encoding="utf-8").split("## Old names")[0]
+        listed = (SOURCE / "docs" / "reference" / "options.md").read_text(encoding="utf-8").split("## Old names")[0]
         names = re.findall(r"^\| `-(\w+)`", listed, re.M)
         self.assertGreater(len(names), 150)
         self.assertEqual([name for name in names if f".B -{name}\n" not in text], [])

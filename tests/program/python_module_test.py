@@ -159,7 +159,7 @@ class Module(ProgramTest):
         return outcome.stdout
 
     def test_lines_of_the_documents_read_runs_in_plane_and_space(self):
-        for page, count in (("user-guide.md", 3), ("python.md", 6)):
+        for page, count in (("guide/results.md", 3), ("reference/python.md", 6)):
             blocks = [block for block in python_blocks(page) if "washfsi.run" not in block]
             self.assertEqual(len(blocks), count)
             for results in (self.plane, self.space):
@@ -168,7 +168,7 @@ class Module(ProgramTest):
 
     def test_lines_of_the_documents_run_cases(self):
         (self.folder / "inputs").symlink_to(SOURCE / "inputs")
-        blocks = [block for block in python_blocks("python.md") if "washfsi.run" in block]
+        blocks = [block for block in python_blocks("reference/python.md") if "washfsi.run" in block]
         self.assertEqual(len(blocks), 2)
         printed = self.run_lines([*blocks, "print(results.summary['status'])"], self.folder)
         said, = re.findall(r"# (washfsi: .*)", "\n".join(blocks))

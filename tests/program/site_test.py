@@ -81,10 +81,10 @@ class Site(unittest.TestCase):
 
     @unittest.skipUnless(browser.there(), browser.MISSING)
     def test_equations_are_typeset_and_the_search_finds(self):
-        written = (SOURCE / "docs" / "method.md").read_text(encoding="utf-8").count("```math\n")
+        written = (SOURCE / "docs" / "theory" / "fluid.md").read_text(encoding="utf-8").count("```math\n")
         driver = browser.Browser(1200).driver
         self.addCleanup(driver.quit)
-        driver.get(f"file://{SITE}/docs/method.html")
+        driver.get(f"file://{SITE}/docs/theory/fluid.html")
         self.assertGreater(written, 10)
         self.assertEqual(driver.execute_script("return document.querySelectorAll('.katex-display').length"), written)
         self.assertEqual([entry for entry in driver.get_log("browser") if entry["level"] == "SEVERE"], [])

@@ -70,7 +70,7 @@ inline double order(double coarse, double fine, double ratio = 2) {
   return std::log(coarse / fine) / std::log(ratio);
 }
 
-/// Prints the errors on two grids and the orders between them, a row of docs/verification/order.md.
+/// Prints the errors on two grids and the orders between them, a row of docs/validation/order.md.
 inline void report(const char* name, const FlowError& coarse, const FlowError& fine) {
   if (rank_of(PETSC_COMM_WORLD) != 0) return;
   const auto print = [&](const char* norm, double a, double b) {

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A vaned agitator that turns steadily in a drum: turns 8, 9 and 10 repeat each other, and moving the body is cheap.
 
-Prints the table of docs/verification/bodies.md. Arguments: methods, by default mapping cut_stencil.
+Prints the table of docs/validation/bodies.md. Arguments: methods, by default mapping cut_stencil.
 """
 
 import re

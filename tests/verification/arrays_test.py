@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Cylinders and spheres in creeping flow, held by markers: the radius with which they act.
 
-Prints the table of docs/verification/marker_walls.md. Arguments: cells a diameter, by default 4 5 6 8 10 20. Bodies lie four
+Prints the table of docs/validation/marker_walls.md. Arguments: cells a diameter, by default 4 5 6 8 10 20. Bodies lie four
 diameters apart in a periodic array, through which water flows with a kept bulk velocity, at a Reynolds number of 0.1. Drag of
 cylinders: Sangani and Acrivos, Int. J. Multiphase Flow 8 (1982) 193; of spheres: Hasimoto, J. Fluid Mech. 5 (1959) 317.
 """

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Cubic lid-driven cavity at Re = 1000 with rigid end walls against Albensoeder and Kuhlmann (2005).
 
-Prints the tables of docs/verification/cavity.md. Arguments: cells per side (default 48 64). From the last two grids the
+Prints the tables of docs/validation/cavity.md. Arguments: cells per side (default 48 64). From the last two grids the
 values are extrapolated to zero spacing, at second order. On 64 cells wide_central advection is run too: its error is
 the one that is bounded, that of central only by the extrapolation.
 """

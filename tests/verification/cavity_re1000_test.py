@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Lid-driven cavity at Re = 1000 against the spectral values of Botella and Peyret (1998): errors, order, and extrema on the centre lines.
 
-Prints the tables of docs/verification/cavity.md. Arguments: cells per side (default 65 129 257).
+Prints the tables of docs/validation/cavity.md. Arguments: cells per side (default 65 129 257).
 """
 
 import sys

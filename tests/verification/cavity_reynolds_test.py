@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Lid-driven cavity at Re = 100, 400, 3200 and 5000 against Ghia, Ghia and Shin (1982) and Erturk et al. (2005).
 
-Prints the table of docs/verification/cavity.md. Arguments: Re:cells ..., by default those with limits; "quick" leaves
+Prints the table of docs/validation/cavity.md. Arguments: Re:cells ..., by default those with limits; "quick" leaves
 out the 257 x 257 cells.
 """
 

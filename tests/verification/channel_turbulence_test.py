@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Turbulent channel flow at Re_tau of 180 to 200 on a coarse grid, without a model, against Del Alamo and Jimenez (2003).
 
-Prints the tables of docs/verification/turbulence.md. Runs inputs/channel_turbulent.opts, an hour and more; an argument is the
+Prints the tables of docs/validation/turbulence.md. Runs inputs/channel_turbulent.opts, an hour and more; an argument is the
 folder of a run of it that has ended. Wall units are of the run itself: u_tau² = -(mean pressure gradient) times the half
 height over rho.
 """

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The couplings of cloth and water at the two-dimensional wash, soft and stiff: step, cost, tracks and tension.
 
-Prints the tables of docs/verification/couplings.md. Arguments: stiffnesses Ke in N/m, by default 8e3 and 8e5, and
+Prints the tables of docs/validation/couplings.md. Arguments: stiffnesses Ke in N/m, by default 8e3 and 8e5, and
 coupling:damping:step ... for these runs alone. The reference is the explicit coupling, damped, at a quarter of its
 bound, over the first quarter of an agitation cycle; options after `--` are not for it. Tracks: rms difference of all
 markers over the marker spacing, and the median marker's, when the reference has travelled ten spacings. Tension: rms

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the box adds to the Strouhal number of a cylinder at Re = 100: each side of it twice as far away, then all.
 
-Prints a table of docs/verification/cylinder.md. On grids of 8.5 cells a diameter, with today's numerics. Fails when the three
+Prints a table of docs/validation/cylinder.md. On grids of 8.5 cells a diameter, with today's numerics. Fails when the three
 changes do not add up to that of all, or the box of 30 diameters adds less or more than is recorded.
 """
 

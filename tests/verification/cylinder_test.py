@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Flow past a circular cylinder at Re = 100 in a box of 30 diameters: drag, lift and Strouhal number by the method of the walls.
 
-Prints the table of docs/verification/cylinder.md. Arguments: method:cells ..., by default those with limits on 512 cells. Loads
+Prints the table of docs/validation/cylinder.md. Arguments: method:cells ..., by default those with limits on 512 cells. Loads
 are by what held the water and by the balance of momentum. Fails when the two differ by more than 1 %, when there are fewer than
 ten periods, or when a figure is off: mapping from the thesis's at 513 cells, cut_stencil from the range of the literature and
 direct_forcing from what was found on this grid. St is brought into this box (cylinder_box_test.py).

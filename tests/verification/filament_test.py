@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A filament in a vacuum: period of a hanging chain's first mode, and the tip of one that swings from 0.1 pi.
 
-Prints the table of docs/verification/filament.md. Chain: J0(j01 sqrt(s/L)), s from the free end, omega = j01/2
+Prints the table of docs/validation/filament.md. Chain: J0(j01 sqrt(s/L)), s from the free end, omega = j01/2
 sqrt(g/L).
 """
 

@@ -2,7 +2,7 @@
 """Flags in a stream: free end, drag and lift against the curves of others.
 
 In the plane Huang, Shin and Sung (2007) and de Tullio and Pascazio (2016), in space Huang and Sung (2010) and Lee and Choi.
-Prints the tables of docs/verification/flag.md. Arguments, by default 512 (h = L/64): cells a side of the box of 8 L, and, after
+Prints the tables of docs/validation/flag.md. Arguments, by default 512 (h = L/64): cells a side of the box of 8 L, and, after
 a colon, markers on L; or 3d. Then, after a colon, nodal for the lattice whose first and last marker lie at the ends of L, by
 default a cell apart: 512:nodal, 512:77:nodal. On the centred one the free end lies half a spacing beyond the last marker; in space
 it is the middle of the trailing edge. Fails where frequency, swing, drag or one of the first ten extrema is farther off than the bounds say.

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A thin foil, NACA 0012 at a Reynolds number of 500 in a stream between slip sides: its lift by two ways of holding it.
 
-Prints the tables of docs/verification/bodies.md. Arguments: cells a chord, by default 32 64 (a minute; 128 takes three more), or `places`:
+Prints the tables of docs/validation/bodies.md. Arguments: cells a chord, by default 32 64 (a minute; 128 takes three more), or `places`:
 at no angle, where the chord lies in its cells.
 """
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Cloth that carries its own mass, from none to far more than the water's.
 
-Prints the tables of docs/verification/inertia.md. First, the flag of inputs/flag.opts for 2 L/U at a CFL number of 0.3 with excess
+Prints the tables of docs/validation/inertia.md. First, the flag of inputs/flag.opts for 2 L/U at a CFL number of 0.3 with excess
 masses from 0 to 100 rho_f L: the slip after fifty steps, and what is left of the balance of its momentum. Second, a square
 sheet of 10 kg/m2 let go in a box of water, flat and edgewise: its speed after 0.1 s beside that of a thin plate with its added
 mass, and that of a wide plate between Stokes layers. Arguments, by default both: masses, sheet. Fails where slip or balance are

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Walls of markers (`-body_method direct_forcing`): what passes through thin ones, and what must not matter to loads.
 
-Prints the tables of docs/verification/marker_walls.md. Arguments: `leaks`, `places`, `plates`, `towed`, `squares` and `water`,
+Prints the tables of docs/validation/marker_walls.md. Arguments: `leaks`, `places`, `plates`, `towed`, `squares` and `water`,
 by default all.
 """
 

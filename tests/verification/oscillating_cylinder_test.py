@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A cylinder that oscillates in water at rest: first harmonic of the force against Stokes' solution.
 
-Prints the table of docs/verification/cylinder.md. Arguments: method or method:cells, by default mapping cut_stencil; cells
+Prints the table of docs/validation/cylinder.md. Arguments: method or method:cells, by default mapping cut_stencil; cells
 are those of a side, by default 512, and the step grows with their width. The harmonic is that of the last two of five
 periods, by the forcing and by the balance of momentum.
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a step of the wash costs on some ranks, and by a model on many more: the tables of docs/performance.md.
+"""What a step of the wash costs on some ranks, and by a model on many more: the tables of docs/developer/performance.md.
 
 Steps of inputs/thesis/wash33.opts of equal length, all the same on each number of ranks, and of a cavity on the same cells. Whatever
 number of steps is measured, set-up is not: each figure is the difference of two runs. Fails where results differ between ranks.

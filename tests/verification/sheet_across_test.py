@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The load of a permeable square sheet of cloth across a stream of Re = 1000, against Taylor's law.
 
-Prints the table of docs/verification/contact.md. Arguments: cells across the sheet, by default 6. The sheet is too heavy to move, at rest in a
+Prints the table of docs/validation/contact.md. Arguments: cells across the sheet, by default 6. The sheet is too heavy to move, at rest in a
 stream of speed U that starts at once, in a box of 8 x 6 x 6 sides; means from t = 3 to 4 sides over U.
 
 G. I. Taylor, Air resistance of a flat plate of very porous material (Aeronautical Research Council, R. & M. 2236, 1944): a sheet

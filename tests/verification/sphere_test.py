@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The drag of a sphere that markers hold, at two places within a cell.
 
-Prints the table of docs/verification/sphere.md. Arguments: cells a diameter, by default 5 10, or cells:width with the
+Prints the table of docs/validation/sphere.md. Arguments: cells a diameter, by default 5 10, or cells:width with the
 width of the box in diameters, by default 10; options after `--`. `-fluid_viscosity 0.05` is Re = 20.
 """
 

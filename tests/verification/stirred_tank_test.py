@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A Rushton turbine in a baffled tank: its power number, and what must not matter to it.
 
-Prints the tables of docs/verification/stirred_tank.md. Arguments: grids (cells a side, by default 48 64), or `places`: 48
+Prints the tables of docs/validation/stirred_tank.md. Arguments: grids (cells a side, by default 48 64), or `places`: 48
 cells, the turbine shifted by a quarter and half a cell along z, by half a cell along x, turned by 15 and 30 degrees. Means are over the
 half turn from t = 0.1 to 0.2 s after an impulsive start. Or `water` and grids: at Re = 5e4, with an eddy viscosity and a law for friction;
 means are over the second turn. Or `heights` and grids: the same with the disc at several heights above a row of faces.

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A clamped strip of cloth under its weight: tip and overhang angle against the exact heavy elastica.
 
-Prints the table of docs/verification/strip.md. The tip is half a spacing beyond the last row of markers.
+Prints the table of docs/validation/strip.md. The tip is half a spacing beyond the last row of markers.
 """
 
 import csv

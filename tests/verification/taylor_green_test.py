@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Taylor and Green's vortices in space: dissipation at Re = 1600, and the energy that schemes gain or lose without viscosity.
 
-Prints the tables of docs/verification/turbulence.md. Arguments: cells a side, by default 64; without viscosity half as many;
+Prints the tables of docs/validation/turbulence.md. Arguments: cells a side, by default 64; without viscosity half as many;
 `inviscid`: that table alone.
 The box has 2 pi a side, so lengths and speeds are those of the vortices; energies are per mass. Reference: the peak of the
 dissipation -dE/dt is 0.01286 at t = 8.97.

@@ -9,7 +9,7 @@
     thesis_test.py 3.5-1 --with theirs    with one of the numerics alone
     thesis_test.py 3.5 --minutes 20       those alone whose runs took no longer
     thesis_test.py 3.5-1 --keep           keeps what is found, in thesis/figures.csv, in the place of what was
-    thesis_test.py 3.5-1 --page           runs nothing: prints the kept figures as docs/verification/thesis.md has them
+    thesis_test.py 3.5-1 --page           runs nothing: prints the kept figures as docs/validation/thesis.md has them
 
 Fails when a figure is farther from the kept one than its row allows, to the better or to the worse, or when a check of a table
 (thesis/checks.py) does not hold of what was found and what is kept of the rest.

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A cylinder that turns to and fro about its axis in water at rest, held by markers: its torque against Stokes' solution.
 
-Prints a table of docs/verification/cylinder.md. Arguments: numbers of cells a side, by default 24 48 96, of a box of 3 d;
+Prints a table of docs/validation/cylinder.md. Arguments: numbers of cells a side, by default 24 48 96, of a box of 3 d;
 a drum at rest of 2.4 d, far beyond the layer of shear, surrounds the water. Steps are in proportion to the cells.
 """
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Turbulent channels whose viscous layers are far thinner than a cell, with -wall_model equilibrium, against the law of the wall.
 
-Prints the tables of docs/verification/turbulence.md: U+ on 32 x 32 x 32 cells of a box of 2 pi x 2 x pi half heights. Arguments:
+Prints the tables of docs/validation/turbulence.md: U+ on 32 x 32 x 32 cells of a box of 2 pi x 2 x pi half heights. Arguments:
 Re_tau and -turbulence, else 2000 vreman and 20000 vreman. From the second cell on U+ must be within 5 % of ln(y+)/0.41 + 5.2.
 After the word `bodies` the walls are half spaces, held by markers: on 96 x 41 x 48 cubes of 1/16 half height, the floor 0.3 cells
 above faces of cells, the roof 0.3 cells below them as seen from the water; both must be within 8 % beyond the second cell. After

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The couplings at the three-dimensional wash: step, damping, cost and the stresses of the first agitation cycle.
 
-Prints the tables of docs/verification/wash.md. Arguments: `--shipped` for `inputs/thesis/wash33.opts` as it is, which chooses its
+Prints the tables of docs/validation/wash.md. Arguments: `--shipped` for `inputs/thesis/wash33.opts` as it is, which chooses its
 steps, instead of the thesis's machine; `--cycles PART` for a part of the cycle only; `--ranks`, 2 if not given. Results
 are kept as results.py says. The reference is the explicit coupling with the damping that the semi-implicit step of the machine has by itself, about one
 step. Tracks: rms distance of the cloths' centres from the reference's, over the marker spacing. Fails where the
