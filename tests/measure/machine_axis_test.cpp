@@ -26,6 +26,11 @@ TEST(MachineAxis, IsInTheMiddleOfTheBoxUnlessGiven) {
   EXPECT_LE((machine.orbit_center - Point<2>(0.1, 0.45)).norm(), 1e-15);
 }
 
+TEST(MachineAxis, TakesItsOrbitWithItUnlessThatIsGiven) {
+  const MachineAxis machine = axis_from("-machine_axis 0.1,0.3");  // 0.1 m from the nearest side
+  EXPECT_LE((machine.orbit_center - Point<2>(0.05, 0.45)).norm(), 1e-15);
+}
+
 TEST(MachineAxis, IsWhereTheUserSays) {
   const MachineAxis machine = axis_from("-machine_axis 0.5,0 -machine_orbit_center 0,0.7");  // at the box's end
   EXPECT_EQ(machine.axis, Point<2>(0.5, 0));

@@ -81,12 +81,13 @@ class Site(unittest.TestCase):
 
     @unittest.skipUnless(browser.there(), browser.MISSING)
     def test_equations_are_typeset_and_the_search_finds(self):
-        written = (SOURCE / "docs" / "theory" / "fluid.md").read_text(encoding="utf-8").count("```math\n")
+        theory = {path.stem: path.read_text(encoding="utf-8").count("```math\n") for path in (SOURCE / "docs" / "theory").glob("*.md")}
         driver = browser.Browser(1200).driver
         self.addCleanup(driver.quit)
-        driver.get(f"file://{SITE}/docs/theory/fluid.html")
-        self.assertGreater(written, 10)
-        self.assertEqual(driver.execute_script("return document.querySelectorAll('.katex-display').length"), written)
+        self.assertGreater(sum(theory.values()), 10)
+        for page, written in theory.items():
+            driver.get(f"file://{SITE}/docs/theory/{page}.html")
+            self.assertEqual(driver.execute_script("return document.querySelectorAll('.katex-display').length"), written, page)
         self.assertEqual([entry for entry in driver.get_log("browser") if entry["level"] == "SEVERE"], [])
         driver.get(f"file://{SITE}/search.html?q=crumpled")
         found, until = 0, time.monotonic() + 20

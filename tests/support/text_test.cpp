@@ -27,6 +27,7 @@ TEST(Text, IsSplitIntoEmptyWordsToo) {
   EXPECT_EQ(split(",1", ','), (Words{"", "1"}));
   EXPECT_EQ(split("", ','), Words{});
   EXPECT_EQ(split(join({"a", "b", "c"}, ","), ','), (Words{"a", "b", "c"}));
+  EXPECT_EQ(split(join({"", "a", ""}, ","), ','), (Words{"", "a", ""}));
 }
 
 TEST(Text, IsQuotedWhereAnOptionsFileWouldCutIt) {

@@ -39,7 +39,7 @@ CLOTH_MARKERS, BLOCK, CHOICES = 576, 32, 4  # on CELLS; of a box; how often a st
 BOX, BOX_BYTES = 11e-9, 48  # for each box of all ranks [s, bytes]: measured of 3e5
 TRANSPOSES = 12  # a step: three solves of two transforms each, there and back
 MONITORING = {"pml_monitoring_enable": 2, "pml_monitoring_enable_output": 3}  # of Open MPI: counts sums and gathers
-SAME = 5e-6  # cloths are solved for to -coupling_tolerance 1e-4; 2.8e-6 was found
+SAME = 1e-6
 
 
 class Counted:

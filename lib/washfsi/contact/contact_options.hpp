@@ -16,7 +16,7 @@ const ChoiceNames<ContactKind>& names_of(ContactKind);
 
 /// All options of contact, prefix contact_.
 struct ContactOptions {
-  ContactKind kind = ContactKind::barrier;  ///< by default that of a contact pressure, if one is given
+  ContactKind kind = ContactKind::barrier;  ///< none by default without cloths
   double distance = 0;                      ///< contact distance [m]; 0: the default of the kind
   double body_distance = 0;    ///< barrier's contact distance of bodies and sides of the box [m]; 0: its default
   double pressure = 0;         ///< P0 of penalty contact [Pa]; 0: there is none
@@ -25,7 +25,7 @@ struct ContactOptions {
   double body_friction = 0.2;  ///< coefficient on bodies and sides of the box
   double damping = 0.3;        ///< damping of the normal motion with the barrier, over the critical one
   bool drainage = false;       ///< whether films between cloths nearer than a cell drain
-  double verify_interval = 0;  ///< interval between counts of intersections [s]; 0: after each step
+  double verify_interval = 0;  ///< interval between counts of intersections [s]; 0: each step with the barrier
 
   /// Without cloths there is no contact by default.
   static ContactOptions from_options(Options& options, bool has_cloths);

@@ -32,7 +32,8 @@ struct CouplingOptions {
   double tolerance = 1e-5;     ///< rms residual of the markers' velocities over the flow's speed
   PetscInt order = 2;          ///< order in time of the semi-implicit coupling: 1 or 2
   PetscInt sweeps = 1;         ///< most sweeps of the semi-implicit coupling; `from_options` has more by default
-  MassCarrier mass_carrier = MassCarrier::water;  ///< of the cloths' excess mass; `from_options`: as the scheme has it
+  MassCarrier mass_carrier =
+      MassCarrier::water;        ///< what has the cloths' excess mass; `from_options`: as the scheme has it
   double slip_tolerance = 0.01;  ///< relative slip of cloth and water below which no further sweep is made
 
   static CouplingOptions from_options(Options& options);

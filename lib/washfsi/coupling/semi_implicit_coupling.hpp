@@ -22,7 +22,7 @@
 //   7. slip        |W - U| / |W| with the new u; above a tolerance 5 and 6 again with that U, a few times at most; of
 //                  packed loads with 3/4 of M, since the pressure resists most of the remaining slip
 //   8. markers     X^(n+1) = X^n + dt W;  V^(n+1) = W, or, order 2, extrapolated to the end
-// Backward Euler damps like a Kelvin-Voigt time between dt and 2 dt; the scheme ignores -GROUP_damping. Order 2 leaves
+// Backward Euler damps like a Kelvin-Voigt time of dt/2 to dt; the scheme ignores -NAME_damping. Order 2 leaves
 // smooth motions undamped and reduces stiff ones to a third in each step. It has the modified
 // Crank-Nicolson/Adams-Bashforth weights of Ascher, Ruuth and Wetton, SIAM J. Numer. Anal. 32 (1995) 797, for force and
 // velocity alike.

@@ -49,6 +49,8 @@ template <int Dim, class Velocity, class Flux>
 /// error of its difference, a third of that of the flux or less.
 template <int Dim, template <int> class MeanOf = Mean>
 struct CentralFlux {
+  /// Whether the carried value is bounded by its neighbours.
+  static constexpr bool is_bounded = false;
   /// Whether it applies to a c-face.
   [[gnu::always_inline]] inline bool departs(const Index<Dim>&, int) const { return true; }
   template <class Velocity>
@@ -59,18 +61,13 @@ struct CentralFlux {
   [[gnu::always_inline]] inline double carried(const Velocity& u, const Index<Dim>& face, int c, int d, double) const {
     return MeanOf<Dim>::before(u, shifted<Dim>(face, d, 1), c, d);
   }
-  /// The whole term; a flux may replace it.
-  template <class Velocity>
-  [[gnu::always_inline]] inline double term(const Velocity& u, const Index<Dim>& face, int c,
-                                            const Spacing<Dim>& h) const {
-    return advection<Dim>(u, face, c, h, *this);
-  }
 };
 
 /// The carried value from upwind with van Leer's limiter (J. Comput. Phys. 14 (1974) 361): bounded by its neighbours,
 /// second order where the flow is smooth.
 template <int Dim>
 struct UpwindFlux : CentralFlux<Dim> {
+  static constexpr bool is_bounded = true;
   template <class Velocity>
   [[gnu::always_inline]] inline double carried(const Velocity& u, const Index<Dim>& face, int c, int d,
                                                double carrier) const {
@@ -82,11 +79,6 @@ struct UpwindFlux : CentralFlux<Dim> {
     // van Leer: half the harmonic mean of the slopes, 0 at an extremum
     const double step = (product > 0 ? product : 0) / (product > 0 ? side + jump : 1);
     return carrier >= 0 ? here + step : there - step;
-  }
-  template <class Velocity>
-  [[gnu::always_inline]] inline double term(const Velocity& u, const Index<Dim>& face, int c,
-                                            const Spacing<Dim>& h) const {
-    return advection<Dim>(u, face, c, h, *this);
   }
 };
 
@@ -109,11 +101,6 @@ struct WallsideFlux : CentralFlux<Dim> {
     const double mean = CentralFlux<Dim>::carried(u, face, c, d, carrier);
     const double part = std::max(near(face, c), near(shifted<Dim>(face, d, 1), c));
     return mean + part * (UpwindFlux<Dim>{}.carried(u, face, c, d, carrier) - mean);
-  }
-  template <class Velocity>
-  [[gnu::always_inline]] inline double term(const Velocity& u, const Index<Dim>& face, int c,
-                                            const Spacing<Dim>& h) const {
-    return advection<Dim>(u, face, c, h, *this);
   }
 };
 

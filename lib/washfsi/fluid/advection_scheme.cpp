@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "washfsi/fluid/advection_scheme.hpp"
 
-#include <algorithm>
 #include <functional>
-#include <type_traits>
 
 #include "washfsi/fluid/advection.hpp"
 #include "washfsi/grid/beside_positive.hpp"
 #include "washfsi/support/collective.hpp"
+#include "washfsi/support/errors.hpp"
 
 namespace washfsi {
 
@@ -33,7 +32,7 @@ double replace(const Grid<Dim>& grid, const Box<Dim>& where, const AdvectedField
   double dissipated = 0;
   grid.for_each_inner_face(where, [&](const Index<Dim>& face, auto c) {
     if (!flux.departs(face, c)) return;
-    const double advected = flux.term(u, face, c, h);
+    const double advected = advection<Dim>(u, face, c, h, flux);
     const double H = fields.fluid_fraction ? fraction(face, c) : 1;
     dissipated += H * rho(face, c) * u(face, c) * (advected - result(face, c));
     result(face, c) = advected;
@@ -74,7 +73,7 @@ class FluxAdvection : public AdvectionScheme<Dim> {
  public:
   FluxAdvection(const Grid<Dim>& grid, bool) : grid_(grid) {}
 
-  bool is_bounded() const override { return std::is_same_v<Flux, UpwindFlux<Dim>>; }
+  bool is_bounded() const override { return Flux::is_bounded; }
   bool departs_from_central() const override { return true; }
   double find(const AdvectedFields& fields, Vec term) const override {
     find_central(grid_, fields, term);
@@ -118,10 +117,9 @@ std::vector<std::string> advection_schemes() {
 template <int Dim>
 std::unique_ptr<AdvectionScheme<Dim>> make_advection_scheme(const std::string& name, const Grid<Dim>& grid,
                                                             bool limits_at_edges) {
-  const auto& schemes = all_schemes<Dim>();
-  const auto found =
-      std::find_if(schemes.begin(), schemes.end(), [&](const auto& known) { return known.name == name; });
-  return found->make(grid, limits_at_edges);  // the option takes no other name
+  for (const auto& scheme : all_schemes<Dim>())
+    if (scheme.name == name) return scheme.make(grid, limits_at_edges);
+  throw InputError("-advection " + name + ": there is no such scheme");
 }
 
 template std::unique_ptr<AdvectionScheme<2>> make_advection_scheme<2>(const std::string&, const Grid<2>&, bool);

@@ -11,7 +11,7 @@ namespace washfsi {
 
 /// The fields at the start of a step that advection reads.
 struct AdvectedFields {
-  DM velocity_dm = nullptr;      ///< of the velocity: two ghosts where a scheme departs from central
+  DM velocity_dm = nullptr;      ///< has the ghosts of the velocity: two where a scheme departs from central
   Vec local_velocity = nullptr;  ///< with its ghosts filled [m/s]
   Vec density = nullptr;         ///< on faces [kg/m3]
   Vec fluid_fraction = nullptr;  ///< on faces; null: 1. Water in solids dissipates nothing by its advection.
@@ -40,6 +40,7 @@ class AdvectionScheme {
 std::vector<std::string> advection_schemes();
 
 /// Makes the scheme of this name. `limits_at_edges`: central advection gives way to upwind by `upwind_weight`.
+/// Errors: InputError if there is none.
 template <int Dim>
 std::unique_ptr<AdvectionScheme<Dim>> make_advection_scheme(const std::string& name, const Grid<Dim>& grid,
                                                             bool limits_at_edges);

@@ -6,14 +6,7 @@
 
 namespace washfsi {
 
-/// Kinds of cases for which we recommend numerics of their own.
-enum class Preset {
-  none,
-  machine,  ///< bodies that turn to and fro among many cloths
-};
-const ChoiceNames<Preset>& names_of(Preset);
-
-/// The options that each preset stands for.
+/// The options that each preset stands for; each is for a kind of case for which we recommend numerics of its own.
 const PresetOptions& preset_options();
 
 /// Declares and checks -preset, whose options the command line has put before all others already. Errors: InputError.

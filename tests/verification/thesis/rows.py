@@ -114,8 +114,8 @@ def moved(row, figures, kept):
     if len(figures) != len(kept):
         return math.inf
     largest = 0.0
-    allowed = (row.within, *[row.within_spread or row.within] * len(kept))
-    for found, known, within in zip(figures, kept, allowed):
+    for place, (found, known) in enumerate(zip(figures, kept)):
+        within = row.within_spread or row.within if place else row.within
         if math.isnan(found) != math.isnan(known):
             return math.inf
         if not math.isnan(found) and within < math.inf:
