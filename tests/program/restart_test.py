@@ -162,8 +162,8 @@ class RestartOfSheets(ProgramTest):
         self.assertLess(history["cfl"][late].max(), 0.3)  # without it 0.4, which the case asks for
 
 
-class RestartOfRecycledDirections(ProgramTest):
-    """What slip corrections have done to walls that turn is known after a restart too."""
+class RestartOfWallForces(ProgramTest):
+    """A step of walls that turn begins with the forces of the step before, after a restart too."""
 
     def test_restart_agrees_with_the_straight_run(self):
         case = ["-grid_cells", "40,40", "-fluid_density", 1, "-fluid_viscosity", 2e-3, "-body_method", "direct_forcing", "-bodies", "vane",
@@ -171,7 +171,7 @@ class RestartOfRecycledDirections(ProgramTest):
                 "-vane_center", "0.5,0.5", "-vane_angular_speed", 4, "-vane_frequency", 2, "-time_step", 5e-3, "-body_slip_tolerance", 1e-3]
         self.run_well(2, *case, "-time_end", 0.2, "-output_dir", "straight")
         self.run_well(2, *case, "-time_end", 0.1, "-output_dir", "half")
-        self.assertIn("walls/directions", datasets(self.folder / "half" / "checkpoint.h5"))
+        self.assertIn("walls/force", datasets(self.folder / "half" / "checkpoint.h5"))
         self.run_well(2, *case, "-time_end", 0.2, "-restart", "half/checkpoint.h5", "-output_dir", "half")
         self.assertEqual((self.folder / "straight" / "history.csv").read_text(), (self.folder / "half" / "history.csv").read_text())
 

@@ -3,9 +3,11 @@
 
 import concurrent.futures
 import json
+import os
 import re
 import subprocess
 import unittest
+import unittest.mock
 
 import h5py
 
@@ -245,6 +247,14 @@ class WrongInputs(ProgramTest):
         path.write_text("garbage here\n", encoding="utf-8")
         self.assert_refused(WRONG_INPUT, [".petscrc, line 1"], "-options_file", CAVITY)
         path.unlink()
+
+    def test_preset_where_petsc_reads_options_by_itself(self):
+        path = self.folder / ".petscrc"
+        path.write_text("-preset machine\n", encoding="utf-8")
+        self.assert_refused(WRONG_INPUT, [".petscrc", "-preset", "command line"], "-options_file", CAVITY)
+        path.unlink()
+        with unittest.mock.patch.dict(os.environ, PETSC_OPTIONS="-preset machine"):
+            self.assert_refused(WRONG_INPUT, ["PETSC_OPTIONS", "-preset", "command line"], "-options_file", CAVITY)
 
     def test_command_line_wins_wherever_the_file_stands(self):
         outcome = run(1, "-fluid_viscosity", 0.5, "-output_dir", "first", "-options_file", CAVITY, "-grid_cells", "8,8",

@@ -7,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include "support/hand_over.hpp"
 #include "washfsi/shapes/primitives.hpp"
 #include "washfsi/support/collective.hpp"
 #include "washfsi/wall_forces/marker_loads.hpp"
@@ -109,17 +108,6 @@ TEST(WallForces, ActBesideABodyWithoutSurfaceInTheBox) {
   EXPECT_GT(discs.force_on(0), 0);
 }
 
-// The next time that the same is needed, one correction does most of what several have done.
-TEST(WallForces, RecycleCorrections) {
-  Discs discs(1, 1e-3);
-  EXPECT_TRUE(discs.reduce_slip());
-  const double after_one = discs.slip();
-  while (discs.reduce_slip()) continue;
-  discs.begin_at_rest();
-  EXPECT_TRUE(discs.reduce_slip());
-  EXPECT_LT(discs.slip(), 0.5 * after_one);
-}
-
 TEST(WallForces, AreAsLargeAsTheWaterAtEachPatchIsDense) {
   Discs alike(0, 1e-3), layered(0, 1e-3, 1000);
   EXPECT_TRUE(alike.reduce_slip());
@@ -161,7 +149,6 @@ class Overlaps {
     return {count() * rank / ranks, count() * (rank + 1) / ranks};
   }
 
-  RecycledDirections<2> directions() const { return {comm_, inverse_}; }
   /// Of values on the patches of all ranks those of this rank's; and of all those of each.
   Points<2> part(const Points<2>& values) const {
     return {values.begin() + static_cast<long>(own().begin), values.begin() + static_cast<long>(own().end)};
@@ -226,83 +213,6 @@ TEST(OverlapInverse, IsTheSameOnAnyNumberOfRanks) {
   const Points<2> found = shared.forces(asked), expected = alone.forces(asked);
   for (std::size_t p = 0; p < found.size(); ++p)
     EXPECT_NEAR((found[p] - expected[p]).norm(), 0, 1e-12 * expected[p].norm()) << p;
-}
-
-/// Corrections of a disc, each of some waves round it, and slips that a sum of them would take away.
-class Directions {
- public:
-  explicit Directions(const Overlaps& overlaps) : overlaps_(overlaps), recycled_(overlaps.directions()) {}
-
-  // It answers with a third of what it is given.
-  void add(double waves) { recycled_.add({overlaps_.part(3.0 * wave(waves)), overlaps_.part(wave(waves))}); }
-  Points<2> wave(double waves) const {
-    return overlaps_.round([waves](std::size_t n) { return std::sin(waves * static_cast<double>(n)); });
-  }
-  /// Impulses on the patches of all ranks.
-  Points<2> best_for(const Points<2>& slips) const {
-    return overlaps_.whole(recycled_.best_for(overlaps_.part(slips)).impulses);
-  }
-  RecycledDirections<2>& recycled() { return recycled_; }
-  void register_state(StateList& state) { recycled_.register_state(state, overlaps_.own(), overlaps_.count()); }
-
- private:
-  const Overlaps& overlaps_;
-  RecycledDirections<2> recycled_;
-};
-
-double difference(const Points<2>& a, const Points<2>& b) {
-  double most = 0;
-  for (std::size_t p = 0; p < a.size(); ++p) most = std::max(most, (a[p] - b[p]).norm());
-  return most;
-}
-
-// Of each they take a tenth less than what fits best.
-TEST(RecycledDirections, CombineToWhatIsWanted) {
-  const Overlaps overlaps(PETSC_COMM_WORLD);
-  Directions directions(overlaps);
-  const Points<2> wanted = 2.0 * directions.wave(0.1) - directions.wave(0.4);
-  EXPECT_EQ(difference(directions.best_for(wanted), 0.0 * wanted), 0);  // none is known
-  directions.add(0.1);
-  directions.add(0.4);
-  EXPECT_LT(difference(directions.best_for(wanted), (3.0 / 1.1) * wanted), 0.2);
-}
-
-// What they differ by is no direction by itself.
-TEST(RecycledDirections, OfOneKindAreOne) {
-  const Overlaps overlaps(PETSC_COMM_WORLD);
-  Directions directions(overlaps);
-  for (const double change : {0.0, 1e-6, 2e-6}) directions.add(0.1 + change);
-  const Points<2> wanted = directions.wave(0.1);
-  EXPECT_LT(difference(directions.best_for(wanted), 3.0 * wanted), 0.15);
-  EXPECT_LT(difference(directions.best_for(wanted + directions.wave(0.9)), 3.0 * wanted), 1);
-}
-
-TEST(RecycledDirections, ForgetTheOldest) {
-  const Overlaps overlaps(PETSC_COMM_WORLD);
-  Directions directions(overlaps);
-  directions.add(0.1);
-  for (std::size_t n = 0; n < RecycledDirections<2>::most; ++n) directions.add(0.4);
-  EXPECT_EQ(directions.recycled().size(), RecycledDirections<2>::most);
-  EXPECT_LT(difference(directions.best_for(directions.wave(0.1)), 0.0 * directions.wave(0.1)), 1);
-}
-
-TEST(RecycledDirections, AreTheSameAfterARestart) {
-  const Overlaps overlaps(PETSC_COMM_WORLD);
-  Directions directions(overlaps), restarted(overlaps);
-  for (const double waves : {0.1, 0.4, 0.2}) directions.add(waves);
-  hand_over(directions, restarted);
-  const Points<2> wanted = directions.wave(0.3);
-  EXPECT_EQ(difference(directions.best_for(wanted), restarted.best_for(wanted)), 0);
-}
-
-TEST(RecycledDirections, AreTheSameOnAnyNumberOfRanks) {
-  const Overlaps shared(PETSC_COMM_WORLD), alone(PETSC_COMM_SELF);
-  Directions of_all(shared), of_one(alone);
-  for (const double waves : {0.1, 0.4}) {
-    of_all.add(waves);
-    of_one.add(waves);
-  }
-  EXPECT_LT(difference(of_all.best_for(of_all.wave(0.3)), of_one.best_for(of_one.wave(0.3))), 1e-9);
 }
 
 }  // namespace

@@ -176,8 +176,8 @@ void check_symmetry(const Model<Dim>& model) {
   const DeltaOptions& delta = model.transfer.delta();
   if (model.forces.have_step_limit() && delta.spread_width != delta.interpolate_width)
     throw InputError(
-        "-contact barrier: needs -delta_spread_width equal to -delta_interpolate_width, or -coupling_mobility "
-        "row_sums, or else -contact none");
+        "-contact barrier: needs -delta_spread_width equal to -delta_interpolate_width, or -coupling_scheme "
+        "semi_implicit with -coupling_mobility row_sums, or else -contact none");
 }
 
 template void check_symmetry<2>(const Model<2>&);

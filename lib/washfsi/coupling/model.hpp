@@ -21,7 +21,7 @@ struct ClothTreatment {
   MassCarrier mass_carrier = MassCarrier::water;
   double drag = 0;             ///< without fluid: force per undeformed area and speed [kg/(m2 s)]
   bool films_drain = false;    ///< whether films between cloths nearer than a cell drain
-  double verify_interval = 0;  ///< between counts of the cloths' intersections [s]; 0: after each step
+  double verify_interval = 0;  ///< between counts of intersections [s]; 0: each step with a barrier, else never
 };
 
 /// All options of the model except for its initial state.

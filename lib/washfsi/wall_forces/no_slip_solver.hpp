@@ -42,8 +42,6 @@ class NoSlipSolver {
   /// Returns forces that reduce the slip to the tolerance. Collective. Errors: DivergedError.
   Points<Dim> solve(const Points<Dim>& slips, double tolerance, Projection& projection);
 
-  const OverlapInverse<Dim>& overlap() const { return overlap_; }
-
  private:
   const Grid<Dim>& grid() const { return markers_.grid(); }
   static PetscErrorCode multiply(Mat matrix, Vec x, Vec y);

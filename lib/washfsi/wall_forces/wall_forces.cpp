@@ -31,7 +31,6 @@ WallForces<Dim>::WallForces(const Grid<Dim>& grid, const Boundary<Dim>& boundary
                             const BodyTreatment& treatment)
     : markers_(grid, boundary, bodies, treatment, treatment.limits_advection || treatment.inner_water_slides),
       solver_(markers_, treatment),
-      recycled_(grid.comm(), solver_.overlap()),
       limits_advection_(treatment.limits_advection),
       forces_(markers_.layout().own().size(), Point<Dim>::Zero()),
       previous_(forces_) {
@@ -46,9 +45,7 @@ void WallForces<Dim>::place(double time) {
 
 template <int Dim>
 void WallForces<Dim>::begin_trial(const TimeStep& step, Vec density) {
-  step_ = step;
   solver_.begin(step, density);
-  last_correction_.reset();
   forces_ = markers_.turned(previous_, true);
   markers_.sliding().turn([this](const Points<Dim>& normals) { return markers_.turned(normals, true); });
 }
@@ -81,16 +78,6 @@ void WallForces<Dim>::reduce_slip(Vec velocity, Stage stage) {
   add_forces(relaxation * solver_.approximate_forces(solver_.slips(velocity)), velocity);
 }
 
-// The best combination of recycled directions, and the inverse overlap against the remaining slip. Where a law lets the
-// water slide, responses differ from step to step and nothing is recycled.
-template <int Dim>
-Points<Dim> WallForces<Dim>::correction(const Points<Dim>& slips, double relaxation) const {
-  if (markers_.sliding().law()) return relaxation * solver_.approximate_forces(slips);
-  const auto known = recycled_.best_for(markers_.turned(slips, false));
-  const Points<Dim> rest = slips - markers_.turned(known.responses, true);
-  return (1 / step_.dt) * markers_.turned(known.impulses, true) + relaxation * solver_.approximate_forces(rest);
-}
-
 template <int Dim>
 Points<Dim> WallForces<Dim>::without(const std::vector<bool>& bodies, Points<Dim> values) const {
   for (std::size_t p = 0; p < values.size(); ++p)
@@ -99,21 +86,11 @@ Points<Dim> WallForces<Dim>::without(const std::vector<bool>& bodies, Points<Dim
 }
 
 template <int Dim>
-void WallForces<Dim>::recycle_last_correction(const Points<Dim>& slips_after) {
-  if (!last_correction_ || markers_.sliding().law()) return;
-  recycled_.add({markers_.turned(step_.dt * last_correction_->forces, false),
-                 markers_.turned(last_correction_->slips - slips_after, false)});
-  last_correction_.reset();
-}
-
-template <int Dim>
 bool WallForces<Dim>::reduce_slip_beyond_tolerance(Vec velocity, double relaxation) {
   const Points<Dim> slips = solver_.slips(velocity);
-  recycle_last_correction(slips);
   const std::vector<bool> within = solver_.are_within(slips, solver_.tolerance(velocity));
   if (std::ranges::all_of(within, std::identity())) return false;
-  last_correction_ = {without(within, correction(without(within, slips), relaxation)), slips};
-  add_forces(last_correction_->forces, velocity);
+  add_forces(relaxation * solver_.approximate_forces(without(within, slips)), velocity);
   return true;
 }
 
@@ -125,7 +102,6 @@ void WallForces<Dim>::enforce_no_slip(Vec velocity, Projection& projection) {
       projection.project_again();
     }
   const Points<Dim> slips = solver_.slips(velocity);
-  recycle_last_correction(slips);
   const double tolerance = solver_.tolerance(velocity);
   if (std::ranges::all_of(solver_.are_within(slips, tolerance), std::identity())) return;
   add_forces(solver_.solve(slips, tolerance, projection), velocity);
@@ -138,7 +114,6 @@ void WallForces<Dim>::register_state(StateList& state) {
   const std::size_t patches = markers_.layout().patches();
   state.add(points_entry<Dim>("/walls/force", row_slab(patches, own.begin, own.end, Dim), previous_)).if_other =
       StateEntry::IfOther::begin_anew;
-  recycled_.register_state(state, own, patches);
 }
 
 template class WallForces<2>;

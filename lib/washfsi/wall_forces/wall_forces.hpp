@@ -7,11 +7,8 @@
 //      corrections, each followed by a projection, then by the Krylov solver (`no_slip_solver.hpp`).
 #pragma once
 
-#include <optional>
-
 #include "washfsi/fluid/force_field.hpp"
 #include "washfsi/wall_forces/no_slip_solver.hpp"
-#include "washfsi/wall_forces/recycled_directions.hpp"
 
 namespace washfsi {
 
@@ -52,27 +49,18 @@ class WallForces : public ForceField {
   /// Nearness of faces to edges beside which central advection is limited, from 0 to 1; null if it is limited nowhere.
   Vec upwind_weight() const { return limits_advection_ ? markers_.nearness() : nullptr; }
 
-  /// Registers the forces of the previous step and the recycled directions. Other bodies start without them.
+  /// Registers the forces of the previous step. Other bodies start without them.
   void register_state(StateList& state);
   const Points<Dim>& previous() const { return previous_; }  ///< F of the previous step, in the frames of the bodies
 
  private:
   void add_forces(const Points<Dim>& more, Vec velocity);
-  Points<Dim> correction(const Points<Dim>& slips, double relaxation) const;
   Points<Dim> without(const std::vector<bool>& bodies, Points<Dim> values) const;
-  void recycle_last_correction(const Points<Dim>& slips_after);
 
   WallMarkers<Dim> markers_;
   NoSlipSolver<Dim> solver_;
-  RecycledDirections<Dim> recycled_;
   bool limits_advection_;
   Points<Dim> forces_, previous_;
-  TimeStep step_;  ///< current step
-  /// The last correction and the slips before it, until its response is known.
-  struct Correction {
-    Points<Dim> forces, slips;
-  };
-  std::optional<Correction> last_correction_;
 };
 
 extern template class WallForces<2>;
