@@ -47,5 +47,39 @@ class Documents(ProgramTest):
                 self.assertTrue(block and block.group(1).strip(), "scripts/gallery writes it")
 
 
+class Headlines(unittest.TestCase):
+    """The summary of the validation has the figures of the pages that it summarises, perhaps rounded, or as what one is off by, in per cent."""
+
+    NUMBER = re.compile(r"(?<![\w.,^/])\d+(?:\.\d+)?(?:e[+-]?\d+)?(?![\w^])")
+    VALIDATION = SOURCE / "docs" / "validation"
+
+    def numbers(self, text):
+        return self.NUMBER.findall(re.sub(r"`[^`\n]*`|\]\([^)]*\)", "", text))
+
+    @staticmethod
+    def stands_for(figure, number):
+        """Whether a figure of the summary is this number of a page."""
+        half = 0.05 * float(figure) if "e" in figure else 0.5000001 * 10.0**-len(figure.partition(".")[2])
+        return any(abs(value - float(figure)) <= half for value in (float(number), 100 * abs(float(number) - 1)))
+
+    def without_page(self, headline, pages):
+        """The figures of a headline that stand on none of the pages."""
+        known = {number for page in pages for number in self.numbers((self.VALIDATION / page).read_text(encoding="utf-8"))}
+        return [figure for figure in self.numbers(headline) if not any(self.stands_for(figure, number) for number in known)]
+
+    def test_figures_are_those_of_the_pages(self):
+        rows = 0
+        for line in (self.VALIDATION / "README.md").read_text(encoding="utf-8").splitlines():
+            cells, pages = line.strip("| ").split(" | "), re.findall(r"\(([\w/]+\.md)(?:#[^)]*)?\)", line)
+            if line.startswith("| ") and len(cells) == 4 and pages:
+                rows += 1
+                with self.subTest(cells[0]):
+                    self.assertEqual(self.without_page(cells[2], pages), [])
+        self.assertGreater(rows, 30)
+
+    def test_the_test_sees_them(self):
+        self.assertEqual(self.without_page("St 0.9517, Re = 100", ["cylinder.md"]), ["0.9517"])
+
+
 if __name__ == "__main__":
     unittest.main()
