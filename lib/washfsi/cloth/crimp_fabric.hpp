@@ -2,10 +2,10 @@
 //
 // Cloth that stiffens as its yarns straighten (compare Kawabata, Niwa and Kawai, J. Textile Inst. 64 (1973) 47, on
 // plain weaves): along warp and weft a bilinear law with a smooth knee, ours. Below the knee the crimp of the yarns is
-// pulled out, with the modulus k0; beyond it the yarns themselves are stretched, with k1 >= k0:
-//   k(E) = dN/dE = k0 + (k1 - k0) (1 + x/sqrt(1 + x^2))/2,   x = (E - Ec)/w,   N(0) = 0
-// All else is as in the linear law with k0, including the lower modulus of a bare edge, so that the energy is convex in
-// the strains.
+// pulled out, with the modulus K_0; beyond it the yarns themselves are stretched, with K_1 >= K_0:
+//   dN/dE = K_0 + (K_1 - K_0) (1 + E~/sqrt(1 + E~^2))/2,   E~ = (E - E_c)/E_w,   N(0) = 0
+// All else is as in the linear model with K_0, including the lower modulus of a bare edge, so that the energy is convex
+// in the strains.
 #pragma once
 
 #include <cmath>
@@ -15,8 +15,8 @@
 
 namespace washfsi {
 
-/// The contribution of the yarns to the modulus of an edge, rise (1 + x/sqrt(1 + x^2))/2 with x = (E - strain)/width,
-/// and to its resultant and energy, the first and second integrals from E = 0.
+/// The contribution of the yarns to the modulus of an edge, rise (1 + E~/sqrt(1 + E~^2))/2 with `rise` = K_1 - K_0 and
+/// E~ = (E - strain)/width; and to its resultant and energy, the first and second integrals from E = 0.
 class CrimpKnee {
  public:
   CrimpKnee() = default;
@@ -34,14 +34,14 @@ class CrimpKnee {
   static double root_of(double x) { return std::sqrt(1 + x * x); }
 
   double rise_ = 0, strain_ = 0, width_ = 1;
-  double at_rest_ = 0, root_at_rest_ = 1;  ///< x and sqrt(1 + x^2) without strain
+  double at_rest_ = 0, root_at_rest_ = 1;  ///< E~_0 and sqrt(1 + E~_0^2), without strain
 };
 
 /// The knee of the curves along warp and weft.
 struct Crimp {
-  WarpWeft yarn_modulus{};  ///< k1, not below k0 [N/m]
-  WarpWeft strain{};        ///< Ec, strain at the knee
-  double width = 0.01;      ///< w
+  WarpWeft yarn_modulus{};  ///< K_1, not below K_0 [N/m]
+  WarpWeft strain{};        ///< E_c, strain at the knee
+  double width = 0.01;      ///< E_w
 };
 
 /// The law of a fabric with crimp.
@@ -49,7 +49,7 @@ class CrimpFabric {
  public:
   static constexpr const char* name = "crimp";
 
-  /// `crimped` is the law while the crimp lasts, with k0 as extensional stiffness; `crimp` describes the knee.
+  /// `crimped` is the law while the crimp lasts, with K_0 as modulus of extension; `crimp` describes the knee.
   CrimpFabric(const LinearFabric& crimped, const Crimp& crimp);
   static CrimpFabric from_options(OptionBlock& block, std::size_t directions);
 

@@ -47,9 +47,10 @@ struct MeanTangent {
   }
 };
 
-/// Bending, linear in the curvature vectors D_s and D_r and in the twist vector D_q: per area
-///   1/2 f s |D_s|^2 + 1/2 f r |D_r|^2 + cross D_s . D_r + twist |D_q|^2,
-/// f = alone where only one of D_s and D_r exists, else 1; moduli in [N m].
+/// Bending, with the second differences X_ss and X_rr and the mixed one X_sr. Its energy per area is
+///   1/2 w_b s |X_ss|^2 + 1/2 w_b r |X_rr|^2 + cross X_ss . X_rr + twist |X_sr|^2,
+/// with w_b = `alone` where only one of X_ss and X_rr exists, else 1. The moduli in [N m] are K_b,s, K_b,r, that which
+/// couples the two, and K_t.
 struct BendingModuli {
   double s = 0, r = 0, cross = 0, twist = 0;
   double alone = 1;

@@ -7,11 +7,11 @@
 namespace washfsi {
 
 /// The inertia of the cloth's own excess mass, as a force on the markers and, through them, on the water, whose density
-/// is then that of pure water. With the mean velocity W = (X - X^n)/dt in a step, and with the acceleration of the
-/// coupling scheme, rate W - known,
-///   I = -m (rate W - known),     stiffness  m rate/dt,     energy  1/2 m rate/dt |X - X0|^2
-/// where X0 = X^n + dt known/rate is where the force vanishes. There is none where markers do not move. All is divided
-/// by the share of the forces at the step's end in its mean force, since inertia is that of the step as a whole.
+/// is then that of pure water. With the mean velocity W = (X - X^n)/dt of a marker in a step, the excess mass m for
+/// which it stands, and its acceleration in the coupling scheme, rate W - known,
+///   F_inertia = -m (rate W - known),     stiffness  m rate/dt I,     energy  1/2 m rate/dt |X - X_0|^2
+/// where X_0 = X^n + dt known/rate is where the force vanishes. There is none where markers do not move. All is divided
+/// by the share w_0 of the forces at the end of a step in its mean force, since inertia acts over the step as a whole.
 template <int Dim>
 class Inertia : public MarkerForce<Dim> {
  public:
@@ -30,8 +30,8 @@ class Inertia : public MarkerForce<Dim> {
 
  private:
   const Cloths<Dim>& cloths_;
-  Points<Dim> unmoved_;            ///< X0 [m]
-  double stiffness_per_mass_ = 0;  ///< rate/(dt share) [1/s2]
+  Points<Dim> unmoved_;            ///< X_0 [m]
+  double stiffness_per_mass_ = 0;  ///< rate/(dt w_0) [1/s2]
 };
 
 extern template class Inertia<2>;

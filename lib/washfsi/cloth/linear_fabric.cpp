@@ -18,7 +18,7 @@ LinearFabric::LinearFabric(const LinearModuli& moduli)
 
 namespace {
 
-// nu from nu_sr and, if given, nu_rs: nu_sr Ke_r = nu_rs Ke_s (3.3.5), or the strain energy would not exist.
+// nu_P from nu_sr and, if given, nu_rs: nu_sr K_e,r = nu_rs K_e,s (3.3.5), or the strain energy would not exist.
 double symmetric_poisson(const OptionBlock& block, const std::vector<double>& given, double ratio) {
   const double along = given[0], wanted = along * ratio;
   if (given.size() > 1 && std::abs(given[1] - wanted) > 1e-6 * std::max(std::abs(wanted), std::abs(given[1])))

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Orthotropic linear elasticity, thesis 3.3.5: resultants proportional to the strains,
-//   N11 = Ke_s E11 + nu sqrt(Ke_s Ke_r) E22,  N22 likewise,  N12 = 2 Ks E12
-//   M11 = Kb_s kappa_s + nu sqrt(Kb_s Kb_r) kappa_r,  M22 likewise,  M12 = Kt tau
-// On the lattice <E11> and <E22> of a quad are coupled. A bare edge is free to contract across: its modulus is
-// (1 - nu^2) Ke.
+// Orthotropic linear elasticity, thesis 3.3.5: membrane forces and moments are linear in strains and curvatures,
+//   N11 = K_e,s E11 + nu_P sqrt(K_e,s K_e,r) E22,  N22 likewise,  N12 = 2 K_s E12
+//   M_b,11 = K_b,s n.X_ss + nu_P sqrt(K_b,s K_b,r) n.X_rr,  M_b,22 likewise,  M_b,12 = K_t n.X_sr
+// On the lattice the means <E11> and <E22> of a quad are coupled. A bare edge is free to contract across: its modulus
+// is (1 - nu_P^2) K_e.
 #pragma once
 
 #include "washfsi/cloth/fabric_law.hpp"
 
 namespace washfsi {
 
-/// Moduli of an orthotropic sheet; in the plane there is nothing along weft.
+/// Moduli of an orthotropic sheet; in 2D there is nothing along weft.
 struct LinearModuli {
-  double ke_s = 0, ke_r = 0;  ///< extensional stiffness [N/m]
-  double ks = 0;              ///< shear stiffness, N12 = 2 Ks E12 [N/m]
-  double kb_s = 0, kb_r = 0;  ///< bending stiffness [N m]
-  double kt = 0;              ///< twisting stiffness, M12 = Kt tau [N m]
-  double poisson = 0;         ///< nu, the geometric mean of nu_sr and nu_rs
+  double ke_s = 0, ke_r = 0;  ///< moduli of extension K_e [N/m]
+  double ks = 0;              ///< modulus of shear K_s, N12 = 2 K_s E12 [N/m]
+  double kb_s = 0, kb_r = 0;  ///< moduli of bending K_b [N m]
+  double kt = 0;              ///< modulus of twist K_t, M_b,12 = K_t n.X_sr [N m]
+  double poisson = 0;         ///< nu_P, the geometric mean of nu_sr and nu_rs
 };
 
 /// A quad whose mean strains are coupled, with its energy per area coupling <E11> <E22> + 1/2 shear (2 E12)^2.

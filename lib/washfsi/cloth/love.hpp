@@ -8,15 +8,15 @@
 
 namespace washfsi {
 
-/// Adds the force of a fibre in the plane (3.3.4): F ds with
-///   F = d/ds (T X_s) + d/ds (Q e3),  T = Ke E11,  M = Kb kappa,  Q = -(1/K) dM/ds,
-/// T, M and Q zero at the ends.
+/// Adds the force of a fibre in 2D (3.3.4): F_A ds with
+///   F_A = d/ds (N X_s) + d/ds (Q n),  N = K_e E11,  M_b = K_b n.X_ss/|X_s|^2,  Q = -(1/|X_s|) dM_b/ds,
+/// and N, M_b and Q zero at the ends.
 void add_love_forces(const Sheet& sheet, std::span<const Point<2>> positions, std::span<Point<2>> forces);
 
-/// Adds the force of an isotropic plate in space (3.3.3): F ds dr with
-///   F = d/ds (N11 X_s + N12 X_r + Q1 |X_r| e3) + d/dr (N12 X_s + N22 X_r + Q2 |X_s| e3)    (3.3-26, 3.3-31)
-///   Q1 = -(dM11/dsigma_s + dM12/dsigma_r),  Q2 = -(dM12/dsigma_s + dM22/dsigma_r)          (3.3-35)
-/// N and Q zero at the free edges, M beyond them.
+/// Adds the force of an isotropic plate in 3D (3.3.3): F_A ds dr with
+///   F_A = d/ds (N11 X_s + N12 X_r + Q1 |X_r| n) + d/dr (N12 X_s + N22 X_r + Q2 |X_s| n)      (3.3-26, 3.3-31)
+///   Q1 = -(dM_b,11/dl_s + dM_b,12/dl_r),  Q2 = -(dM_b,12/dl_s + dM_b,22/dl_r)                (3.3-35)
+/// with l_s and l_r the lengths along the deformed cloth. N and Q are zero at the free edges, M_b beyond them.
 void add_love_forces(const Sheet& sheet, std::span<const Point<3>> positions, std::span<Point<3>> forces);
 
 }  // namespace washfsi

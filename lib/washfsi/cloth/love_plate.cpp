@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The thesis's strong form of a plate on its own lattice (Figs. 3.4-2, 3.4-3): N11 and N22 at the points between
-// neighbours along s and r, shear at the centroids of four markers, curvature, twist and moments at the markers.
+// neighbours along s and r, N12 at the centroids of four markers, curvature, twist and moments M_b at the markers.
 #include "washfsi/cloth/love.hpp"
 
 namespace washfsi {
@@ -23,7 +23,7 @@ class Plate {
       for (long j = 0; j < m_; ++j) vanish_at_edges(i, j);
   }
 
-  /// N11 X_s + N12 X_r + Q1 |X_r| e3 between (i, j) and (i + 1, j); zero beyond the edges.
+  /// N11 X_s + N12 X_r + Q1 |X_r| n between (i, j) and (i + 1, j); zero beyond the edges.
   Point<3> flux_s(long i, long j) const {
     if (i < 0 || i + 1 >= n_) return Point<3>::Zero();
     const Point<3> a = slope_s(i, j), b = 0.5 * (tangent_r(i, j) + tangent_r(i + 1, j));
@@ -33,7 +33,7 @@ class Plate {
                       0.5 * (slope_of_m12_r(i, j) + slope_of_m12_r(i + 1, j)) / (sheet_.dr * b.norm());
     return flux + q1 * b.norm() * a.cross(b).normalized();
   }
-  /// N12 X_s + N22 X_r + Q2 |X_s| e3 between (i, j) and (i, j + 1).
+  /// N12 X_s + N22 X_r + Q2 |X_s| n between (i, j) and (i, j + 1).
   Point<3> flux_r(long i, long j) const {
     if (j < 0 || j + 1 >= m_) return Point<3>::Zero();
     const Point<3> a = 0.5 * (tangent_s(i, j) + tangent_s(i, j + 1)), b = slope_r(i, j);
@@ -90,12 +90,12 @@ class Plate {
     m22_.push_back(moduli_.kb_r * (kappa_r + moduli_.poisson * kappa_s));
     m12_.push_back(moduli_.kt * normal.dot(twist) / (a.norm() * b.norm()));
   }
-  // Half a spacing beyond the outermost markers M11 and M22 are zero: there they are a third of the next ones.
+  // Half a spacing beyond the outermost markers M_b,11 and M_b,22 vanish: there they are a third of the next ones.
   void vanish_at_edges(long i, long j) {
     if (n_ > 2 && (i == 0 || i == n_ - 1)) m11_[number(i, j)] = at(m11_, i == 0 ? 1 : n_ - 2, j) / 3;
     if (m_ > 2 && (j == 0 || j == m_ - 1)) m22_[number(i, j)] = at(m22_, i, j == 0 ? 1 : m_ - 2) / 3;
   }
-  // Differences of M12 at a marker, zero beyond the edges: their jump there is Kirchhoff's edge shear.
+  // Differences of M_b,12 at a marker, which is zero beyond the edges: its jump there is Kirchhoff's edge shear.
   double slope_of_m12_r(long i, long j) const {
     const double above = j + 1 < m_ ? 0.5 * (at(m12_, i, j) + at(m12_, i, j + 1)) : 0;
     const double below = j > 0 ? 0.5 * (at(m12_, i, j - 1) + at(m12_, i, j)) : 0;

@@ -58,7 +58,7 @@ struct StiffnessBound {
   double damping = 0;    ///< Kelvin-Voigt time [s]
 };
 
-/// Takes the block of K = d2E/dX2 between two markers, given by their numbers among those of all ranks.
+/// Takes the block of K = d2Psi/dX2 between two markers, given by their numbers among those of all ranks.
 template <int Dim>
 using AddMarkerBlock = std::function<void(PetscInt row, PetscInt column, const StiffnessBlock<Dim>& block)>;
 

@@ -39,7 +39,7 @@ struct ClothGroup {
   Sheet sheet;
 
   Hold hold = Hold::none;                           ///< where springs hold it
-  double hold_stiffness = 0;                        ///< per spring [N/m; per unit depth in the plane]; 0: Ke/ds
+  double hold_stiffness = 0;                        ///< per spring [N/m; per unit depth in 2D]; 0: K_e/ds
   Point<Dim> load = Point<Dim>::Zero();             ///< constant force per undeformed area [N/m2]
   Point<Dim> end_force_first = Point<Dim>::Zero();  ///< force at the edge before the first row [N; N/m in the plane]
   Point<Dim> end_force_last = Point<Dim>::Zero();   ///< force at the edge after the last row [N; N/m in the plane]

@@ -37,9 +37,9 @@ class ReferenceLattice {
   /// Share of an edge's area that has no quad.
   double bare_s(std::size_t k) const { return along_r.overhang() * ((k % m == 0) + !has_edge_r(k)); }
   double bare_r(std::size_t k) const { return along_s.overhang() * ((k < m) + !has_edge_s(k)); }
-  /// The factor f of a marker's bends (cloth/sheet.hpp).
+  /// The factor w_b of a marker's bends (cloth/sheet.hpp).
   double bend_weight(std::size_t k) const { return bends_along_s(k) && bends_along_r(k) ? 1 : bending.alone; }
-  /// The factor g of a quad's twist.
+  /// The factor w_t of a quad's twist.
   double twist_weight(std::size_t k) const {
     const double of_s = 1 + along_s.overhang() * ((k < m) + !has_edge_s(k + m));
     const double of_r = 1 + along_r.overhang() * ((k % m == 0) + (k % m + 2 == m));

@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Elasticity of a sheet: a lattice of n x m markers X_ij, i along s (warp), j along r (weft), spacings ds and dr on the
-// undeformed cloth, edges half a spacing beyond the outermost markers or, on a nodal lattice, at them
-// (cloth/marker_row.hpp). Marker (i, j) has the number i m + j. A fibre is a sheet one marker wide.
+// Elasticity of a sheet: a lattice of n_s x n_r markers X_ij, i along s (warp), j along r (weft), with the spacings ds
+// and dr on the undeformed cloth. Its edges lie half a spacing beyond the outermost markers or, on a nodal lattice, at
+// them (cloth/marker_row.hpp). Marker (i, j) has the number i n_r + j. A fibre is a sheet one marker wide.
 // Formulation 3.1, 3.2, thesis 3.3.3 to 3.3.5.
 //
-// Energy form (default), forces F_ij = -dE/dX_ij; all conditions at free edges are natural. With the energies per area
-// and the bending moduli of a law of fabric (cloth/fabric_law.hpp):
-//   E = sum over s-edges    c_j ds dr warp(E11, bare),  E11 = (|X_(i+1,j) - X_ij|^2/ds^2 - 1)/2
-//     + sum over r-edges    c_i ds dr weft(E22, bare),  E22 likewise
-//     + sum over quads      ds dr quad(E11 of two edges, E22 of two edges, a.b)
-//     + sum over markers    1/2 c_i c_j ds dr (f B_s |D_s|^2 + f B_r |D_r|^2 + 2 B_sr D_s.D_r)
-//     + sum over quads      g ds dr B_t |D_q|^2
-// a and b are a quad's mean tangents X_s and X_r, so that a.b = 2 E12; D_s and D_r second differences (absent where a
-// neighbour is missing), D_q the mixed one, f is not 1 where D_s or D_r is absent, and c_i and c_j are the shares of
-// rows and columns. On the centred lattice they are 1; the strip of half a spacing round the markers has no quads:
-// there an edge is bare on one or both sides, and g = 1 + 1/2 per side without a next row of quads. On the nodal one
-// quads fill the cloth, c = 1/2 on its edges, and g = 1. The form conserves linear and angular momentum to round-off
-// and cannot create energy; bending is linear in X, so that nothing is singular on crumpled cloth.
+// Energy form (default): the forces are F_ij = -dPsi/dX_ij, and all conditions at free edges are natural. With the
+// energies per area and the bending moduli of a constitutive model (cloth/fabric_law.hpp), Psi is
+//     sum over s-edges    w_j ds dr warp(E11, bare),  E11 = (|X_(i+1,j) - X_ij|^2/ds^2 - 1)/2
+//   + sum over r-edges    w_i ds dr weft(E22, bare),  E22 likewise
+//   + sum over quads      ds dr quad(E11 of two edges, E22 of two edges, 2 E12),  2 E12 = <X_s>.<X_r>
+//   + sum over markers    1/2 w_i w_j ds dr (w_b K_b,s |X_ss|^2 + w_b K_b,r |X_rr|^2 + 2 cross X_ss.X_rr)
+//   + sum over quads      w_t ds dr K_t |X_sr|^2
+// <X_s> and <X_r> are the mean tangents of a quad, X_ss and X_rr second differences, absent where a neighbour is
+// missing, and X_sr the mixed one. `cross` is nu_P sqrt(K_b,s K_b,r) in the linear model. w_b is not 1 where only one
+// of X_ss and X_rr exists, and w_i and w_j are the shares of rows and columns. On the centred lattice these are 1. The
+// strip of half a spacing round its markers has no quads: there an edge is bare on one or both sides, and w_t has a
+// factor 3/2 for each side without a next row of quads. On the nodal lattice quads fill the cloth: the shares are 1/2
+// on its edges, and w_t = 1. The form conserves linear and angular momentum to round-off and cannot create energy.
+// Bending is linear in X, so that nothing is singular on crumpled cloth.
 #pragma once
 
 #include <functional>
@@ -29,13 +30,13 @@
 
 namespace washfsi {
 
-/// Lattice and fabric of a sheet. In the plane all is per unit depth, which then is `dr`.
+/// Lattice and fabric of a sheet. In 2D all is per unit depth, which then is `dr`.
 struct Sheet {
-  std::size_t width = 1;  ///< markers along r, m
+  std::size_t width = 1;  ///< markers along r, n_r
   double ds = 0, dr = 1;  ///< spacings [m]
   Fabric fabric{};        ///< law of its fabric
   double damping = 0;     ///< Kelvin-Voigt time beta of the edges [s]
-  double thickness = 1;   ///< q [m], for stresses only
+  double thickness = 1;   ///< [m], for stresses only
   bool closed = false;    ///< a ring along s: no ends
   MarkerLattice lattice = MarkerLattice::centred;
 
@@ -43,7 +44,7 @@ struct Sheet {
   double part_area() const { return ds * dr; }
 };
 
-/// A block of a stiffness matrix K = d2E/dX2, between two markers [N/m; per unit depth in the plane].
+/// A block of the stiffness K = d2Psi/dX2 between two markers [N/m; per unit depth in 2D].
 template <int Dim>
 using StiffnessBlock = Eigen::Matrix<double, Dim, Dim>;
 
@@ -60,11 +61,11 @@ enum class GeometricStiffness { all, of_tension };
 /// rows, they are exact for all markers that are at least this many rows from those where it was cut.
 inline constexpr int sheet_reach = 3;
 
-/// Adds -dE/dX [N; per unit depth in the plane].
+/// Adds -dPsi/dX [N; per unit depth in 2D].
 template <int Dim>
 void add_energy_forces(const Sheet& sheet, std::span<const Point<Dim>> positions, std::span<Point<Dim>> forces);
 
-/// Adds the exact Jacobian of -forces, K = d2E/dX2, block by block.
+/// Adds the exact Jacobian of -forces, K = d2Psi/dX2, block by block.
 template <int Dim>
 void add_energy_stiffness(const Sheet& sheet, std::span<const Point<Dim>> positions, GeometricStiffness geometric,
                           const AddBlock<Dim>& add);
@@ -74,8 +75,9 @@ template <int Dim>
 void add_energy_force_rates(const Sheet& sheet, std::span<const Point<Dim>> positions,
                             std::span<const Point<Dim>> direction, std::span<Point<Dim>> rates);
 
-/// Adds the Kelvin-Voigt damping of the edges: along s the resultant beta k dE11/dt, k the fabric's modulus at E11,
-/// which is the force beta k dr d (d . dU)/ds^3 with d the edge vector.
+/// Adds the Kelvin-Voigt damping of the edges. Along s it is the tension beta N' dE11/dt, with N' = dN/dE11 at the
+/// strain of the edge. On the markers this is the force beta N' dr l (l . dV)/ds^3, with l the edge and dV the
+/// difference of their velocities.
 template <int Dim>
 void add_damping_forces(const Sheet& sheet, std::span<const Point<Dim>> positions,
                         std::span<const Point<Dim>> velocities, std::span<Point<Dim>> forces);

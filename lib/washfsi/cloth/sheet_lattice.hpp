@@ -24,7 +24,7 @@ class SheetLattice : public ReferenceLattice {
   /// E11 and E22 of an edge.
   double strain_s(std::size_t k) const { return 0.5 * (edge_s(k).squaredNorm() / (sheet.ds * sheet.ds) - 1); }
   double strain_r(std::size_t k) const { return 0.5 * (edge_r(k).squaredNorm() / (sheet.dr * sheet.dr) - 1); }
-  /// Mean tangents X_s and X_r of a quad.
+  /// Mean tangents <X_s> and <X_r> of a quad.
   Point<Dim> tangent_s(std::size_t k) const { return 0.5 / sheet.ds * (edge_s(k) + edge_s(k + 1)); }
   Point<Dim> tangent_r(std::size_t k) const { return 0.5 / sheet.dr * (edge_r(k) + edge_r(k + m)); }
   Point<Dim> second_difference_s(std::size_t k) const {
@@ -37,7 +37,7 @@ class SheetLattice : public ReferenceLattice {
 };
 
 /// One value per edge along s, edge along r and quad, under the number of its lowest marker: the strains E11, E22 and
-/// 2 E12 = a.b, or the resultants N11, N22 and N12.
+/// 2 E12 = <X_s>.<X_r>, or the resultants N11, N22 and N12.
 struct Membrane {
   std::vector<double> s, r, shear;
   explicit Membrane(std::size_t markers) : s(markers, 0.0), r(markers, 0.0), shear(markers, 0.0) {}
@@ -57,7 +57,8 @@ Membrane strains_of(const SheetLattice<Dim>& lattice) {
   return strains;
 }
 
-/// Moments at a marker as vectors: M11 e3 and M22 e3 where the cloth is smooth.
+/// Moments at a marker as vectors: w_b K_b,s X_ss + nu_P sqrt(K_b,s K_b,r) X_rr, and likewise along r, the second term
+/// only where both X_ss and X_rr exist. They are M_b,11 n and M_b,22 n where the cloth is smooth.
 template <int Dim>
 struct Moments {
   Point<Dim> s = Point<Dim>::Zero(), r = Point<Dim>::Zero();

@@ -42,7 +42,7 @@ Membrane sum_of_resultants(const SheetLattice<Dim>& lattice, const OfS& of_s, co
   return result;
 }
 
-/// dE/dE11, dE/dE22 and dE/d(2 E12) per area ds dr, whatever the edge's own.
+/// dPsi/dE11, dPsi/dE22 and dPsi/d(2 E12) per area ds dr, whatever the edge's own.
 template <int Dim, FabricLaw Law>
 Membrane resultants_of(const Law& law, const SheetLattice<Dim>& lattice, const Membrane& strains) {
   return sum_of_resultants(

@@ -11,7 +11,7 @@ namespace washfsi {
 template <int Dim>
 double largest_stretch(const Sheet& sheet, std::span<const Point<Dim>> positions);
 
-/// Unit normal at each marker: e3, in the plane to the left of the fibre.
+/// Unit normal n at each marker, in 2D to the left of the fibre.
 template <int Dim>
 Points<Dim> normals(const Sheet& sheet, std::span<const Point<Dim>> positions);
 
@@ -20,11 +20,12 @@ enum StressComponent : std::size_t { ss, rr, sr, stress_components };
 
 /// Stresses and deformation at a marker. The stress at the cloth's surface is the sum of both (5.2-2 to 5.2-4).
 struct MarkerState {
-  std::array<double, stress_components> membrane_stress{};  ///< |N|/q, N the mean over the edges or quads beside,
-                                                            ///< zero beyond a centred lattice [Pa]
-  std::array<double, stress_components> bending_stress{};   ///< 6 |M|/q^2 [Pa]
-  double stretch = 0;                                       ///< mean of | |X_s| - 1 | of the edges beside
-  double curvature = 0;                                     ///< sqrt(kappa_s^2 + kappa_r^2 + 2 tau^2) [1/m]
+  std::array<double, stress_components> membrane_stress{};  ///< |N|/thickness, N the mean over the edges or quads
+                                                            ///< beside, zero beyond a centred lattice [Pa]
+  std::array<double, stress_components> bending_stress{};   ///< 6 |M_b|/thickness^2 [Pa]
+  double stretch = 0;                                       ///< mean of | |X_s| - 1 | over the edges beside, zero
+                                                            ///< beyond a centred lattice
+  double curvature = 0;                                     ///< sqrt(|X_ss|^2 + |X_rr|^2 + 2 |X_sr|^2) [1/m]
   double shear_angle = 0;                                   ///< mean of the quads beside [rad]
 };
 

@@ -10,14 +10,15 @@ namespace washfsi {
 /// Keeps cloths, and the parts of one, from passing through each other (Li et al., ACM Trans. Graph. 39 (2020) 49). Two
 /// surfaces repel each other where they are nearer than the contact distance d^: a sample, a Gauss point of a face, at
 /// the distance d from another surface, has the energy
-///   E = kappa w d^ b(d/d^),     w half of the undeformed area that the sample stands for
-/// and pushes its markers, and those of what it faces (contact/surface_samples.hpp), by -kappa w b' share n. So two
-/// flat sheets at the distance d press each other with -kappa b'(d/d^), wherever they lie. Corners and creases may come
-/// nearer than samples see. So pairs of facets without a common marker, a marker and a triangle or two edges, in the
-/// plane a marker and a segment, guard what is between them: with the same law, of half the contact distance, where
-///   E = kappa w d^/2 m b(2 d/d^),     w the pair's undeformed area, m the mollifier of parallel edges
-/// The stiffness is the part  (share n)(share n)^T b''  of the Jacobian, which is never negative; near the solution of
-/// a step, where the elastic stiffness is complete too, the part of the distance's curvature is added
+///   Psi = kappa A_s d^ b(d/d^),     A_s half of the undeformed area for which the sample stands
+/// and exerts the forces -kappa A_s b' share n on its markers and on those of what it faces
+/// (contact/surface_samples.hpp). So two flat sheets at the distance d press each other with -kappa b'(d/d^), wherever
+/// they lie. Corners and creases may come nearer than samples see. So pairs of facets without a common marker, a marker
+/// and a triangle or two edges, in 2D a marker and a segment, guard what is between them within half of the contact
+/// distance:
+///   Psi = kappa A_s d^/2 eta b(2 d/d^),     A_s the undeformed area of the pair, eta the factor of parallel edges
+/// The stiffness is the part  kappa A_s/d^ b'' (share n)(share n)^T  of the Jacobian, which is never negative. Near the
+/// solution of a step, where the elastic stiffness is complete too, the second derivative of the distance is added
 /// (contact/distance_curvature.hpp). No accepted motion lets facets touch, whatever the step: `step_limit`. Parts that
 /// start nearer than d^ have their own distance (contact/pair_distances.hpp). Each rank has the samples and pairs with
 /// a marker of its own, and knows the markers that are near to these.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The barrier of Li et al., ACM Trans. Graph. 39 (2020) 49, of the distance s over that at which contact begins:
-//   b(s) = -(s - 1)^2 ln s   for s < 1, else 0
-// It is convex, with two continuous derivatives, and grows beyond all bounds as s goes to 0.
+// The barrier of Li et al., ACM Trans. Graph. 39 (2020) 49, of the distance y over that at which contact begins:
+//   b(y) = -(y - 1)^2 ln y   for y < 1, else 0
+// It is convex, with two continuous derivatives, and grows without bound as y goes to 0.
 #pragma once
 
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace washfsi {
 
 struct BarrierValue {
-  double value = 0, first = 0, second = 0;  ///< b, b' and b''
+  double value = 0, first = 0, second = 0;  ///< b(y), b' and b''
 };
 
 inline BarrierValue barrier(double s) {
@@ -23,8 +23,9 @@ inline BarrierValue barrier(double s) {
   return {-r * r * log, -2 * r * log - r * r / s, -2 * log - 4 * r / s + r * r / (s * s)};
 }
 
-/// The factor that fades out the barrier of two nearly parallel edges, whose nearest points jump from end to end:
-///   m = (2 - c/eps) c/eps   for c = |e x e'|^2 < eps, else 1
+/// The factor that fades out the barrier of two nearly parallel edges l and l', whose nearest points jump from end to
+/// end:
+///   eta(y) = (2 - y) y   for y = |l x l'|^2/eps < 1, else 1,     eps = 10^-2 |l_0|^2 |l_0'|^2 (`FacetPair::parallel`)
 struct Mollifier {
   double value = 1;
   PairPoints<3> gradient{Point<3>::Zero(), Point<3>::Zero(), Point<3>::Zero(), Point<3>::Zero()};

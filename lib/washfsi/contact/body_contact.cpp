@@ -79,7 +79,7 @@ void BodyContact<Dim>::visit_stiffness(const Points<Dim>& positions, GeometricSt
   blocks.visit(around_.cloths, add);
 }
 
-// The bound for a marker on the surface; with the barrier, which is singular there, for one at a third of d0 or where
+// The bound for a marker on the surface; with the barrier, which is singular there, for one at a third of d^ or where
 // the nearest one starts.
 template <int Dim>
 void BodyContact<Dim>::add_bound(std::span<StiffnessBound> bounds) const {

@@ -7,20 +7,20 @@
 
 namespace washfsi {
 
-/// Penalty contact that keeps cloth out of bodies and sides of the box: a marker nearer than d0 is pushed along the
-/// outward normal with the force per undeformed area
-///   P0 s^2,  s = (d0 - Phi)/d0 > 0,      energy P0 d0/3 s^3,      stiffness 2 P0/d0 s n n^T
-/// or, with the law of the barrier between cloths (contact/barrier_function.hpp),
-///   -P0 b'(Phi/d0),                      energy P0 d0 b,          stiffness P0/d0 b'' n n^T
+/// Contact that keeps cloth out of bodies and sides of the box. A marker at a signed distance Phi below the contact
+/// distance is repelled along the outward normal n. Penalty contact has, per undeformed area,
+///   pressure p_0 Phi~^2,          energy 1/3 p_0 d_0 Phi~^3,    stiffness 2 p_0/d_0 Phi~ n n^T
+/// with Phi~ = (d_0 - Phi)/d_0 > 0; the barrier, with the function b of contact/barrier_function.hpp, has
+///   pressure -kappa b'(Phi/d^),   energy kappa d^ b(Phi/d^),    stiffness kappa/d^ b''(Phi/d^) n n^T
 /// In a step Phi is the distance from a plane that moves with the body (contact/tangent_planes.hpp): so the energy is
-/// convex, and its stiffness exact and never negative. With the barrier no motion goes through the plane
-/// (`step_limit`); only where a moving body comes nearer than d0/10 to a marker at rest by the step's end, the barrier
-/// continues from there with constant stiffness; where the solution of the step lies deep in that part, it begins
-/// nearer, and the step is solved again (`sharpen`). A post or an edge may come nearest to a place in a face rather
-/// than to a marker: this place is pushed likewise from d0/2 on, with the area of the face; so is a second place where
-/// the face turns to, if the solution shows one. Points that start nearer than d0 have their own distance
-/// (contact/pair_distances.hpp). Friction is that of the barrier between cloths (contact/friction.hpp), with the normal
-/// force of the step's start and the motion relative to the surface in the step.
+/// convex, and its stiffness exact and never negative. With the barrier no motion passes through the plane
+/// (`step_limit`). Only where a moving body comes nearer than d^/10 to a marker at rest by the end of the step, the
+/// barrier continues from there with constant stiffness; where the solution of the step lies deep in that part, it
+/// begins nearer, and the step is solved again (`sharpen`). A post or an edge may be nearest to a place within a face
+/// rather than to a marker. This place is repelled from d^/2 on, with the area of the face; so is a second place that
+/// the face turns to the body, if the solution shows one. Points that start nearer than the contact distance have their
+/// own distance (contact/pair_distances.hpp). Friction is that of the barrier between cloths (contact/friction.hpp),
+/// with the normal force at the start of the step and the motion relative to the surface in the step.
 template <int Dim>
 class BodyContact : public ContactPotential<Dim> {
  public:

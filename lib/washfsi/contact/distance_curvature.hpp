@@ -10,7 +10,7 @@ namespace washfsi {
 
 /// The second derivative of the distance of two parts that face each other. With the way r = sum of s_i X_i between the
 /// nearest points, whose places on their facets have the coordinates l_k, the half square g = r^2/2 has
-///   d2g/dX_i dX_j = s_i s_j 1 - sum over k, m of  a_ik (t_k . t_m)^-1 a_jm^T,
+///   d2g/dX_i dX_j = s_i s_j I - sum over k, m of  a_ik (t_k . t_m)^-1 a_jm^T,
 ///   t_k = dr/dl_k,  a_ik = ds_i/dl_k r + s_i t_k
 /// since the nearest points move as the markers do, and the distance d = sqrt(2 g).
 template <int Dim>

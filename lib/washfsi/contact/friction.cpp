@@ -8,9 +8,9 @@ namespace washfsi {
 
 namespace {
 
-// The regularisation at a slide y, with g = y/f and F the integral of f from 0.
+// The regularisation at a slide |xi| = y: Xi = y/eta, and the integral of eta over the slide from 0.
 struct Creep {
-  double g, rate, energy;  // g, dg/dy, F
+  double g, rate, energy;  // Xi, dXi/dy, the integral
 };
 
 template <int Dim>
@@ -40,7 +40,7 @@ void Friction<Dim>::begin(std::vector<FrictionPair<Dim>> pairs, double dt, doubl
   slides_ = directions_;
 }
 
-// A Newton step for  g q = u  in both of its unknowns, of which the slides have already been found.
+// A Newton step for  Xi xi^ = xi  in both of its unknowns, of which the slides xi have already been found.
 template <int Dim>
 void Friction<Dim>::linearise(const Points<Dim>& ways) {
   for (std::size_t r = 0; r < pairs_.size(); ++r) {

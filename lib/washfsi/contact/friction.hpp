@@ -10,14 +10,14 @@ namespace washfsi {
 /// A friction pair: two surfaces that touch in a step, with place and normal force of its start.
 template <int Dim>
 struct FrictionPair {
-  Point<Dim> normal;   ///< from the second to the first
-  double limit;        ///< friction coefficient times normal force [N; per unit depth in the plane]
+  Point<Dim> normal;   ///< n, from the second to the first
+  double limit;        ///< mu_C F_n [N; per unit depth in 2D]
   double stops = 0;    ///< slide below which the whole limit would more than stop them, in an explicit step [m]
   double damping = 0;  ///< damping of the normal motion [N s/m]
 };
 
-/// The damping of two surfaces along their normal, as a share of the critical one of a mass [kg] on a spring, the
-/// contact at the step's start [N/m]  [N s/m].
+/// The damping 2 zeta sqrt(K_n m) of two surfaces along their normal [N s/m]: the share zeta of the critical damping of
+/// a mass m [kg] on a spring, whose stiffness K_n is that of the contact at the start of the step [N/m].
 double contact_damping(double share, double stiffness, double mass);
 
 /// The action of a pair when the first surface has moved some way over the second.
@@ -29,29 +29,29 @@ struct FrictionForce {
   StiffnessBlock<Dim> stiffness;  ///< stiffness for Newton's method [N/m]
 };
 
-/// Coulomb friction in a step, lagged (Li et al., ACM Trans. Graph. 39 (2020) 49): with the normal n and the normal
-/// force of the step's start, and the slide u = (1 - n n^T) way, the way being that of the first surface over the
-/// second, a pair pulls with
-///   limit f(|u|) u/|u|,      f(y) = 2 y/e - y^2/e^2 for y < e, else 1,      e = dt times `creep_speed`
+/// Coulomb friction in a step, lagged (Li et al., ACM Trans. Graph. 39 (2020) 49): normal n and normal force F_n are
+/// those of the start of the step. With the slide xi = (I - n n^T) way, the way being that of the first surface over
+/// the second, a pair pulls with
+///   mu_C F_n eta(|xi|/xi_0) xi/|xi|,      eta(y) = (2 - y) y for y < 1, else 1,      xi_0 = dt times `creep_speed`
 /// the gradient of a convex energy. Below that speed surfaces stick except for a creep.
 /// Newton's method with the Hessian oscillates across the kink at rest, and with pull over slide in place of it
-/// converges slowly where pairs are about to slide. So the direction q of the pull is an unknown of its own, with
-///   g q = u, g = |u|/f(|u|)  (Chan, Golub and Mulet, SIAM J. Sci. Comput. 20 (1999) 1964);
-/// with u eliminated, the stiffness
-///   limit/g (1 - n n^T - g'/2 (q u^T + u q^T)/|u|),      |q| <= 1
-/// is positive: pull over slide at first, when q = 0, and the Hessian in the end.
-/// Friction is that of the step as a whole: where forces at its end make up a share of the step's mean force, and those
-/// at its start, when nothing has slid yet, the rest, the pull is limit/share.
+/// converges slowly where pairs are about to slide. So the direction xi^ of the pull is a separate unknown, with
+///   Xi xi^ = xi,      Xi = |xi|/eta      (Chan, Golub and Mulet, SIAM J. Sci. Comput. 20 (1999) 1964)
+/// With xi eliminated, the stiffness
+///   mu_C F_n/Xi (I - n n^T - Xi'/2 (xi^ xi^T + xi xi^^T)/|xi|),      |xi^| <= 1
+/// is positive: pull over slide at first, when xi^ = 0, and the Hessian in the end.
+/// Friction is that of the step as a whole. Where forces at its end make up the share w_0 of its mean force, and those
+/// at its start, when nothing has slid yet, the rest, the pull is mu_C F_n/w_0 in place of mu_C F_n.
 /// The motion along the normal is damped: a barrier would make surfaces bounce, and cloth does not.
 /// `contact_damping` gives the coefficient. In an explicit step of length dt the way is that of the velocities at its
-/// start, and e is large enough that the pull does not reverse the slide: 2 limit dt^2 mobility.
+/// start, and xi_0 is at least `stops`, so that the pull does not reverse the slide.
 template <int Dim>
 class Friction {
  public:
-  /// The sliding speed at which friction reaches its limit [m/s].
+  /// The sliding speed xi_0/dt at which friction reaches its limit mu_C F_n [m/s].
   static constexpr double creep_speed = 1e-3;
 
-  /// Begins a step of length dt; dt = 0: nothing slides. `share` is that of the pulls in the step's mean force.
+  /// Begins a step of length dt; dt = 0: nothing slides. `share` is w_0, that of the pulls in the step's mean force.
   void begin(std::vector<FrictionPair<Dim>> pairs, double dt, double share = 1);
   /// Linearises for Newton's method at these ways of all pairs [m].
   void linearise(const Points<Dim>& ways);
@@ -64,7 +64,7 @@ class Friction {
   void add_damping(const FrictionPair<Dim>& pair, const Point<Dim>& way, FrictionForce<Dim>& force) const;
 
   std::vector<FrictionPair<Dim>> pairs_;
-  Points<Dim> directions_, slides_;  ///< q and u of each pair, where it was linearised last
+  Points<Dim> directions_, slides_;  ///< xi^ and xi of each pair, where it was linearised last
   double dt_ = 0, share_ = 1;
 };
 

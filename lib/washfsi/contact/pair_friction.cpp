@@ -25,8 +25,8 @@ void PairFriction<Dim>::begin_explicit(std::vector<Pair> pairs, const NearMarker
   begin(std::move(pairs), all + -dt * velocities, dt);
 }
 
-// Sets `stops` from the limits of all pairs of each marker, as if all acted in one direction: a marker's owner has all
-// of its pairs.
+// Sets `stops` = 2 dt^2 sum |share| D_k F_C,k over the markers k of a pair, with F_C,k = sum |share| mu_C F_n over all
+// pairs of marker k, as if all acted in one direction. The owner of a marker has all of its pairs.
 template <int Dim>
 void PairFriction<Dim>::set_stops(std::vector<Pair>& pairs, const NearMarkers<Dim>& known,
                                   const std::vector<double>& mobilities, double dt) {

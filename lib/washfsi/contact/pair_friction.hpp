@@ -13,7 +13,7 @@ class PairFriction {
  public:
   struct Pair {
     Facing<Dim> facing;  ///< at the step's start
-    double limit;        ///< friction coefficient times normal force there [N; per unit depth in the plane]
+    double limit;        ///< mu_C F_n there [N; per unit depth in 2D]
     double damping = 0;  ///< as in `FrictionPair`
     double stops = 0;    ///< as in `FrictionPair`
     /// Initial places of its markers; in an explicit step the places from which they would have come [m].

@@ -14,7 +14,7 @@ struct FacetPair {
   std::array<std::size_t, pair_markers<Dim>> markers;  ///< indices among the markers that the rank knows
   Point<Dim> shift;                                    ///< shift of the second facet's periodic image [m]
   double weight;    ///< undeformed area that the pair stands for [m2; m in the plane]
-  double parallel;  ///< eps of the mollifier [m4]; 0 where there is none
+  double parallel;  ///< eps of the factor eta of parallel edges [m4]; 0: none
   double start;     ///< distance when it was found [m]
 
   /// The places of its markers, shifted to be near to each other, from those of all known markers.

@@ -9,16 +9,16 @@
 namespace washfsi {
 
 /// Second backward difference (BDF2) of the velocities V = W, taken at the ends of the steps; backward Euler without a
-/// previous step. With r the ratio of this step to the last,
-///   A = ( (1 + 2 r)/(1 + r) W - (1 + r) V^n + r^2/(1 + r) V^(n-1) )/dt
+/// previous step. With chi the ratio of this step to the last, the acceleration is
+///   ( (1 + 2 chi)/(1 + chi) W - (1 + chi) V^n + chi^2/(1 + chi) V^(n-1) )/dt
 template <int Dim>
 Acceleration<Dim> backward_difference(const System<Dim>& system, double dt);
 
-/// A = (V^(n+1) - V^n)/dt, with W the mean of the two.
+/// (V^(n+1) - V^n)/dt, with W the mean of the two velocities.
 template <int Dim>
 Acceleration<Dim> trapezoidal_difference(const System<Dim>& system, double dt);
 
-/// A = (V^(n+1) - V^n)/dt, with the velocity at the end extrapolated from the means of this step and the last, taken in
+/// (V^(n+1) - V^n)/dt, with the velocity at the end extrapolated from the means W of this step and the last, taken in
 /// the middle of each: centred, and for equal steps the second backward difference of W.
 template <int Dim>
 Acceleration<Dim> centred_difference(const System<Dim>& system, double dt);

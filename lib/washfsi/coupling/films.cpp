@@ -12,7 +12,7 @@ namespace washfsi {
 
 namespace {
 
-// l^2 for the area in which two cloths are near.
+// l_film^2 for the area in which two cloths are near.
 template <int Dim>
 double mean_square_of(double area) {
   return Dim == 3 ? area / (8 * std::numbers::pi) : area * area / 12;
@@ -82,7 +82,7 @@ void Films<Dim>::begin_step(const Points<Dim>& positions, const Points<Dim>& for
   for (Film& film : films_) film.ease = ease(film, pressure(film, given));
 }
 
-// Finds l^2 from the area in which two cloths are near: half of each marker's area, on both cloths, over all ranks.
+// Finds l_film^2 from the area in which two cloths are near: half the area of each marker, on both, over all ranks.
 template <int Dim>
 void Films<Dim>::find_mean_squares() {
   using Cloths = std::pair<std::size_t, std::size_t>;

@@ -7,14 +7,17 @@
 namespace washfsi {
 
 /// Films of water between two cloths that are nearer than a cell, which the grid does not resolve. Beside each marker a
-/// film of the thickness d closes with the speed v under the pressure q,
-///   q = 12 mu l^2 v/d^3 + c rho l^2 v^2/d^2
-/// the mean over a disc, in the plane a strip, between parallel walls: lubrication (Stefan, Sitzungsber. Akad. Wiss.
-/// Wien 69 (1874) 713) and, with a parabolic profile at steady speed, inertia, c = 9/5, in the plane 12/5. The disc has
-/// the area in which the two cloths are that near, l^2 = area/(8 pi), in the plane length^2/12. q is half the
-/// difference of what the cloths press the water with, per area, so that a film neither moves nor turns them together:
-///   q = g.f,   g = n/(2 A) of the marker and of those of the facet by their shares,   B = sum W v/q g g^T
-/// v/q is that of the q of the step's start, and fades out as d comes to a cell, beyond which the grid has the film.
+/// film of the thickness d closes with the speed v under the pressure p_film, with a length l_film and a coefficient
+/// c_film:
+///   p_film = 12 mu l_film^2 v/d^3 + c_film rho l_film^2 v^2/d^2
+/// This is the mean over a disc, in 2D a strip, between parallel walls: lubrication (Stefan, Sitzungsber. Akad. Wiss.
+/// Wien 69 (1874) 713) and, with a parabolic profile at steady speed, inertia, c_film = 9/5, in 2D 12/5. The disc has
+/// the area in which the two cloths are that near: l_film^2 = area/(8 pi), in 2D length^2/12. p_film is half the
+/// difference of the pressures that the two cloths exert on the water, so that a film gives them no common motion. With
+/// the vector n_A made of n/(2 A) of the marker and of those of the opposite facet by shares, and the forces F_f that
+/// markers give to the water,
+///   p_film = n_A.F_f,   B = sum over films of A/2 (1 - d/cell) v/p_film n_A n_A^T
+/// v/p_film is that of the start of the step. B fades out as d comes to a cell, beyond which the grid has the film.
 template <int Dim>
 class Films {
  public:
@@ -24,9 +27,9 @@ class Films {
   /// Finds the films before each step, from these places of this rank's markers, which give these forces to the water
   /// at its start. Collective.
   void begin_step(const Points<Dim>& positions, const Points<Dim>& forces);
-  /// Adds B f of this rank's markers, which give these forces to the water [m/s]. Collective.
+  /// Adds B F_f of this rank's markers, which give these forces F_f to the water [m/s]. Collective.
   void add_velocities(const Points<Dim>& forces, Points<Dim>& velocities) const;
-  /// The power f.B f, summed over all ranks [W; per unit depth in the plane]. Collective.
+  /// The power F_f.B F_f, summed over all ranks [W; per unit depth in 2D]. Collective.
   double power(const Points<Dim>& forces) const;
   /// Returns factor times B, with a row for each coordinate of each marker. Collective.
   petsc::Matrix matrix(double factor) const;
@@ -35,10 +38,10 @@ class Films {
   /// The film beside one marker.
   struct Film {
     std::array<std::size_t, pair_markers<Dim>> markers;  ///< own marker, then the facet's (`FacetPair`)
-    PairPoints<Dim> weights;                             ///< g [1/m2]
-    double gap, mean_square;                             ///< d [m], l^2 [m2]
-    double area;                                         ///< W: half the marker's area [m2]
-    double ease = 0;                                     ///< v/q [m/(s Pa)]
+    PairPoints<Dim> weights;                             ///< n_A [1/m2]
+    double gap, mean_square;                             ///< d [m], l_film^2 [m2]
+    double area;                                         ///< A/2, half the marker's area [m2]
+    double ease = 0;                                     ///< (1 - d/cell) v/p_film [m/(s Pa)]
   };
   using Pairs = std::vector<FacetPair<Dim>>;
   Pairs nearest_pairs(const Points<Dim>& positions);
@@ -54,7 +57,7 @@ class Films {
   std::vector<Film> films_;  ///< films beside this rank's markers
 };
 
-/// v/q of a film [m/(s Pa)] under a pressure [Pa].
+/// v/p_film of a film [m/(s Pa)] under a pressure [Pa]; `inertia` is c_film.
 double film_ease(const PureLiquid& liquid, double gap, double mean_square, double inertia, double pressure);
 
 extern template class Films<2>;

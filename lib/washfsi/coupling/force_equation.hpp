@@ -7,14 +7,17 @@
 
 namespace washfsi {
 
-/// The cloths' equations where something limits their motion, in a step from X with the mobility M, symmetric and
-/// positive, and the water's velocity U before the forces change by y:
-///   V = U + N y,     y = F(X + dt V) - F,     N = dt M
-/// Newton's steps,  (1 + dt N K) dV = -(V - U - N y(V)),  by GMRES with the preconditioner 1 + dt^2 D K, D the row sums
-/// of M. They are shortened to the step limit, and further until the preconditioned residual falls.
-/// Where that fails, the equations are solved for y, since for V they have no potential without M^-1:
-///   phi(y) = 1/2 y.N y + E(X + dt V)/dt + F.V     has the gradient  N (y - F(X + dt V) + F)
-/// and falls along Newton's steps,  (1 + dt K N) dy = -(y - ...).
+/// The cloths' equations where something limits their motion. In a step from X^n, with the velocity U of the water
+/// before the forces change by lambda, the velocities W of the markers are
+///   W = U + M~ lambda,     lambda(W) = F(X^n + dt W) - F,     M~ = dt M
+/// where M is that of `StepMobility`: symmetric and positive, its diagonal already raised by 10^-2 of itself, and with
+/// the part of B of permeable cloth and films added. With the M of the theory, M~ = dt (M + 10^-2 diag M) + w_0 B.
+/// Newton's steps  (I + dt M~ K) dW = -(W - U - M~ lambda(W))  are found by GMRES with the preconditioner I + dt^2 D K,
+/// D the row sums of the mobility without these additions. The steps are shortened to the step limit, and further until
+/// the preconditioned residual falls.
+/// Where that fails, the equations are solved for lambda, since in W they have no potential without M^-1:
+///   Pi(lambda) = 1/2 lambda.M~ lambda + Psi(X^n + dt W)/dt + F.W   has the gradient  M~ (lambda - F(X^n + dt W) + F)
+/// and falls along Newton's steps  (I + dt K M~) dlambda = -(lambda - F(X^n + dt W) + F).
 template <int Dim>
 class ForceEquation {
  public:
@@ -24,17 +27,17 @@ class ForceEquation {
   struct Step {
     Forces<Dim>& all;                     ///< forces on the cloths
     double dt;                            ///< length of the step [s]
-    const Points<Dim>& start;             ///< X, from which the step limit counts [m]
+    const Points<Dim>& start;             ///< X^n, from which the step limit counts [m]
     const Points<Dim>& water_velocities;  ///< U [m/s]
     const Points<Dim>& forces;            ///< F, already contained in U [N]
     const StepMobility<Dim>& mobility;    ///< M, D [1/kg]
     double tolerance;                     ///< tolerance of the velocities' 2-norm [m/s]
   };
-  /// Returns V, starting from the best of the guesses, with forces that are sharp there. Adds the evaluations to
+  /// Returns W, starting from the best of the guesses, with forces that are sharp there. Adds the evaluations to
   /// `iterations`. Collective. Errors: DivergedError.
   Points<Dim> solve(const Step& step, std::vector<Points<Dim>> guesses, double& iterations);
 
-  /// U + N y with a share of U. Collective.
+  /// U + M~ lambda with a share of U, for a change lambda of the forces. Collective.
   Points<Dim> velocities(const Step& step, double share, const Points<Dim>& change) const;
 
  private:

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Cloth without fluid by backward Euler, for steps that are long for stiff cloth and hard contact. It dissipates energy
-// and never adds any. With the masses m of the markers, the drag c per undeformed area A, all forces F that depend
-// on places, and weight and loads G:
-//   1. markers   m (W - V^n)/dt + c A W = F(X^n + dt W) + G, the gradient of a potential, by Newton's method with steps
-//                shortened to the step limit (in two halves where this fails, and these again)
+// and never adds any. With the masses m of the markers, the drag c per undeformed area A, and all forces F that depend
+// on places:
+//   1. markers   m (W - V^n)/dt + c A W = F(X^n + dt W) + weight, loads: the gradient of a potential, by Newton's
+//                method with steps shortened to the step limit (in two halves where this fails, and these again)
 //   2. markers   X^(n+1) = X^n + dt W;  V^(n+1) = W
 // It damps by itself; -..._damping is not used.
 #pragma once

@@ -39,7 +39,7 @@ template <int Dim>
 Points<Dim> ImplicitCoupling<Dim>::fluid_step(System<Dim>& system, double dt, const Points<Dim>& velocities) const {
   auto& [model, state, step] = system;
   step.evaluated_at = state.positions + dt * velocities;
-  // in the middle of the motion the damping is exactly beta Ke dE11/dt: a turning edge is not strained
+  // in the middle of the motion the damping is exactly beta N' dE11/dt: a turning edge is not strained
   const Points<Dim> middle = state.positions + 0.5 * dt * velocities;
   model.locate_cloth(step.evaluated_at);
   spread_cloth(system, model.forces.of_places(step.evaluated_at) + model.forces.of_velocities(middle, velocities) +

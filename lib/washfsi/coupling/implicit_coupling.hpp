@@ -3,13 +3,14 @@
 // The implicit step, thesis 3.4 for two dimensions: the markers' velocities W = (X^(n+1) - X^n)/dt solve
 //   trapezoidal      W = 1/2 [ U^n + U^(n+1) ]        thesis (3.2-14)
 //   backward_euler   W = U^(n+1)                      damps more
-// where U^(n+1) = J(X) [H u + (1-H) u_solid] and u is the fluid's velocity after a whole step with rho, S and the
-// forces at X = X^n + dt W: one fluid solve for each evaluation of the residual. First order, since
-// the force of the end acts over the whole step: it dissipates energy and never adds any. Solved by Broyden's method
-// (SNES prefix cloth_), which starts from  I + c dt^2 D K  with the elastic stiffness K, c = 1/2 or 1, and the
-// mobility's row sums D. Where contact limits the motion, by sweeps instead, each of a fluid solve with the forces at
-// the last W and the solution of
-//   W' - c U^(n+1)(W) [- 1/2 U^n] = c dt M [F(X^n + dt W') - F(X^n + dt W)]      (coupling/force_equation.hpp)
+// where U^(n+1) = J(X) [H u + (1-H) u_solid] and u is the velocity of the water after a whole step with rho, S and the
+// forces at X = X^n + dt W: one solution of the fluid for each evaluation of the residual. For permeable cloth B F_f is
+// added to U^(n+1). The order is one, since the force of the end acts over the whole step: it dissipates energy and
+// never adds any. With w = 1/2 (trapezoidal) or 1, the stiffness K and the row sums D of the mobility, Broyden's method
+// (SNES prefix cloth_) starts from  I + w dt^2 D K. Where contact limits the motion, coupling iterations replace it:
+// a solution of the fluid with the forces at the last W_k, and that of
+//   W_(k+1) - w U^(n+1)(W_k) [- 1/2 U^n] = w dt M [F(X^n + dt W_(k+1)) - F(X^n + dt W_k)]
+// (coupling/force_equation.hpp).
 #pragma once
 
 #include "washfsi/coupling/cloth_solver.hpp"

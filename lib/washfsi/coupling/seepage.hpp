@@ -8,13 +8,13 @@
 
 namespace washfsi {
 
-/// Water that goes through permeable cloth. A marker with the undeformed area A, which gives the water the force f,
+/// Water that flows through permeable cloth. A marker with the undeformed area A, which gives the water the force F_f,
 /// moves relative to it by
-///   V - J u = B f,     B = permeance/A
-/// Across the cloth this is Darcy's law with the pressure jump  n.f/A. Along it the same slip is allowed: no slip acts
-/// on the mean of both sides, so that water arriving obliquely would else leave with the opposite velocity along the
-/// cloth. Water that leaves one side enters the other: its volume is conserved. The power f.B f becomes heat within the
-/// cloth, never the reverse. If requested, B includes the films between cloths.
+///   V - J u = B F_f,     B = permeance/A
+/// Across the cloth this is Darcy's law with the pressure jump n.F_f/A. Along it the same slip is allowed. No slip acts
+/// on the mean of both sides, so water that arrives obliquely would otherwise leave with the opposite velocity along
+/// the cloth. Water that leaves one side enters the other: its volume is conserved. The power F_f.B F_f is dissipated
+/// within the cloth. If requested, B includes the films between cloths.
 template <int Dim>
 class Seepage {
  public:
@@ -26,9 +26,9 @@ class Seepage {
   /// Call it before each step, with the places of this rank's markers and the forces that they give to the water at its
   /// start. Collective.
   void begin_step(const Points<Dim>& positions, const Points<Dim>& forces);
-  /// B f for this rank's markers, which give these forces to the water [m/s]. Collective.
+  /// B F_f for this rank's markers, which give these forces F_f to the water [m/s]. Collective.
   Points<Dim> velocities(const Points<Dim>& forces) const;
-  /// sum f.B f over all markers of all ranks [W; per unit depth in the plane]. Collective.
+  /// The sum of F_f.B F_f over all markers of all ranks [W; per unit depth in 2D]. Collective.
   double power(const Points<Dim>& forces) const;
   /// Adds factor times B to a mobility. Collective.
   void add_to(StepMobility<Dim>& mobility, double factor) const;
@@ -37,7 +37,7 @@ class Seepage {
   const Cloths<Dim>& cloths_;
   std::optional<Films<Dim>> films_;
   bool present_ = false;
-  std::vector<double> rates_;  ///< permeance over area of each of this rank's markers [m/(s N)]
+  std::vector<double> rates_;  ///< permeance over area A of each of this rank's markers [m/(s N)]
 };
 
 extern template class Seepage<2>;

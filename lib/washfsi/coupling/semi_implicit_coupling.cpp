@@ -32,7 +32,7 @@ bool is_packed(const Model<Dim>& model) {
   return Dim == 3 && model.forces.have_step_limit() && reached > many * cells_per_marker;
 }
 
-// The inertia -m A of the last step, from the velocities at its ends.
+// F_inertia^n, the force of inertia of the last step, from the velocities at its ends.
 template <int Dim>
 Points<Dim> last_inertia(const System<Dim>& system) {
   const State<Dim>& state = system.state;
@@ -122,7 +122,7 @@ Points<Dim> SemiImplicitCoupling<Dim>::solve_by_forces(System<Dim>& system, doub
   return force_equation_.solve(step, guesses, system.step.cloth_iterations);
 }
 
-// W - U - dt M (F' - F) = 0
+// W - U - dt M [F(X^n + dt W) - F] = 0
 template <int Dim>
 Points<Dim> SemiImplicitCoupling<Dim>::solve_by_matrix(System<Dim>& system, double dt,
                                                        const Points<Dim>& free_velocities, const Points<Dim>& forces,
@@ -151,7 +151,7 @@ Points<Dim> SemiImplicitCoupling<Dim>::solve_by_matrix(System<Dim>& system, doub
   return velocities;
 }
 
-// D^-1 (W - U) - dt (F' - F) = 0, the gradient of a potential
+// D^-1 (W - U) - dt [F(X^n + dt W) - F] = 0, the gradient of a potential
 template <int Dim>
 Points<Dim> SemiImplicitCoupling<Dim>::solve_by_row_sums(System<Dim>& system, double dt,
                                                          const Points<Dim>& free_velocities, const Points<Dim>& forces,
@@ -227,8 +227,8 @@ void SemiImplicitCoupling<Dim>::iterate(System<Dim>& system, double dt, Points<D
   }
 }
 
-// The end forces enter the mean force with the weight a. Inertia and friction act over the whole step: they are divided
-// by it.
+// The forces at the end enter the mean force with the weight w_0. Inertia and friction act over the whole step, so they
+// are divided by it.
 template <int Dim>
 void SemiImplicitCoupling<Dim>::prepare_end_forces(System<Dim>& system, double dt) const {
   begin_step(system, system.state.positions, system.state.clock.time + dt, dt,

@@ -1,30 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The incremental semi-implicit step: one solve of the cloth's equations and two projections. H is the fluid fraction
-// of each face, W the markers' velocity, F the sum of all forces that depend on the markers' places alone, of
-// elasticity, holding springs, contact and inertia, with the bodies where they are at that time. The weights (a, b, c)
-// stand for the time scheme, of force and velocity alike:
+// The incremental semi-implicit step: one solution of the cloth's equations and two projections. H is the fluid
+// fraction of each face and u_H = H u + (1-H) u_solid. W is the velocity of the markers in the step. F is the sum of
+// all forces that depend on the places of the markers alone: elasticity, holding springs, contact and inertia, with the
+// bodies where they are at that time. The weights (w_0, w_1, w_2) are those of the end of the step, of its start and of
+// the start of the step before, of force and velocity alike:
 //   order 1      (1, 0, 0)                              backward Euler
-//   order 2      (9/16, 7/16 - r/16, r/16)              r: this step over the last; the first step is backward Euler
-//   1. spread      S, J, rho at X^n + dt/2 V^n;  f = S (a F + b F^n + c F^(n-1) + L), L the constant loads. The first
-//                  guess is F = F^n + I^n/a, where I^n is the previous step's force of inertia
+//   order 2      (9/16, 7/16 - chi/16, chi/16)          chi: this step over the last; the first step is backward Euler
+//   1. spread      S, J, rho at X^n + dt/2 V^n;  f = S (w_0 F + w_1 F^n + w_2 F^(n-1) + weight, loads). The first guess
+//                  is F = F^n + F_inertia^n/w_0, with the force of inertia of the previous step
 //   2. fluid       u, p by the fractional step with f
-//   3. markers     U = J [H (a u + b u^n + c u^(n-1)) + (1-H) u_solid]. For permeable cloth B f is
-//                  added to U, and M + a B/dt replaces M from item 4 on (coupling/seepage.hpp)
-//   4. mobility    M = factor times a^2 times the mobility J H S / rho, as a sparse matrix, or, where many cloths lie
+//   3. markers     U = J (w_0 u + w_1 u^n + w_2 u^(n-1))_H. For permeable cloth B F_f is added to U, and M + w_0 B/dt
+//                  replaces M from item 4 on (coupling/seepage.hpp)
+//   4. mobility    M = factor times w_0^2 times the mobility J H S / rho, as a sparse matrix, or, where many cloths lie
 //                  on each other, as the product itself. With the pressure markers yield less than this. D is the
 //                  diagonal of its row sums. Stable for any step if factor >= 3/4 and the density is nearly uniform; a
 //                  heavy plate needs 1
 //   5. elasticity  W - U = dt M [F(X^n + dt W) - F], by Newton's method. With D the equations are the gradient of a
 //                  potential; with M they are solved by GMRES, preconditioned by those with D. Where contact limits
 //                  the motion, see coupling/force_equation.hpp
-//   6. correction  f' = a H S [F(X^n + dt W) - F]: u += dt f'/rho, projected;  F = F(X^n + dt W)
+//   6. correction  u += dt/rho w_0 H S [F(X^n + dt W) - F], projected;  F = F(X^n + dt W)
 //   7. slip        |W - U| / |W| with the new u; above a tolerance 5 and 6 again with that U, a few times at most; of
 //                  packed loads with 3/4 of M, since the pressure resists most of the remaining slip
-//   8. markers     X^(n+1) = X^n + dt W;  V^(n+1) = W, or, order 2, extrapolated to the end
-// Backward Euler damps like a Kelvin-Voigt time of dt/2 to dt; the scheme ignores -NAME_damping. Order 2 leaves
-// smooth motions undamped and reduces stiff ones to a third in each step. It has the modified
-// Crank-Nicolson/Adams-Bashforth weights of Ascher, Ruuth and Wetton, SIAM J. Numer. Anal. 32 (1995) 797, for force and
+//   8. markers     X^(n+1) = X^n + dt W;  V^(n+1) = W, or, with order 2, W extrapolated to the end
+// Backward Euler damps like a Kelvin-Voigt damping time of dt/2 to dt; the scheme ignores -NAME_damping. Order 2 leaves
+// smooth motions undamped and reduces stiff ones to a third in each step. It has the weights of the modified
+// Crank-Nicolson/Adams-Bashforth scheme (Ascher, Ruuth and Wetton, SIAM J. Numer. Anal. 32 (1995) 797), for force and
 // velocity alike.
 #pragma once
 
@@ -36,7 +37,8 @@
 
 namespace washfsi {
 
-/// The weights in a step's mean force and velocity of their values at its end, at its start and one step before.
+/// The weights w_0, w_1 and w_2, in the mean force and velocity of a step, of their values at its end, at its start and
+/// at the start of the step before.
 struct StepWeights {
   double end = 1, start = 0, before = 0;
 };
@@ -56,7 +58,7 @@ class SemiImplicitCoupling : public CouplingScheme<Dim> {
   void find_explicit_velocity(const System<Dim>& system);
   /// Interpolates the step's mean velocity of the water to the markers.
   Points<Dim> water_velocities(const System<Dim>& system, double dt) const;
-  /// Adds the velocity of seepage B f to it.
+  /// Adds the velocity of seepage B F_f to it.
   Points<Dim> reached_velocities(const System<Dim>& system, double dt) const;
   void prepare_end_forces(System<Dim>& system, double dt) const;
   void iterate(System<Dim>& system, double dt, Points<Dim> forces, Points<Dim> interpolated);

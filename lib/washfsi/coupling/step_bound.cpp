@@ -27,7 +27,7 @@ double cloth_step_bound(const Model<Dim>& model) {
   for (const auto& force : model.forces.list()) force->add_bound(bounds);
   double shortest = std::numeric_limits<double>::infinity();
   for (std::size_t m = 0; m < mobility.size(); ++m) {
-    const double damping = bounds[m].damping, undamped2 = 1 / (mobility[m] * bounds[m].stiffness);  // (2/w)^2
+    const double damping = bounds[m].damping, undamped2 = 1 / (mobility[m] * bounds[m].stiffness);  // (2/omega)^2
     shortest = std::min(shortest, std::sqrt(damping * damping + undamped2) - damping);
   }
   return -largest(model.grid.comm(), -shortest);

@@ -5,14 +5,17 @@
 
 namespace washfsi {
 
-/// The longest explicit step [s] for the cloth as it lies: with the mobility m_k of each marker, the stiffest
-/// oscillation of its sheet has the frequency w, for a fibre w^2 = 4 m_k (Ke/ds^2 + 4 Kb/ds^4), and the damped explicit
-/// step needs dt^2 + 2 beta dt < (2/w)^2. Without damping and bending this is dt < ds/sqrt(Ke m_k), which is about
-/// twice on the safe side. Infinite without cloth. Needs `transfer.locate`. Collective.
+/// The longest explicit step [s] for the cloth as it lies. With the mobility per area D_A of a marker, the stiffest
+/// oscillation of its sheet has the frequency omega, for a fibre in penalty contact
+///   omega^2 = 4 D_A (K_e/ds^2 + 4 K_b/ds^4 + p_0/(2 d_0)),
+/// and the damped explicit step needs dt^2 + 2 beta dt < (2/omega)^2. Without damping, bending and contact this is
+/// dt < ds/sqrt(K_e D_A), about half of the longest stable step. Infinite without cloth. Needs `transfer.locate`.
+/// Collective.
 template <int Dim>
 double cloth_step_bound(const Model<Dim>& model);
 
-/// Velocity of each marker per force on unit areas of all cloths and time [m2/kg]. Needs `transfer.locate`. Collective.
+/// D_A: the velocity of each marker per unit time when all markers bear a unit force per undeformed area [m2/kg]. Needs
+/// `transfer.locate`. Collective.
 template <int Dim>
 std::vector<double> mobility_per_area(const Model<Dim>& model);
 

@@ -5,11 +5,11 @@
 
 namespace washfsi {
 
-/// How far the cloths' motion in the last step is from that of an embedded scheme of second order, the trapezoidal
-/// rule [m/s]:
-///   e = rms | (X^n - X^(n-1))/dt - (V^n + V^(n-1))/2 |   over the markers
-/// For the schemes of first order this is half the change of velocity in a step, their error; the implicit coupling's
-/// trapezoidal steps are that rule. 0 without cloth. Collective.
+/// The error of the cloths' motion in the last step: its difference from that of an embedded scheme of second order,
+/// the trapezoidal rule [m/s]. With W the mean velocity of a marker in that step,
+///   error = rms | W - (V^(n-1) + V^n)/2 |   over the markers
+/// For the schemes of first order this is half the change of velocity in a step. The trapezoidal steps of the implicit
+/// coupling are that rule. 0 without cloth. Collective.
 template <int Dim>
 double step_error(const System<Dim>& system);
 

@@ -20,8 +20,8 @@ class StepMobility {
         matrix_(model.grid, model.transfer.delta()),
         faces_(model.grid, model.transfer.delta()) {}
 
-  /// Computes the mobility where the cloths were located last, times a factor. Where contact limits the markers'
-  /// motion, each gets a little mobility of its own, so that M is not singular. Collective.
+  /// Computes the mobility where the cloths were located last, times a factor. Where contact limits the motion of
+  /// markers, the diagonal of M is raised by 10^-2 of itself, so that M is not singular. Collective.
   void find(const Model<Dim>& model, const Points<Dim>& places, double factor, bool with_matrix);
   /// Adds a symmetric matrix to M. No communication.
   void add(petsc::Matrix part) { parts_.push_back(std::move(part)); }
@@ -29,7 +29,7 @@ class StepMobility {
   void set_share(double share) { share_ = share; }
 
   const std::vector<double>& row_sums() const { return row_sums_; }
-  /// M f. Collective.
+  /// M F for forces F. Collective.
   Points<Dim> times(const Points<Dim>& forces) const;
 
  private:

@@ -12,9 +12,9 @@ template <int Dim>
 struct State {
   Clock clock;
   Points<Dim> positions;          ///< X^n of this rank's markers [m]
-  Points<Dim> velocities;         ///< U^n [m/s]
-  Points<Dim> velocities_before;  ///< U^(n-1); U^n before the first step [m/s]
-  Points<Dim> mean_velocities;    ///< (X^n - X^(n-1))/dt; U^n before the first step [m/s]
+  Points<Dim> velocities;         ///< V^n [m/s]
+  Points<Dim> velocities_before;  ///< V^(n-1); V^n before the first step [m/s]
+  Points<Dim> mean_velocities;    ///< W = (X^n - X^(n-1))/dt; V^n before the first step [m/s]
   Points<Dim> forces_before;      ///< F(X^(n-1)) of `Forces::of_places` without inertia, if the scheme needs it [N]
 };
 

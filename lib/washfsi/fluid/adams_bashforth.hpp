@@ -8,11 +8,12 @@ struct AdvectionWeights {
   double now = 1, before = 0, earlier = 0;
 };
 
-/// Weights for steps of dt, `before` and `earlier` [s], the latter two 0 if there were none: the mean over the step of
-/// the line through the last two terms, as in Adams-Bashforth (3/2, -1/2 for equal steps), plus `bend` times the mean
-/// of the parabola's departure from it. With bend = 0 waves grow by (w dt)^4/4 a step, with 1 they decay by 3/8 (w
-/// dt)^4, up to w dt = 0.72; with 2/3 by (w dt)^4/6, up to 0.79, nearly the longest possible, and a third of the error
-/// of bend = 0 is left.
+/// Weights for steps of dt, `before` and `earlier` [s], the latter two 0 if there were none. They are the mean over the
+/// step of the line through the last two terms, as in Adams-Bashforth: 1 + chi/2 and -chi/2 with chi = dt/`before`. To
+/// this is added the share `bend`, w_3 of the theory, of the mean by which the parabola through three terms departs
+/// from the line. A wave of frequency omega grows by (1/4 - 5/8 w_3) (omega dt)^4 in each step. So with w_3 = 0 waves
+/// grow, with 1 they decay, up to omega dt = 0.72, and with 2/3 they decay by (omega dt)^4/6, up to 0.79, which is
+/// nearly the longest possible. Then a third of the phase error of w_3 = 0 is left.
 AdvectionWeights adams_bashforth(double bend, double dt, double before, double earlier);
 
 }  // namespace washfsi

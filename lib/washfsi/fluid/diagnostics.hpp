@@ -18,7 +18,7 @@ struct FlowState {
 template <int Dim>
 struct FlowDiagnostics {
   double kinetic_energy = 0;    ///< 1/2 sum rho |u|^2 [J]
-  double angular_momentum = 0;  ///< sum rho (x v - y u), about the vertical (in 2D the point) in the box's middle [J s]
+  double angular_momentum = 0;  ///< sum rho (x u_y - y u_x), about the vertical (2D: point) in the box's middle [J s]
   double dissipation = 0;       ///< 2 mu e:e, e the rate of strain [W]
   double max_divergence = 0;    ///< [1/s]
   Located courant;              ///< largest dt sum_d |u_d|/h_d and its place; infinite where not finite

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The driving force of water along the periodic axes of a box, where the pressure that is solved for has no mean
-// gradient: the uniform force density f_c = -G_c, G the gradient of the mean pressure. Along an axis with a given bulk
-// velocity, G is such that the mean of u_c over the box has this value:
-//   G^(n+1/2) = G^(n-1/2) - d,    d = (U_c - mean u*_c) / mean(H dt / rho),    u* += d H dt / rho
-// after the momentum solve, which uses G^(n-1/2): a step adds only the change of G, so that in a steady flow no part of
-// the force bypasses the implicit friction. The first step adds all of it; it may start water from rest at once.
+// gradient: the uniform force density -G_c, with G the gradient of the mean pressure. Along an axis with the bulk
+// velocity u_bulk, G is such that the mean <u_c> over the box has this value:
+//   df_c = (u_bulk,c - <u*_c>) / <H dt / rho>,    u*_c += df_c H dt / rho,    G_c^(n+1/2) = G_c^(n-1/2) - df_c
+// after the momentum solve, which uses G^(n-1/2). A step adds only the change of G, so in a steady flow no part of the
+// force bypasses the implicit friction. The first step adds all of it, and may so start water from rest at once.
 //
-// Water that slides inside bodies would pass the force on to the water before their walls: the bodies take the force on
-// their share of the faces.
+// Water that slides inside bodies would pass the force on to the water before their walls. So the bodies take the force
+// on their share of the faces.
 #pragma once
 
 #include "washfsi/grid/grid.hpp"

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The fractional step of Brown, Cortez and Minion (2001), thesis (2.2-20, 2.2-21), with variable density:
-//   1. explicit terms  b  = u^n + dt [ -(u.grad u) from n, n - 1 and n - 2 (`adams_bashforth.hpp`)
-//                                      - (1/rho) grad p^(n-1/2) + (mu / 2 rho) lap u^n + (f - G)/rho ]
-//   2. predict         u* - (mu dt / 2 rho) lap u* = b,    u* = u_b on the boundary, u* = u_solid in solids
-//      a prescribed bulk velocity corrects G and u* (`driving.hpp`)
+//   1. explicit terms  u_e = u^n + dt [ -C* - (1/rho) grad p^(n-1/2) + (mu / 2 rho) lap u^n + (f - G)/rho ],
+//                      with C* the advection u.grad u extrapolated from n, n - 1 and n - 2 (`adams_bashforth.hpp`)
+//   2. predict         u* - (mu dt / 2 rho) lap u* = u_e,    with u* as prescribed on the boundary at t^(n+1), and
+//                      u* = u_solid in solids; a prescribed bulk velocity corrects G and u* (`driving.hpp`)
 //   3. project         div( (1/rho) grad q ) = div u* / dt,    u^(n+1) = u* - (dt/rho) grad q
 //                      p^(n+1/2) = p^(n-1/2) + q - (mu/2) div u*
-//   3b. add_force      (couplings, bodies' walls) u += (dt/rho) H f, `project_again`: p += q without the viscous term
+//   3b. add_force      (couplings, walls of bodies) u += (dt/rho) H f; then `project_again`, with p += q, without the
+//                      viscous term
 //   4. finish          n becomes n + 1
-// The first step takes (u.grad u)^0 alone (forward Euler), the second two of them. Where the viscosity varies, div tau
-// (`viscous_stress.hpp`) takes the place of mu lap u, and mu div u* that of (mu/2) div u*.
+// The first step takes the advection term C^0 alone (forward Euler), the second step takes two terms. Where the
+// viscosity varies, div tau (`viscous_stress.hpp`) takes the place of mu lap u, and mu div u* that of (mu/2) div u*.
 #pragma once
 
 #include <functional>
@@ -95,7 +96,7 @@ class FractionalStep {
 
   petsc::Vector velocity_, velocity_before_;  ///< u^n, u^(n-1)
   petsc::Vector intermediate_;                ///< u*, then u^(n+1)
-  petsc::Vector rhs_;                         ///< b of the last `predict`
+  petsc::Vector rhs_;                         ///< u_e of the last `predict`
   petsc::Vector force_;                       ///< all force density of the current step, the further one included
   petsc::Vector constraint_force_;            ///< constraint force density; null before there is any
   TimeStep step_;                             ///< current step

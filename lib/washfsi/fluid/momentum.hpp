@@ -11,13 +11,14 @@
 
 namespace washfsi {
 
-/// The implicit half of a step: u* - (mu dt / 2 rho) lap u* = b in fluid, u* = u_solid in solids (4.2-6, 4.2-7),
-///   H (u* - (mu dt / 2 rho) lap u* - b) + (1 - H) D (u* - u_solid) = 0,   D = the diagonal of the fluid row,
-/// with (dt / 2 rho) div tau in place of (mu dt / 2 rho) lap u* where the viscosity varies (`viscous_stress.hpp`).
-/// On cut faces lap u* has its regular part at both times, and what the wall's true place adds to it (Shortley and
-/// Weller, J. Appl. Phys. 9 (1938) 334) at the new time with full weight:
-///   u* - (mu dt / 2 rho) lap u* - (mu dt / rho) (lap_cut - lap) u* = b.
-/// Rows scaled so that the diagonal is near 1. Matrix-free GMRES with Jacobi, PETSc prefix momentum_.
+/// The implicit half of a step: u* - (mu dt / 2 rho) lap u* = u_e in fluid, u* = u_solid in solids (4.2-6, 4.2-7),
+///   H (u* - (mu dt / 2 rho) lap u* - u_e) + (1 - H) c_diag (u* - u_solid) = 0,
+/// where u_e is the right side, `rhs` below, and c_diag the diagonal coefficient of the row of water. Where the
+/// viscosity varies, (dt / 2 rho) div tau takes the place of (mu dt / 2 rho) lap u* (`viscous_stress.hpp`).
+/// On cut faces the regular part of lap u* acts at both times. What the true place of the wall adds to it (Shortley and
+/// Weller, J. Appl. Phys. 9 (1938) 334) acts at the new time with full weight:
+///   u* - (mu dt / 2 rho) lap u* - (mu dt / rho) (lap_cut - lap) u* = u_e.
+/// Rows are scaled so that the diagonal is near 1. The solver is matrix-free GMRES with Jacobi, PETSc prefix momentum_.
 template <int Dim>
 class MomentumSolver {
  public:
@@ -34,8 +35,8 @@ class MomentumSolver {
   /// Registers their number.
   void register_state(StateList& state) { state.add_number("/fluid/momentum_iterations", iterations_); }
 
-  /// rho/dt (u* - (mu dt / 2 rho) lap u* - b) where H < 1, else 0: the constraint force density [N/m3] of the solids on
-  /// the water, u* being the solution for `rhs`. Collective.
+  /// Finds the constraint force density [N/m3] of the solids on the water, f_solid of the theory:
+  /// rho/dt (u* - (mu dt / 2 rho) lap u* - u_e) where H < 1, else 0, with u* the solution for u_e = `rhs`. Collective.
   void constraint_force(Vec rhs, double time, Vec velocity, Vec force) const;
 
  private:

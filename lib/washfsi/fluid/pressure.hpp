@@ -8,12 +8,12 @@
 
 namespace washfsi {
 
-/// The projection's Poisson equation (2.2-11, 2.2-28) for phi = dt q / rho_f:
-///   -div( (rho_f/rho) grad phi ) = -div u*,   n . grad phi = 0 on the boundary,    each times the cell volume,
-/// After the correction u* - (rho_f/rho) grad phi the divergence is the solver's residual over the cell volume.
-/// Matrix-free CG, PETSc prefix pressure_; an assembled matrix serves preconditioners that need entries (hypre, mg,
-/// gamg). Where the density is uniform the default preconditioner, the transform, solves it alone, unless
-/// -pressure_ksp_ options want CG.
+/// The projection's Poisson equation (2.2-11, 2.2-28) for phi = dt q / rho_f, which the theory calls q~:
+///   -div( (rho_f/rho) grad phi ) = -div u*,   n . grad phi = 0 on the boundary,    each times the cell volume dx.
+/// After the correction u* - (rho_f/rho) grad phi the divergence is the residual of the solver over dx.
+/// The solver is matrix-free CG, PETSc prefix pressure_. An assembled matrix serves preconditioners that need entries
+/// (hypre, mg, gamg). Where the density is uniform, the default preconditioner, the transform, solves the equation
+/// alone, unless -pressure_ksp_ options ask for CG.
 template <int Dim>
 class PressureSolver {
  public:

@@ -57,7 +57,7 @@ class PressureProjection : public Projection {
   bool is_on_;
   PressureSolver<Dim> poisson_;
   petsc::Vector pressure_;
-  petsc::Vector phi_;  ///< phi (`pressure.hpp`) of the last `project`: the next one's guess
+  petsc::Vector phi_;  ///< phi, q~ of the theory (`pressure.hpp`), of the last `project`: the next guess
   petsc::Vector minus_divergence_;
   petsc::Vector phi_of_force_, saved_pressure_;  ///< created when first used
   TimeStep step_;

@@ -9,7 +9,7 @@ namespace washfsi {
 
 Sigma::Sigma(double constant, const Point<3>& sides) : square_(std::pow(constant * std::cbrt(sides.prod()), 2)) {}
 
-// With |det g| = s1 s2 s3, which is exact where the least singular values are lost in round-off.
+// Uses |det alpha| = sigma_1 sigma_2 sigma_3, which is exact where the least singular values are lost in round-off.
 double Sigma::operator()(const Gradient<3>& gradient) const {
   Eigen::SelfAdjointEigenSolver<Gradient<3>> solver;
   solver.computeDirect(gradient.transpose() * gradient, Eigen::EigenvaluesOnly);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Direct solve of the projection's equation for uniform density, -lap phi times cell volume = r on the box, by fast
-// transforms: cosine (DCT-II) along directions between boundaries, real Fourier along periodic ones. In their basis the
-// 3-, 5- or 7-point Laplacian is diagonal,  lambda = sum_d (2 - 2 cos(pi k_d / n_d)) / h_d^2  (2 pi k_d / n_d when
-// periodic), for any n_d.
-// Each layout transforms its axes (`transform_layout.hpp`). After the last the coefficients are divided by lambda, and
-// the transforms are undone in reverse order. The grid and the layouts exchange data by PetscSF built once.
+// Direct solution of the projection's equation for uniform density, -lap phi dx = r on the box with the cell volume dx,
+// by fast transforms: cosine (DCT-II) along axes between boundaries, real Fourier along periodic axes. They make the
+// 3-, 5- or 7-point Laplacian diagonal. Its eigenvalues are
+//   sum_d (2 - 2 cos(pi k_d h_d / L_d)) / h_d^2,    with 2 pi in place of pi where periodic,
+// with whole numbers k_d, for any number L_d/h_d of cells. phi is q~ of the theory (`pressure.hpp`).
+// Each layout transforms its axes (`transform_layout.hpp`). After the last one, the coefficients are divided by the
+// eigenvalues, and the transforms are undone in reverse order. The grid and the layouts exchange data by PetscSF built
+// once.
 #pragma once
 
 #include <memory>
@@ -27,7 +29,7 @@ class TransformSolver {
       : TransformSolver(grid, transform_layouts<Dim>(grid.cells(), ranks_of(grid.comm()))) {}
   TransformSolver(const Grid<Dim>& grid, const TransformLayouts<Dim>& layouts);
 
-  /// Sets phi to the solution of zero mean of -lap phi = r (r without its mean). Collective.
+  /// Sets phi to the solution with zero mean of -lap phi dx = r (r without its mean). Collective.
   void solve(Vec r, Vec phi);
 
  private:

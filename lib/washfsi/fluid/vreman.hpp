@@ -5,10 +5,10 @@
 
 namespace washfsi {
 
-/// Vreman, Phys. Fluids 16 (2004) 3670, with the cell's sides D_m one by one:
-///   nu_t = c sqrt( B / (a : a) ),   a_mi = du_i/dx_m,   b_ij = sum_m D_m^2 a_mi a_mj,
-///   B = the sum of b's principal minors of order two.
-/// Zero in pure shear, not in solid-body rotation. c = 2.5 Cs^2 = 0.07.
+/// Vreman, Phys. Fluids 16 (2004) 3670, with the sides h_d of the cell one by one:
+///   nu_t = c_V sqrt( II / (alpha : alpha) ),   alpha_ij = du_i/dx_j,   Gamma_ij = sum_d h_d^2 alpha_id alpha_jd,
+/// with II the second invariant of Gamma, the sum of its principal minors of order two. nu_t is zero in pure shear, not
+/// in solid-body rotation. c_V = 0.07 by default, which is 2.5 times the square of Smagorinsky's constant.
 class Vreman {
  public:
   Vreman(double constant, const Point<3>& sides) : constant_(constant), sides_(sides) {}

@@ -7,7 +7,7 @@ namespace washfsi {
 
 Wale::Wale(double constant, const Point<3>& sides) : square_(std::pow(constant * std::cbrt(sides.prod()), 2)) {}
 
-// By roots: t^2 = (Sd : Sd)^(1/2).
+// By roots: s^2 = e : e and t^4 = Lambda : Lambda.
 double Wale::operator()(const Gradient<3>& gradient) const {
   const Gradient<3> square = gradient * gradient, strain = 0.5 * (gradient + gradient.transpose());
   const Gradient<3> deviator = 0.5 * (square + square.transpose()) - square.trace() / 3 * Gradient<3>::Identity();

@@ -5,17 +5,17 @@
 
 namespace washfsi {
 
-/// Nicoud and Ducros, Flow Turbul. Combust. 62 (1999) 183: with g the gradient, S its symmetric part, Sd the symmetric
-/// part of g^2 without its trace, and D the cube root of the cell's volume,
-///   nu_t = (C D)^2 (Sd : Sd)^(3/2) / ( (S : S)^(5/2) + (Sd : Sd)^(5/4) ).
-/// Zero in pure shear, not in solid-body rotation. C = 0.5.
+/// Nicoud and Ducros, Flow Turbul. Combust. 62 (1999) 183: with alpha the gradient of the velocity, e its symmetric
+/// part, Lambda the symmetric part of alpha^2 without its trace, and Delta the cube root of the cell volume,
+///   nu_t = (c_w Delta)^2 (Lambda : Lambda)^(3/2) / ( (e : e)^(5/2) + (Lambda : Lambda)^(5/4) ).
+/// It is zero in pure shear, not in solid-body rotation. c_w = 0.5 by default.
 class Wale {
  public:
   Wale(double constant, const Point<3>& sides);
   double operator()(const Gradient<3>& gradient) const;
 
  private:
-  double square_;  ///< (C D)^2 [m2]
+  double square_;  ///< (c_w Delta)^2 [m2]
 };
 
 }  // namespace washfsi

@@ -20,17 +20,18 @@ const ChoiceNames<WallTreatment>& names_of(WallTreatment);
 
 /// The friction of walls whose layers are thinner than a cell. With u the velocity relative to the wall, h the spacing
 /// across it:
-///   1. u1, u2     at the middles of the first and the second cell, filtered over T = y2/|u2|: longer
-///                 times, as y2/(0.41 u_tau), would not follow an agitator's strokes; u += dt/(T + dt) (u_now - u)
-///   2. u_tau      of Reichardt's law at y2 = 1.5 h for |u2|: not at the first cell, whose velocity itself results from
-///                 the wall's stress (Kawai and Larsson, Phys. Fluids 24 (2012) 015105)
-///   3. mu_wall    = rho u_tau^2 (h/2)/|u1|: with it the discrete friction mu_wall u/(h/2) has the mean rho u_tau^2.
-///                 |u1| is at least |u2|/3, mu_wall at least the liquid's viscosity, as where profiles bend
-///                 the way of a wall layer's
-///   4. the viscosity of the ghosts beyond the side such that its mean with the cell's is mu_wall.
-/// So the implicit solve, the loads and the dissipation all have that friction. Where y2+ <= 5 the layer is resolved,
-/// and nothing is changed. A filter removes the correlation of stress and velocity in the first cell: Yang, Park and
-/// Moin (Phys. Rev. Fluids 2 (2017) 104601).
+///   1. u_1, u_2   along the wall at the middles of the first and the second cell, filtered over T = y_2/|u_2|:
+///                 u_bar += dt/(T + dt) (u - u_bar). Longer times, as y_2/(0.41 u_tau), would not follow the strokes of
+///                 an agitator
+///   2. u_tau      of Reichardt's law at y_2 = 3/2 h for |u_bar_2|: not at the first cell, whose velocity results from
+///                 the stress of the wall (Kawai and Larsson, Phys. Fluids 24 (2012) 015105)
+///   3. mu_w       = rho u_tau^2 (h/2)/|u_bar_1|: with it the discrete friction mu_w u_1/(h/2) has the mean rho
+///                 u_tau^2. |u_bar_1| is taken as |u_bar_2|/3 at least, and mu_w is at least the viscosity of the
+///                 liquid, as where profiles bend as in a wall layer
+///   4. ghosts     beyond the side have such a viscosity that its mean with that of the cell is mu_w
+/// So the implicit solution, the loads and the dissipation all have that friction. Where y_2+ <= 5 the layer is
+/// resolved, and nothing is changed. The filter removes the correlation of stress and velocity in the first cell: Yang,
+/// Park and Moin (Phys. Rev. Fluids 2 (2017) 104601).
 template <int Dim>
 class WallModel {
  public:
@@ -42,7 +43,7 @@ class WallModel {
   /// Step 4, for the viscosity in cells, local, its ghosts filled. Collective.
   void set_ghosts(Vec local_viscosity) const;
 
-  /// Registers u1 and u2: in the first and the second cell from each side; in component `axis` of vector k the
+  /// Registers u_bar_1 and u_bar_2 in the first and the second cell from each side: in component `axis` of vector k the
   /// tangential velocity along axis + 1 + k. Without stored values the filter starts with the next flow.
   void register_state(StateList& state);
 
@@ -55,7 +56,7 @@ class WallModel {
   const Grid<Dim>& grid_;
   const Boundary<Dim>& boundary_;
   std::array<petsc::Vector, Dim - 1> filtered_;
-  petsc::Vector wall_viscosity_;  ///< mu_wall in the first cell from a side across component's axis; 0 where unchanged
+  petsc::Vector wall_viscosity_;  ///< mu_w in the first cell from a side across component's axis; 0 where unchanged
   bool begun_ = false;            ///< whether the filtered velocities are of an earlier flow
 };
 

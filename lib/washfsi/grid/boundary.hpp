@@ -8,10 +8,10 @@
 
 namespace washfsi {
 
-/// The conditions on all sides of the box, as values of ghost faces: the tangential velocity is reflected
-/// through a wall or inflow, ghost = 2 u_wall - u_interior (thesis Fig. 2.2-3), or mirrored at a slip side; faces in
-/// the boundary take the given normal velocity. At an outflow all of them are the values that the flow has carried
-/// there (`OutflowLayer`), shifted so that outflow exactly balances inflow.
+/// The conditions on all sides of the box, as values of ghost faces. The tangential velocity is reflected through a
+/// wall or inflow, ghost = 2 u_wall - u_mirror (thesis Fig. 2.2-3), or mirrored at a slip side. Faces in the boundary
+/// take the given normal velocity. At an outflow all of them are the values that the flow has carried there
+/// (`OutflowLayer`), shifted so that outflow exactly balances inflow.
 template <int Dim>
 class Boundary {
  public:

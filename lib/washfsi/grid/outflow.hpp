@@ -10,10 +10,12 @@
 namespace washfsi {
 
 /// The velocities just beyond an open side of the box, carried out by the convective condition
-///   du/dt + U du/dn = 0,   U = the mean outward velocity one cell inside, or 0 where it points inward
-/// (thesis 4.3.2; Kim, Kim and Choi, J. Comput. Phys. 171 (2001) 132), upwind in space and implicit in time, hence
-/// bounded for every step. The layer consists of the side's own faces for the normal component and the first ghosts
-/// beyond the side for the others. It exists on every rank that touches the side, ghosts along the side included.
+///   du/dt + u_adv du/dn = 0,   u_adv the mean outward velocity one cell inside, or 0 where that points inwards
+/// (thesis 4.3.2; Kim, Kim and Choi, J. Comput. Phys. 171 (2001) 132). The scheme is upwind and implicit, hence bounded
+/// for every step:
+///   u_out^(n+1) = (u_out^n + Co u_inside^n)/(1 + Co),   Co = u_adv dt/h
+/// The layer consists of the side's own faces for the normal component and of the first ghosts beyond the side for the
+/// others. It exists on every rank that touches the side, ghosts along the side included.
 template <int Dim>
 class OutflowLayer {
  public:
@@ -26,7 +28,7 @@ class OutflowLayer {
   void start(const ConstFaceView<Dim>& local_velocity);
   /// This rank's part of the outward flux one cell inside [m^Dim/s].
   double inner_flux(const ConstFaceView<Dim>& local_velocity) const;
-  /// Computes the values a step later; `speed` is U.
+  /// Computes the values a step later; `speed` is u_adv.
   void advance(const ConstFaceView<Dim>& local_velocity, double speed, double dt);
   /// This rank's part of the outward flux of the advanced values [m^Dim/s].
   double flux() const;

@@ -2,7 +2,7 @@
 //
 // Spread and interpolate, thesis (3.2-11 .. 3.2-14), on the faces of the staggered grid:
 //   f(x) = sum_k F_k delta(x - X_k)                 spread S
-//   U_k  = sum_x u(x) delta(x - X_k) h^Dim          interpolate J
+//   U_k  = sum_x u(x) delta(x - X_k) dx             interpolate J, with dx the volume of a cell
 // With equal widths each is the other's adjoint, also at sides of the box: J reads ghosts that mirror the interior, S
 // adds what falls on ghosts back with the same signs; the rest is the side's reaction.
 #pragma once

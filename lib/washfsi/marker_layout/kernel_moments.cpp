@@ -45,7 +45,7 @@ double KernelMoments::overlap(double shift) const {
   return (weights_[n] + (place - static_cast<double>(n)) * (weights_[n + 1] - weights_[n])) / spacing_;
 }
 
-// <|shift + s - t|> on a grid
+// <|shift + y - y'|> on a grid
 double KernelMoments::mean_difference(double shift) const {
   const double middle = 0.5 * static_cast<double>(weights_.size() - 1);
   double sum = 0;

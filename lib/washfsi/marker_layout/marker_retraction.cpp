@@ -78,9 +78,10 @@ bool MarkerRetraction<Dim>::has_no_slip_behind(const Point<Dim>& foot, const Poi
          layout_.inside.constrained_depth;
 }
 
-// Water behind markers slips at them as that before them does. The stress that this takes, mu times this factor times
-// the slip, bends the velocity at the markers as the water before them does: they act from farther off by that part.
-// Here the inner water is sheared over the distance to the constrained water.
+// gamma for inner water that is sheared over the distance d = `straight` from the markers to the constrained water.
+// Water behind markers slips at them as that before them does. Its shear stress, mu gamma times the slip, bends the
+// velocity at the markers too, so that they act from farther off. With R = 1/`curvature` and y_m = `flat`,
+//   gamma = (1 - d/R_m)^2/(d (1 - d/(2 R_m))),    R_m = R - y_m at the markers,    d/R_m = `bent`, at most 0.9
 template <int Dim>
 double MarkerRetraction<Dim>::no_slip_stress(double flat, double bend) const {
   const double curvature = 2 * bend / (layout_.moments.variance() * cell_ * cell_);
@@ -89,8 +90,8 @@ double MarkerRetraction<Dim>::no_slip_stress(double flat, double bend) const {
   return (1 - bent) * (1 - bent) / (straight * (1 - 0.5 * bent));  // stiffness of the equivalent plane layer
 }
 
-// Alternatively a slip that varies round a bent surface stirs the water within: mu 2/R times the slip for the two
-// eddies in a cylinder in creeping flow. Left out for narrow bodies, whose markers act on each other's water.
+// gamma for a slip that varies round a bent surface and so stirs the water within: two eddies in a cylinder of radius R
+// in creeping flow have gamma = 2/R. Left out for narrow bodies, whose markers act on each other's water.
 template <int Dim>
 double MarkerRetraction<Dim>::stirred_stress(double curvature, double along) const {
   if (curvature <= 0) return 0;
@@ -157,7 +158,7 @@ typename MarkerRetraction<Dim>::Curvatures MarkerRetraction<Dim>::curvatures(con
   return result;
 }
 
-// 1/2 sum_d sigma^2 h_d^2 d2Phi/dx_d2 [m]
+// 1/2 sum_d var phi h_d^2 d2Phi/dx_d2 [m]
 template <int Dim>
 double MarkerRetraction<Dim>::bending(const Curvatures& curvatures) const {
   double sum = 0;

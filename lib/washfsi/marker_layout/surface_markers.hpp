@@ -18,10 +18,10 @@ struct Surface {
 
 /// Markers on surfaces, each in its shape's frame and within its region: evenly spread, about half a cell apart,
 /// and gathered in patches about evenly spread middles. Fewer forces than markers keep the forces well determined,
-/// while their markers leave no gaps. They are retracted behind the surface by the reach of their delta: by
-/// `KernelMoments::retraction`, and by 1/2 sum_d sigma^2 h_d^2 d2Phi/dx_d2 more, since the delta of a marker on a
-/// convex surface lies mostly outside. A part thinner than the reach of its markers gets one sheet of them. The result
-/// is the same on any number of ranks, which all layouts must share. Collective.
+/// while their markers leave no gaps. They are retracted behind the surface by the reach of their kernel: by
+/// `KernelMoments::retraction`, and by 1/2 sum_d var phi h_d^2 d2Phi/dx_d2 more, since the kernel of a marker on a
+/// convex surface lies mostly outside; var phi is its variance in cells^2. A part thinner than the reach of its markers
+/// gets one sheet of them. The result is the same on any number of ranks, which all layouts must share. Collective.
 template <int Dim>
 std::vector<MarkerPatches<Dim>> surface_markers(const std::vector<Surface<Dim>>& surfaces);
 

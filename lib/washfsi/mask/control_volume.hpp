@@ -8,11 +8,12 @@
 namespace washfsi {
 
 /// Loads of water and cloth on bodies from the balance of momentum in the water round each (4.3-10). In place of a box
-/// with a sharp edge there is a smooth weight w, 1 on the body and 0 some cells away or at the next wall:
-///   force = sum over cells  V t  +  sum over faces  V [ (1 - H) rho a_solid - w (rho du/dt - f) ]
-///   t     = rho u (u . grad w) + p grad w - mu (grad u + grad u^T) grad w
-/// with u and p in the middle of the step; the torque has the cross products with the arms. Nothing is evaluated at the
-/// wall, so the noise of its staircase does not enter: a check of the loads by the constraint force (`mask_loads.hpp`).
+/// with sharp edges there is a smooth weight w, 1 on the body and 0 some cells away or at the next wall:
+///   load = sum over cells  dx f_w  +  sum over faces  dx [ (1 - H) rho a_solid - w (rho du/dt - f) ]
+///   f_w  = rho u (u . grad w) + p grad w - mu (grad u + grad u^T) grad w
+/// with u and p in the middle of the step and dx the volume of a cell. The torque has the cross products with the arms.
+/// Nothing is evaluated at the wall, so the noise of its staircase does not enter. This checks the loads that follow
+/// from the constraint force (`mask_loads.hpp`).
 template <int Dim>
 class ControlVolumes {
  public:

@@ -10,18 +10,19 @@
 
 namespace washfsi {
 
-/// A rigid motion: rotation about a centre (about z in space) and translation of the centre. Both are steady, or both
-/// oscillate, Omega(t) = Omega_max sin(2 pi f t) (5.4-1) and V(t) = V_max sin(2 pi f t); or a table gives both; or the
-/// rotation follows a programme of speeds and the centre rests. A function of time alone.
+/// A rigid motion: rotation about a centre (about z in 3D) and translation of the centre. Both are steady. Or both
+/// oscillate: the angular velocity is Omega = Omega_max sin(omega t) with omega = 2 pi `frequency` (5.4-1), and the
+/// velocity of the centre likewise. Or a table gives both, or the rotation follows a programme of speeds while the
+/// centre rests. A function of time alone.
 template <int Dim>
 struct RigidMotion {
   using Pose = washfsi::Pose<Dim>;
 
   Point<Dim> center = Point<Dim>::Zero();       ///< centre at t = 0, from which the table's displacements count [m]
   double angular_speed = 0;                     ///< Omega, or Omega_max [rad/s]
-  double frequency = 0;                         ///< f [Hz]; 0: steady
-  Point<Dim> translation = Point<Dim>::Zero();  ///< V, or V_max [m/s]
-  std::shared_ptr<const MotionTable<Dim>> table = nullptr;    ///< instead of the speeds and f
+  double frequency = 0;                         ///< omega/(2 pi) [Hz]; 0: steady
+  Point<Dim> translation = Point<Dim>::Zero();  ///< velocity of the centre, or its largest value [m/s]
+  std::shared_ptr<const MotionTable<Dim>> table = nullptr;    ///< instead of speeds and frequency
   std::shared_ptr<const SpeedProgramme> programme = nullptr;  ///< instead of both
 
   /// The options of one body. Errors: InputError. Collective.

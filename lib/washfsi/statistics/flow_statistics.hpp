@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Means over time and along the homogeneous axes; with <> both of them,
-//   U_i = <u_i>,   R_ij = <u_i u_j> - U_i U_j,   P = <p>,   p'p' = <p p> - P P
-// at the cells' centres, to which velocity is interpolated first, so that R is positive semidefinite. Each sample is
-// weighted with the time since the previous one, or since the start.
+// With <> the mean over time and along the homogeneous axes,
+//   <u_i>,   <u_i' u_j'> = <u_i u_j> - <u_i> <u_j>,   <p>,   <p'p'> = <p p> - <p> <p>
+// at cell centres, to which velocities are interpolated first, so that the Reynolds stresses are positive semidefinite.
+// Each sample is weighted with the time since the previous one, or since the start.
 #pragma once
 
 #include <span>

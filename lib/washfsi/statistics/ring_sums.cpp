@@ -88,8 +88,8 @@ std::vector<double> ring_sums(const Grid<3>& grid, const RingBins& bins, const L
   return ordered_sum(grid.comm(), sums);
 }
 
-// The variance is that about the line through the means along r, so that a mean flow which changes over the width of a
-// ring is not taken for turbulence.
+// The variance is that about a mean that is linear in R, so that a mean flow which changes over the width of a ring is
+// not taken for turbulence.
 RingMeans RingMeans::of(std::span<const double, ring_sum_count> sums) {
   const auto mean = [&](std::size_t n) { return sums[n] / sums[weight_at]; };
   RingMeans means;

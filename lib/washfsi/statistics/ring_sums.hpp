@@ -17,9 +17,9 @@ struct LiquidMoment {
   Viscosity viscosity = {};   ///< viscosity with models
 };
 
-/// The number of sums in each ring. Each cell counts by its share of liquid; with s the offset of its centre from the
-/// ring's middle, in widths of the ring, they are the sums of
-///   1, s, s^2,   u_r, u_theta, u_z,   s u_r, s u_theta, s u_z,   |u|^2,   2 nu e:e,   2 nu_model e:e
+/// The number of sums in each ring. Each cell counts by its share of liquid. With R' the offset of its centre from the
+/// middle of the ring along R, here in widths of the ring, and e the rate of strain, they are the sums of
+///   1, R', R'^2,   u_R, u_theta, u_z,   R' u_R, R' u_theta, R' u_z,   |u|^2,   2 nu e:e,   2 nu_t e:e
 inline constexpr std::size_t ring_sum_count = 12;
 
 /// The sums of one moment, ring by ring. The same on all ranks. Collective.
@@ -28,10 +28,10 @@ std::vector<double> ring_sums(const Grid<3>& grid, const RingBins& bins, const L
 /// The means over the liquid in a ring, from its sums.
 struct RingMeans {
   double liquid = 0;             ///< the first sum
-  Point<3> velocity;             ///< mean along r, theta and z [m/s]
-  double turbulence_energy = 0;  ///< half of the variance of the velocity about its mean, a line along r [m2/s2]
+  Point<3> velocity;             ///< mean <u> along R, theta and z [m/s]
+  double turbulence_energy = 0;  ///< k_t, half of the variance of the velocity about its mean, linear in R [m2/s2]
   double dissipation = 0;        ///< mean of 2 nu e:e, nu that of the pure liquid [m2/s3]
-  double model_dissipation = 0;  ///< mean of 2 nu_model e:e, nu_model that of models [m2/s3]
+  double model_dissipation = 0;  ///< mean of 2 nu_t e:e, nu_t that of models [m2/s3]
 
   /// All means are not a number where there was no liquid.
   static RingMeans of(std::span<const double, ring_sum_count> sums);

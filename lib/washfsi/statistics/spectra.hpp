@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Spectra of the velocity in a layer of cells across the only axis that is not homogeneous, along each axis that is:
-//   E_c(k) = 2 |u_c^(k)|^2 / dk,   dk = 2 pi / L,   u^ the mean of u exp(-i k x) along a line
-// (half of it at k = 0 and at the last k of an even number of cells), in the mean over the layer's lines. The sum of
-// E dk is the mean of u_c^2 in the layer; that without k = 0 is the part that varies along the axis.
+//   E_c(k) = 2 |u^_c(k)|^2 / dk,   dk = 2 pi / L,   sum over k of E_c dk = <u_c^2>
+// (half as much at k = 0 and at the last k of an even number of cells), in the mean over the lines of the layer. E_c is
+// the script E of the theory, u^_c the mean of u_c exp(-i k x) along a line of length L. The sum without k = 0 is the
+// part of <u_c^2> that varies along the axis.
 #pragma once
 
 #include "washfsi/statistics/sums.hpp"
@@ -25,7 +26,7 @@ template <int Dim>
 std::vector<SpectrumPlace> spectrum_places(const Grid<Dim>& grid, const Bins<Dim>& bins,
                                            const std::vector<double>& places);
 
-/// E of each component in turn, `modes` values each [m3/s2]. The same on all ranks. Collective.
+/// E_c of each component c in turn, `modes` values each [m3/s2]. The same on all ranks. Collective.
 template <int Dim>
 std::vector<double> spectra_of(const Grid<Dim>& grid, const SpectrumPlace& place, Vec local_velocity);
 

@@ -19,7 +19,7 @@ template <int Dim>
 Loads<Dim> marker_loads_on_sides(const WallForces<Dim>& walls, const std::vector<SideName>& sides);
 
 /// The power that the bodies gave over the last step of dt but the water did not receive, because it slipped at the
-/// markers: F (U(t + dt/2) - J (u^n + u^(n+1))/2), with J u `before` and `after` the step [W; W/m in the plane].
+/// markers: F . (U_solid(t + dt/2) - J (u^n + u^(n+1))/2), with J u `before` and `after` the step [W; W/m in 2D].
 /// Collective.
 template <int Dim>
 double lost_power(const WallForces<Dim>& walls, const Points<Dim>& before, const Points<Dim>& after, double dt);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // No slip as equations for the forces F of patches of markers, which are solved for together with the pressure:
-//   J P [u + (dt/rho) S F] = U
-// U the bodies' velocity, P the projection, S spread and J interpolation, its adjoint. J P S is symmetric, and the slip
-// is minimised by generalised conjugate residuals (PETSc prefix walls_), preconditioned by the inverse overlap of the
-// kernels. Conjugate gradients would find huge forces in nearly null directions, to which the water hardly responds.
+//   J P [u + (dt/rho) S F] = U_solid
+// with U_solid the velocity of the bodies at the markers, P the projection, S spreading and J interpolation, its
+// adjoint. J P S is symmetric, and the slip is minimised by generalised conjugate residuals (PETSc prefix walls_),
+// preconditioned by the inverse overlap of the kernels. Conjugate gradients would find huge forces in nearly null
+// directions, to which the water hardly responds.
 // Uhlmann, J. Comput. Phys. 209 (2005) 448; Taira and Colonius, J. Comput. Phys. 225 (2007) 2118.
 #pragma once
 
@@ -27,7 +28,7 @@ class NoSlipSolver {
   /// Begins a step with this density on faces [kg/m3], which stays alive. Collective.
   void begin(const TimeStep& step, Vec density);
 
-  /// The mean slip U - J u over each patch, without the part that no force can change. Collective.
+  /// The mean slip U_solid - J u over each patch, without the part that no force can change. Collective.
   Points<Dim> slips(Vec velocity) const;
   /// Estimates the forces that change the slips by these values; neglects the pressure. Collective.
   Points<Dim> approximate_forces(const Points<Dim>& slips) const;

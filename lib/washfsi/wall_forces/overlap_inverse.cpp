@@ -107,7 +107,7 @@ petsc::Matrix matrix_of(MPI_Comm comm, const std::vector<Row>& rows, PetscInt be
   return matrix;
 }
 
-// D^-1/2 O D^-1/2 + added 1
+// D_O^-1/2 O D_O^-1/2 + added I
 petsc::Matrix raised(MPI_Comm comm, const std::vector<Row>& rows, PetscInt begin, const std::vector<double>& roots) {
   petsc::Matrix matrix = matrix_of(comm, rows, begin);
   petsc::Vector inverse;
@@ -140,7 +140,7 @@ OverlapInverse<Dim>::OverlapInverse(const std::vector<MarkerPatches<Dim>>& bodie
   create_solver(layout.comm);
 }
 
-// Overlaps are a Gram matrix and nowhere negative, so that the eigenvalues of D^-1 O lie between 0 and 1.
+// Overlaps are a Gram matrix and nowhere negative, so that the eigenvalues of D_O^-1 O lie between 0 and 1.
 template <int Dim>
 void OverlapInverse<Dim>::create_solver(MPI_Comm comm) {
   constexpr PetscInt steps = 8;  // an error of 2 (0.35)^8

@@ -7,11 +7,11 @@
 namespace washfsi {
 
 /// An approximate inverse of J S over the patches of each body by itself. O is the velocity at one patch under unit
-/// force on another without pressure: the mean overlap of their markers' deltas. It hardly depends on where markers lie
-/// on the grid, so it is taken as a function of the distance vector of two markers and computed once, in the body's
-/// frame. Its smallest eigenvalues belong to forces to which the water does not respond and are raised: with D the row
-/// sums of O, O + 0.3 D is inverted by a fixed number of steps of Chebyshev's method, whose bounds are known; PETSc
-/// prefix walls_overlap_. Each rank has the rows of its own patches.
+/// force on another without pressure: the mean overlap of the kernels of their markers. It hardly depends on where
+/// markers lie on the grid, so it is taken as a function of the distance vector of two markers and computed once, in
+/// the frame of the body. Its smallest eigenvalues belong to forces to which the water does not respond and are raised.
+/// With D_O the row sums of O, O + 0.3 D_O is inverted by a fixed number of steps of Chebyshev's method, whose bounds
+/// are known; PETSc prefix walls_overlap_. Each rank has the rows of its own patches.
 template <int Dim>
 class OverlapInverse {
  public:
@@ -27,8 +27,8 @@ class OverlapInverse {
  private:
   void create_solver(MPI_Comm comm);
 
-  std::vector<double> roots_;  ///< square roots of D for this rank's patches
-  petsc::Matrix raised_;       ///< D^-1/2 O D^-1/2 + 0.3, the same for all coordinates
+  std::vector<double> roots_;  ///< square roots of D_O for this rank's patches
+  petsc::Matrix raised_;       ///< D_O^-1/2 O D_O^-1/2 + 0.3 I, the same for all coordinates
   petsc::Solver solver_;
   mutable petsc::Vector right_, solution_;
 };

@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The friction of bodies whose walls have markers, where the wall layer is thinner than a cell. As at the box's sides
-// (`wall_model.hpp`) it follows the law of the wall; here it acts as a force on the water before the walls. At points
-// on the surface, on both faces of thin parts, with y the distance from it in cells and u along it relative to the
-// body:
-//   1. u(3), u(0)    filtered over T = y/|u|, y = 3: longer ones would not follow an agitator's strokes
-//   2. u_tau         of Reichardt's law for u(3)
-//   3. F             = -rho u_tau^2 A u/|u| on the water, spread by the delta round y = 3/2, so that nearly all acts
-//                    before the wall; A the point's area
-//   4. markers       constrain only the velocity along the normal where the law applies
-//   5. inner water   the constrained water behind the walls slides along them by u(0), and from a cell behind them on
-//                    the viscosity is rho h^2/(4 dt)
-// Because of 5 the force of 3 is all of the friction. Were the inner water at rest, the wall would be a shear layer one
-// cell thick, which has numerical friction where it crosses the grid at an angle a: u = f(n) along it has a divergence
-// of f''' h^2/24 cos a sin a (cos^2 a - sin^2 a) on the faces, and the flow by which the pressure removes that goes
-// through the wall. And inner water of the usual viscosity would be as turbulent as that outside and let eddies
-// through. Where y+ of u(3) is 5 or less nothing is changed; from 6 on the law applies fully, patch by patch. The
-// transition is narrow, since markers that constrain a part of a velocity constrain all of it: their solver iterates
-// until no slip is left. The faces of a sheet share its markers: these allow sliding where the water passes either face
-// fast enough, and the law then applies to both.
+// The friction of bodies whose walls have markers, where the wall layer is thinner than a cell. As at the sides of the
+// box (`wall_model.hpp`) it follows the law of the wall, but acts as a force on the water before the walls. It is found
+// at points on the surface, on both faces of thin parts. y is the distance from the surface along the normal n, h the
+// size of a cell along n, and u_t(y) the velocity along the surface relative to the body, in its frame:
+//   1. u_bar_t       u_t(3h) and u_t(0), filtered over T = 3h/|u_t(3h)|: longer times would not follow the strokes of
+//                    an agitator
+//   2. u_tau         of Reichardt's law, |u_bar_t(3h)| = u_tau u+(3h u_tau/nu)
+//   3. F             = -w rho u_tau^2 A u_bar_t/|u_bar_t| on the water, spread round y = 3/2 h, so that nearly all of
+//                    it acts before the wall; A is the area of the point
+//   4. markers       constrain the velocity along n, and that along the surface with the share 1 - w
+//   5. inner water   the constrained water behind the walls slides along them by w u_bar_t(0), and from a cell behind
+//                    them on the viscosity is rho h^2/(4 dt)
+// The factor w of a patch (`PatchSlide::part`) rises from 0 where y+ at 3h is 5 or less to 1 where it is 6 or more.
+// This range is narrow, since markers that constrain a part of a velocity constrain all of it: their solver iterates
+// until no slip is left. The faces of a sheet share its markers, which slide where the water passes either face fast
+// enough; both faces then have the friction.
+// Because of 5, F is all of the friction. Inner water at rest would make the wall a shear layer one cell thick. Where
+// that crosses the grid at an angle theta it has numerical friction: a velocity u(y) along the wall has a divergence of
+// h^2/24 u''' cos theta sin theta (cos^2 theta - sin^2 theta) on the faces, and the flow by which the pressure removes
+// it goes through the wall. Inner water of the usual viscosity would be as turbulent as that outside, and let eddies
+// through.
 #pragma once
 
 #include "washfsi/fluid/wall_viscosity.hpp"
@@ -30,7 +32,7 @@ namespace washfsi {
 
 /// How the water slides along a patch of markers.
 struct PatchSlide {
-  double part = 0;    ///< share of the law of friction, from 0 (no slip) to 1
+  double part = 0;    ///< w, the share of the wall law, from 0 (no slip) to 1
   double passes = 0;  ///< cells that the water passes in a step, times `part`
 };
 
@@ -55,7 +57,7 @@ class BodyWallLaw : public WallViscosity {
   /// plane]. Collective.
   double dissipation(Vec velocity_before, Vec velocity, double time) const;
 
-  /// The largest y+ at half a cell from each body, from the law at y = 3; 0 where it does not apply. Collective.
+  /// The largest y+ at half a cell from each body, from the law at y = 3h; 0 where it does not apply. Collective.
   std::vector<double> largest_y_plus() const;
 
   /// Outward normals at the patches of markers, of one face where two share a patch, in the bodies' frames: where the
@@ -79,8 +81,8 @@ class BodyWallLaw : public WallViscosity {
   PlacedPoints<Dim> points_;
   Points<Dim> patch_normals_;
   std::vector<PatchSlide> patch_slides_;
-  FilteredVelocities<Dim> filtered_;  ///< u(3), u(0) of each point, in its body's frame
-  Points<Dim> forces_, slips_;        ///< F [N], and slips of the inner water [m/s]
+  FilteredVelocities<Dim> filtered_;  ///< u_bar_t at 3h and 0 of each point, in its body's frame
+  Points<Dim> forces_, slips_;        ///< F [N], and slips w u_bar_t(0) of the inner water [m/s]
   petsc::Vector friction_;            ///< density of F on faces [N/m3]
   std::vector<double> y_plus_;        ///< y+ at the matching place
   double turbulent_ = 0;              ///< share of the points at which the law applies

@@ -6,8 +6,8 @@
 
 namespace washfsi {
 
-/// The velocities of the water along the walls at two distances before each point, filtered in time by
-///   T dv/dt = u - v,    T = y/|u|, u at the far one, y its distance,
+/// The velocities u_t of the water along the walls at two distances before each point, filtered in time by
+///   T du_bar_t/dt = u_t - u_bar_t,    T = y/|u_t(y)| with y the larger distance,
 /// implicit in time. The first flow starts the filter.
 template <int Dim>
 class FilteredVelocities {
