@@ -17,8 +17,7 @@ MOST_LONG = 0.05  # of a page's sentences
 
 
 def prose(text):
-    """A page without code, tables that scripts write, comments and the addresses of links."""
-    text = re.sub(r"^<!-- \w[^\n]* -->\n.*?^<!-- end -->", "", text, flags=re.S | re.M)
+    """A page without code, comments and the addresses of links."""
     text = re.sub(r"^(```|~~~).*?^\1", "", text, flags=re.S | re.M)
     text = re.sub(r"^( {4}|\t).*$|<!--.*?-->", "", text, flags=re.M)
     return re.sub(r"\]\([^)]*\)", "]", re.sub(r"`[^`\n]*`", "code", text))
@@ -51,7 +50,6 @@ class Language(unittest.TestCase):
 
     def test_the_test_sees_them(self):
         self.assertTrue(PRIVATE.search(prose("Bodies in the plane\n`delta_kernel` is code")))
-        self.assertEqual(prose("<!-- flag 256 -->\n| in space |\n<!-- end -->\n").strip(), "")
         self.assertFalse(PRIVATE.search(prose("in the plane of radius and height, the delta function, `delta_kernel`")))
         self.assertEqual(list(sentences("One. Two\nlines.\n\n    code\n\n| a | b |\n")), ["One.", "Two lines.", "a", "b"])
 

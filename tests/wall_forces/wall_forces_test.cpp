@@ -29,13 +29,10 @@ class Discs {
         velocity_(grid_.face_vector()) {
     set_density(heavy);
     walls_.place(0);
-    begin_at_rest();
-  }
-
-  void begin_at_rest() {
     WASH_PETSC(VecZeroEntries(velocity_));
     walls_.begin_trial({0, 0.01}, density_);
   }
+
   bool reduce_slip() { return walls_.reduce_slip_beyond_tolerance(velocity_, 1); }
   /// Of the disc that turns, root mean square [m/s].
   double slip() const { return slip_of_bodies(walls_.markers(), walls_.markers().water_velocities(velocity_, 0))[0]; }

@@ -13,10 +13,10 @@
 //   + sum over markers    1/2 w_i w_j ds dr (w_b K_b,s |X_ss|^2 + w_b K_b,r |X_rr|^2 + 2 cross X_ss.X_rr)
 //   + sum over quads      w_t ds dr K_t |X_sr|^2
 // <X_s> and <X_r> are the mean tangents of a quad, X_ss and X_rr second differences, absent where a neighbour is
-// missing, and X_sr the mixed one. `cross` is nu_P sqrt(K_b,s K_b,r) in the linear model. w_b is not 1 where only one
-// of X_ss and X_rr exists, and w_i and w_j are the shares of rows and columns. On the centred lattice these are 1. The
-// strip of half a spacing round its markers has no quads: there an edge is bare on one or both sides, and w_t has a
-// factor 3/2 for each side without a next row of quads. On the nodal lattice quads fill the cloth: the shares are 1/2
+// missing, and X_sr the mixed one. `cross` is nu_P sqrt(K_b,s K_b,r) in the linear model. w_b is not 1 where X_ss
+// or X_rr is missing, and w_i and w_j are the shares of rows and columns. On the centred lattice these are 1. The strip
+// of half a spacing round its markers has no quads: there an edge is bare on one or both sides, and w_t has a factor
+// 3/2 for each side without a next row of quads. On the nodal lattice quads fill the cloth: the shares are 1/2
 // on its edges, and w_t = 1. The form conserves linear and angular momentum to round-off and cannot create energy.
 // Bending is linear in X, so that nothing is singular on crumpled cloth.
 #pragma once

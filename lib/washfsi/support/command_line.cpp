@@ -99,8 +99,9 @@ void FileReader::read(const std::string& path, const std::string& named_by, Incl
 }
 
 // What PETSc reads by itself comes after presets have been put before all options.
-void check_for_preset(const std::string& name, const std::string& place) {
-  if (name == "preset") throw InputError(place + ": -preset is read on the command line and in options files alone");
+void check_for_preset(const GivenOption& option, const std::string& place) {
+  if (option.name() == "preset")
+    throw InputError(place + ": -preset is read on the command line and in options files alone");
 }
 
 // Checks what PETSc reads by itself: resource files at home and here, and an environment variable.
@@ -111,7 +112,7 @@ void check_petsc_resources() {
     if (!path.empty() && std::filesystem::is_regular_file(path)) {
       GivenOptions of_petsc;
       FileReader(of_petsc, false).read(path, path);
-      for (const GivenOption& option : of_petsc.all()) check_for_preset(option.name(), path);
+      for (const GivenOption& option : of_petsc.all()) check_for_preset(option, path);
     }
   const char* variable = std::getenv("PETSC_OPTIONS");
   std::istringstream words(variable ? variable : "");
@@ -120,7 +121,7 @@ void check_petsc_resources() {
     if (!is_option_name(word) && !after_option)
       throw InputError("PETSC_OPTIONS: " + word + " belongs to no option (options begin with -)");
     after_option = is_option_name(word);
-    if (after_option) check_for_preset(GivenOption{.word = word, .value = "", .file = ""}.name(), "PETSC_OPTIONS");
+    if (after_option) check_for_preset({word, "", false, ""}, "PETSC_OPTIONS");
   }
 }
 
