@@ -20,7 +20,7 @@ from tables import ARGUMENTS, SOURCE, command, print_record, print_record_head, 
 
 RANKS = 2
 MASSES = 0, 0.01, 0.1, 1, 10, 100
-SLIP, BALANCE, FLAT = 0.02, 0.02, 0.10
+SLIP, BALANCE, FLAT = 0.02, 0.01, 0.10
 GRAVITY = 9.81
 SIDE, MASS, WATER = 0.16, 10, 1000  # of the sheet [m, kg/m2], of the water [kg/m3]
 

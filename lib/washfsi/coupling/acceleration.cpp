@@ -6,7 +6,7 @@ namespace washfsi {
 template <int Dim>
 Acceleration<Dim> backward_difference(const System<Dim>& system, double dt) {
   const State<Dim>& state = system.state;
-  const double dt_before = system.model.fluid.last_step(), ratio = dt_before > 0 ? dt / dt_before : 0;
+  const double dt_before = system.model.fluid.last_step(), ratio = dt_before > 0 ? dt / dt_before : 1;
   return {(1 + 2 * ratio) / (1 + ratio) / dt,
           (1 / dt) * ((1 + ratio) * state.velocities - (ratio * ratio / (1 + ratio)) * state.velocities_before)};
 }

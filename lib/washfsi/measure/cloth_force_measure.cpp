@@ -26,7 +26,8 @@ void ClothForceMeasure<Dim>::declare(QuantityList& quantities) {
     if (groups[g].held_markers().empty()) continue;  // the sum of a free cloth's forces is round-off
     if (system_.model.has_fluid)
       declare_force(groups[g].name + "_water", by_water_, g, "force of the water on the group's cloths");
-    declare_force(groups[g].name + "_hold", by_springs_, g, "force of the holding springs on the group's cloths");
+    declare_force(groups[g].name + "_hold", by_springs_, g,
+                  "force of the holding springs on the group's cloths, mean over the step");
   }
 }
 
@@ -42,11 +43,14 @@ Points<Dim> ClothForceMeasure<Dim>::sums_of_groups(const Points<Dim>& forces) co
   return by_group;
 }
 
+// Springs are linear: their mean force over the step is the one at the mean place.
 template <int Dim>
-void ClothForceMeasure<Dim>::observe(const Observation<Dim>&) {
-  by_water_ = sums_of_groups(-1.0 * system_.step.force_on_water);
-  Points<Dim> forces(system_.model.cloths.owned(), Point<Dim>::Zero());
-  springs_->add_force(system_.step.evaluated_at, {}, forces);
+void ClothForceMeasure<Dim>::observe(const Observation<Dim>& seen) {
+  const auto& [model, state, step] = system_;
+  by_water_ = sums_of_groups(-1.0 * step.force_on_water);
+  const double start_share = 1 - step.end_share;
+  Points<Dim> forces(model.cloths.owned(), Point<Dim>::Zero());
+  springs_->add_force(step.evaluated_at - start_share * seen.dt * state.mean_velocities, {}, forces);
   by_springs_ = sums_of_groups(forces);
 }
 

@@ -5,8 +5,8 @@
 
 namespace washfsi {
 
-/// The total forces on each group of held cloths, of the water and of the springs that hold it: drag and lift of a
-/// flag.
+/// The total forces on each group of held cloths, of the water and of the springs that hold it, both as means over the
+/// step: drag and lift of a flag.
 template <int Dim>
 class ClothForceMeasure : public Measure<Dim> {
  public:
