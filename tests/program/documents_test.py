@@ -2,6 +2,7 @@
 """The documents that the program writes of itself are those in docs/."""
 
 import re
+import shutil
 import subprocess
 import unittest
 
@@ -45,6 +46,18 @@ class Documents(ProgramTest):
                 self.assertTrue((gallery / f"{name}.png").is_file())
                 block = re.search(r"<!-- run -->\n(.*?)<!-- end -->", page, re.S)
                 self.assertTrue(block and block.group(1).strip(), "scripts/gallery writes it")
+
+    def test_the_curves_of_the_validation_can_be_drawn_and_are_on_a_page(self):
+        for name in ("scripts", "docs/validation", "tests/verification/reference"):
+            shutil.copytree(SOURCE / name, self.folder / name)
+        drawn, kept = (root / "docs" / "images" for root in (self.folder, SOURCE))
+        drawn.mkdir()
+        outcome = subprocess.run([self.folder / "scripts" / "figures"], capture_output=True, text=True, check=False)
+        self.assertEqual((outcome.returncode, outcome.stdout + outcome.stderr), (0, ""))
+        pictures = {path.name for path in drawn.iterdir()}
+        self.assertEqual(pictures, {path.name for path in kept.glob("validation_*.png")})
+        pages = "".join(path.read_text(encoding="utf-8") for path in (SOURCE / "docs" / "validation").glob("*.md") if path.stem != "README")
+        self.assertEqual({name for name in pictures if f"](../images/{name})" not in pages}, set())
 
 
 class Headlines(unittest.TestCase):
