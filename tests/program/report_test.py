@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """scripts/report writes pages whose numbers are those of the run, that need nothing but themselves, and work in a browser."""
 
+import itertools
 import json
 import pathlib
 import re
@@ -472,6 +473,25 @@ class InBrowser(ProgramTest):
         first, middle, last = (imread(frames[number])[100:, :, :3] for number in (0, 12, 24))  # without the time
         self.assertGreater((np.abs(first - middle) > 0.1).mean(), 0.003)
         self.assertGreater((np.abs(middle - last) > 0.1).mean(), 0.003)
+
+    def test_views_fill_the_picture(self):
+        for path, names in (("three/report.html", ("3d", "top", "front", "side")), ("plane/report.html", ("top",))):
+            self.open(path)
+            for name, width in itertools.product(names, (900, 500)):
+                self.page.resize(width)
+                self.page.set("#view", name, "change")
+                seen = self.page.run("const {view} = report.page.playback; view.camera.updateMatrixWorld(); return view.seen().map("
+                                     "(point) => new THREE.Vector3(...point).project(view.camera).toArray());")
+                low, high = np.min(seen, axis=0), np.max(seen, axis=0)
+                self.assertLess(np.abs(seen).max(), 1, (path, name, width))
+                filled = np.isclose(low[:2], -0.9, atol=1e-3) & np.isclose(high[:2], 0.9, atol=1e-3)
+                self.assertTrue(filled.any(), (path, name, width, low, high))
+        self.page.resize(900)
+
+    def test_pictures_tell_the_time(self):
+        self.open("three/report.html")
+        self.page.set("#time", 0.1)
+        self.assertEqual(self.page.run("return document.querySelector('.stage #clock').textContent;"), "t = 0.100 s")
 
     def test_shows_the_plane(self):
         self.open("plane/report.html")

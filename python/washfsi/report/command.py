@@ -25,7 +25,7 @@ def parse_arguments(description):
     kinds = picture.add_mutually_exclusive_group()
     kinds.add_argument("--picture", metavar="FILE.png", type=pathlib.Path, help="of one run")
     kinds.add_argument("--movie", metavar="FILE.mp4", type=pathlib.Path, help="of one run, four times slower, by ffmpeg")
-    picture.add_argument("--time", type=float, help="[s] (default: at three quarters of the run)")
+    picture.add_argument("--time", type=float, help="[s] (default: the frame at three quarters of the run)")
     picture.add_argument("--view", choices=("3d", "top", "front", "side"))
     picture.add_argument("--slice", choices=("x", "y", "z", "none"), help="axis that the slice lies across (default: z)")
     picture.add_argument("--height", type=float, help="place of the slice along it, from 0 to 1 (default: 0.3)")

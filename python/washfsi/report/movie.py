@@ -18,7 +18,8 @@ from washfsi.report.picture import browse, write_picture_page
 FRAMES_PER_SECOND, SLOWER = 20, 4  # of the movie; how much slower than the run it goes
 LONGEST = 600  # frames
 PATIENCE = 600000  # [ms] of the page's clock
-FRAME = re.compile(r'class="frame" src="data:image/jpeg;base64,([^"]+)"')
+INK, HALO = (40, 50, 65), (238, 242, 246)  # of the time, which stands out on any flow
+FRAME = re.compile(r'class="frame" src="data:image/jpeg;base64,([^"]+)" alt="([^"]+)"')  # and the time as text
 
 
 def times_of(results):
@@ -29,21 +30,22 @@ def times_of(results):
 
 
 def frames_of(results, asked, folder):
-    """Returns the frames of the playback at all times, as the bytes of JPEG files."""
+    """Returns the frames of the playback at all times: each as the bytes of a JPEG file, and its time as text."""
     times = times_of(results)
     listed = ",".join(f"{time:.4f}" for time in times)
     address = write_picture_page(results, folder / "page.html", {**asked, "times": listed})
-    frames = [base64.b64decode(text) for text in FRAME.findall(browse(folder, address, PATIENCE, "--dump-dom"))]
+    frames = [(base64.b64decode(text), time) for text, time in FRAME.findall(browse(folder, address, PATIENCE, "--dump-dom"))]
     if len(frames) != len(times):
         raise ResultsError(f"chromium has drawn {len(frames)} of {len(times)} frames: the machine is too busy, or has no WebGL")
-    return list(zip(times, frames))
+    return frames
 
 
-def write_frame(path, time, frame):
+def write_frame(path, frame, time):
     """Writes a frame with its time in the corner; of even size, as the codec needs."""
     picture = Image.open(io.BytesIO(frame)).convert("RGB")
     font = ImageFont.truetype(font_manager.findfont("DejaVu Sans"), picture.height // 28)
-    ImageDraw.Draw(picture).text((picture.width // 50, picture.width // 50), f"{time:.2f} s", fill=(40, 50, 65), font=font)
+    place = picture.width // 50, picture.width // 50
+    ImageDraw.Draw(picture).text(place, time, fill=INK, font=font, stroke_width=picture.height // 250, stroke_fill=HALO)
     picture.crop((0, 0, picture.width // 2 * 2, picture.height // 2 * 2)).save(path)
 
 
@@ -51,8 +53,8 @@ def write_movie(results, path, asked):
     """Writes a movie of the playback of a run (MP4, H.264); `asked` is that of pictures, without a time."""
     with tempfile.TemporaryDirectory(prefix="washfsi_", ignore_cleanup_errors=True) as name:
         folder = pathlib.Path(name)
-        for number, (time, frame) in enumerate(frames_of(results, asked, folder)):
-            write_frame(folder / f"{number:06d}.png", time, frame)
+        for number, (frame, time) in enumerate(frames_of(results, asked, folder)):
+            write_frame(folder / f"{number:06d}.png", frame, time)
         command = ["ffmpeg", "-y", "-loglevel", "error", "-framerate", str(FRAMES_PER_SECOND), "-i", f"{folder}/%06d.png",
                    "-c:v", "libx264", "-crf", "28", "-preset", "slow", "-pix_fmt", "yuv420p", "-movflags", "+faststart", str(path)]
         try:

@@ -20,8 +20,8 @@ from washfsi.report.words import words_of
 
 WEB = pathlib.Path(__file__).parent / "web"
 SCRIPTS = ("dom", "numbers", "unpack", "theme", "story", "tables", "charts", "tracks", "colours", "geometry", "solids",
-           "cloths", "slice", "view", "playback", "comparison", "picture", "main")
-ROOM = 9_000_000  # [bytes] for the playbacks of all runs, before compression
+           "cloths", "slice", "fit", "view", "playback", "comparison", "picture", "main")
+ROOM = 9_000_000  # [bytes] for the playbacks of all runs in a report, before compression
 # Told apart by all eyes: lightness grows with the number, or from both ends to the middle.
 SHADES = {"cloth": ("YlOrBr", 0.12, 1.0), "flow": ("Blues", 0.02, 1.0), "signed": ("PuOr_r", 0.04, 0.96)}
 COUNT = 64  # of colours in a scale
@@ -87,11 +87,11 @@ def finite(data):
     return None if isinstance(data, float) and not np.isfinite(data) else data
 
 
-def page_of(runs):
-    """Returns the page of some runs (Results), as text."""
+def page_of(runs, room=ROOM):
+    """Returns the page of some runs (Results), as text; `room` is that of their playbacks [bytes]."""
     runs = [results.in_step() for results in runs]
     names = short_names([results.folder for results in runs], [results.case for results in runs])
-    made = [run_data(results, ROOM / len(runs)) for results in runs]
+    made = [run_data(results, room / len(runs)) for results in runs]
     data = [finite(one) | {"name": name, "design": design_of(results.folder, name)}
             for (one, _), name, results in zip(made, names, runs)]
     found = libraries()

@@ -13,6 +13,7 @@ from washfsi.errors import ResultsError
 from washfsi.report.page import page_of
 
 SIZE = 1200, 760  # [px]
+ROOM = 60_000_000  # [bytes] for the playback: more than in a report, so that the flow of every frame is there
 COLOURS = 255  # of the file, which keeps it small
 PATIENCE = 10000, 60000  # [ms] of the page's clock, one try after the other
 LEAST_COLOURS = 40  # of a picture that shows something
@@ -25,7 +26,7 @@ FLAGS = ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--hide-sc
 def write_picture_page(results, path, asked):
     """Writes the page that shows the playback alone; returns its address. `asked` has some of time [s], view, slice (x, y, z,
     none), height and colour; for a movie times [s], with commas between."""
-    path.write_text(page_of([results]).replace("<body>", '<body class="picture">', 1), encoding="utf-8")
+    path.write_text(page_of([results], ROOM).replace("<body>", '<body class="picture">', 1), encoding="utf-8")
     words = {name: AXES[value] if name == "slice" else value for name, value in asked.items() if value is not None}
     return f"{path.as_uri()}#{urllib.parse.urlencode(words)}"
 

@@ -4,6 +4,7 @@
 import numpy as np
 
 from washfsi.report.flow import flow_of
+from washfsi.report.scene import Subject, scene_of
 from washfsi.report.solids import solids_of
 
 COLOURS = {"stress": "stress", "water_shear": "shear of the water", "relative_speed": "speed of the water along it",
@@ -44,13 +45,15 @@ def packed_colours(data, units, pack):
     return made
 
 
-def cloths_of(results, frames, pack):
-    """Returns the cloths for the page, None without: places by frame, marker and axis."""
+def cloths_of(results, frames, pack, subject):
+    """Returns the cloths for the page, None without: places by frame, marker and axis; they are a part of the subject."""
     cloth = results.cloth
     if not cloth:
         return None
     data = [cloth.frame(number) for number in frames]
     positions = np.array([frame["position"] for frame in data])
+    for places in positions:
+        subject.add(places)
     lower, upper = positions.min(), positions.max()
     return {"group": pack.add(cloth.group, "u2"), "cloth": pack.add(cloth.cloth, "u2"),
             "lines": pack.add(cloth_lines(cloth, results.flow.dim), "u4"), "markers": len(cloth.group),
@@ -60,8 +63,10 @@ def cloths_of(results, frames, pack):
 def playback_of(results, pack, room):
     """Returns the playback of a run; `room` is in bytes, half of it for the flow."""
     frames = chosen_frames(results, room / 2)
-    flow = results.flow
+    flow, subject = results.flow, Subject()
+    solids, cloths = solids_of(results, frames, pack, subject), cloths_of(results, frames, pack, subject)
+    enclosed = any(solid["surrounds"] for solid in solids)
     return {"dim": flow.dim, "lower": list(map(float, flow.lower)), "upper": list(map(float, flow.upper)),
             "times": [float(flow.times[number]) for number in frames], "every": len(flow), "groups": results.groups,
-            "solids": solids_of(results, frames, pack), "cloths": cloths_of(results, frames, pack),
+            "scene": scene_of(results, subject, enclosed, pack), "solids": solids, "cloths": cloths,
             "flow": flow_of(results, frames, pack, room / 2)}

@@ -78,8 +78,8 @@ def compact(vertices, facets):
     return vertices[used], numbers.reshape(facets.shape)
 
 
-def solids_of(results, frames, pack):
-    """Returns the bodies for the page; `frames` are the numbers of the frames in the playback."""
+def solids_of(results, frames, pack, subject):
+    """Returns the bodies for the page; `frames` are the numbers of the frames in the playback. Bodies are a part of the subject."""
     surfaces = results.surfaces
     if not surfaces:
         return []
@@ -91,7 +91,9 @@ def solids_of(results, frames, pack):
             continue
         mine = surfaces.body == body["number"]
         vertices, light = light_surface(*compact(positions[0], facets))
+        motion = motion_rows([frame[mine] for frame in positions], results.flow.dim)
+        subject.add_moving(vertices, motion)
         solids.append({"name": body["name"], "surrounds": body["surrounds"], "corners": int(facets.shape[1]),
                        "vertices": pack.add(vertices), "facets": pack.add(light, "u4"),
-                       "motion": pack.add(motion_rows([frame[mine] for frame in positions], results.flow.dim))})
+                       "motion": pack.add(motion)})
     return solids

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The cloths of the playback: lattices of markers in space, in the plane strips along their lines.
 
-const STRIP = 0.0035; // half width of a strip, over the box's diagonal
+const STRIP = 0.0035; // half width of a strip, over the diagonal of what the view is about
 
 /** Returns the triangles of quadrilaterals. */
 function trianglesOf(quads) {
@@ -138,7 +138,8 @@ class Cloths {
     this.places = new Float32Array(3 * this.markers);
     this.colours = new Float32Array(3 * this.markers);
     const lines = arrays(cloths.lines);
-    const size = Math.hypot(...playback.upper.map((high, axis) => high - playback.lower[axis]));
+    const { lower, upper } = playback.scene;
+    const size = Math.hypot(...upper.map((high, axis) => high - lower[axis]));
     this.shape =
       playback.dim === 3 ? new Sheets(lines, this.markers) : new Strips(linesOf(lines), this.markers, STRIP * size);
     this.object = this.shape.object;

@@ -16,3 +16,8 @@ function geometryOf(attributes, joined) {
   geometry.setIndex(joined.buffer ? new THREE.BufferAttribute(joined, 1) : joined);
   return geometry;
 }
+
+/** Returns numbers behind each other as points of three. */
+function triplesOf(numbers) {
+  return Array.from({ length: numbers.length / 3 }, (_, place) => [...numbers.subarray(3 * place, 3 * place + 3)]);
+}

@@ -36,6 +36,12 @@ function digitsOf(value, digits = 4) {
   return String(Number(value.toPrecision(digits)));
 }
 
+/** Returns a time of a run as text, with as many decimals as give three digits to the run's end. */
+function timeText(time, end) {
+  const decimals = end > 0 ? Math.min(Math.max(2 - Math.floor(Math.log10(end)), 0), 9) : 0;
+  return `${time.toFixed(decimals)} s`;
+}
+
 /** Returns a unit as shown; a number without a unit has none. */
 function unitText(unit, prefix = "") {
   return unit === "-" || unit === "" ? "" : `${prefix}${unit}`;

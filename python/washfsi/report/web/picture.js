@@ -10,7 +10,7 @@ function setPlayback(playback, asked) {
     playback.cut();
   }
   if (asked.has("colour") && playback.cloths) playback.cloths.by = asked.get("colour");
-  if (asked.has("view")) playback.view.look(asked.get("view"));
+  playback.view.look(asked.get("view") ?? playback.view.from);
   if (asked.has("time")) playback.time = Number(asked.get("time"));
   playback.refresh();
 }
@@ -22,7 +22,8 @@ function addFrames({ playback }, times) {
     playback.time = time;
     playback.refresh();
     renderer.render(scene, camera);
-    document.body.append(element("img", { class: "frame", src: renderer.domElement.toDataURL("image/jpeg", 0.95), alt: "" }));
+    const src = renderer.domElement.toDataURL("image/jpeg", 0.95);
+    document.body.append(element("img", { class: "frame", src, alt: playback.clock.textContent }));
   }
 }
 

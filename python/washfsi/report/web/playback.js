@@ -21,7 +21,7 @@ const VIEWS = [
   ["side", "from the side"],
 ];
 
-const START = 0.75; // of the run, where the playback stands at first
+const START = 0.75; // of the frames, where the playback stands at first
 
 /** Returns a bar that tells the colours of a scale. */
 function colourBar(title, unit, scale, low, high) {
@@ -47,17 +47,26 @@ class Playback {
     this.data = run.playback;
     this.told = told;
     this.times = this.data.times;
-    this.time = this.times[0] + START * (this.times[this.times.length - 1] - this.times[0]);
+    this.time = this.times[Math.round(START * (this.times.length - 1))];
     this.speed = this.data.times.length > 1 ? 0.25 : 1;
     this.stage = element("div", { class: "stage" });
-    this.view = new View(this.stage, this.data.lower, this.data.upper);
+    this.view = new View(this.stage, this.data.lower, this.data.upper, () => this.seen());
+    this.subject = arrays(this.data.scene.points);
     this.solids = this.data.solids.map((solid) => new Solid(solid, arrays));
     this.cloths = this.data.cloths ? new Cloths(this.data, arrays, scales.cloth) : null;
     this.slice = this.data.flow ? new Slice(this.data, arrays, scales) : null;
     this.parts = [...this.solids, this.cloths, this.slice].filter(Boolean);
     this.view.scene.add(...this.parts.map((part) => part.object));
     this.scales = scales;
+    this.view.look(this.data.dim === 2 ? "top" : "3d");
     this.build();
+  }
+
+  /** Returns the points that the view has to show: those of the subject, and in open water a piece of the slice round it. */
+  seen() {
+    const points = triplesOf(this.subject);
+    const { open, lower, upper } = this.data.scene;
+    return open && this.slice.object.visible ? points.concat(this.slice.corners([lower, upper])) : points;
   }
 
   /** Makes what steers it. */
@@ -81,13 +90,13 @@ class Playback {
     this.clock = element("output", { id: "clock", for: "time", "aria-live": "off" });
     this.bars = element("div", { class: "bars" });
     this.tip = element("output", { class: "tip" });
-    this.stage.append(this.bars, this.tip, this.zoomButtons());
+    this.stage.append(this.bars, this.clock, this.tip, this.zoomButtons());
     this.stage.addEventListener("click", (event) => this.point(event));
     this.element = element(
       "div",
       { class: "playback" },
       this.stage,
-      element("div", { class: "transport" }, this.button, this.slider, this.clock),
+      element("div", { class: "transport" }, this.button, this.slider),
       element("div", { class: "settings" }, this.settings()),
     );
   }
@@ -187,7 +196,7 @@ class Playback {
   go(time) {
     this.time = Math.min(Math.max(time, this.times[0]), this.times[this.times.length - 1]);
     this.slider.value = this.time;
-    this.clock.textContent = `${this.time.toFixed(3)} s`;
+    this.clock.textContent = `t = ${timeText(this.time, this.times[this.times.length - 1])}`;
     const moment = this.moment();
     this.parts.filter((part) => part.object.visible).forEach((part) => part.show(...moment));
     this.view.ask();

@@ -55,13 +55,10 @@ class Slice {
     return this.plane ? 0 : this.flow.first[this.axis] + this.layer * this.flow.spacing[this.axis];
   }
 
-  /** Makes the rectangle. */
-  place() {
-    const [one, other] = this.sides.map((side) => {
-      const [first, step] = [this.flow.first[side], this.flow.spacing[side]];
-      return [first - step / 2, first + (this.cells[side] - 0.5) * step];
-    });
-    const corners = [
+  /** Returns the corners of the rectangle that a box, given by two corners, cuts out of the slice's plane. */
+  corners(box) {
+    const [one, other] = this.sides;
+    return [
       [0, 0],
       [1, 0],
       [1, 1],
@@ -69,10 +66,18 @@ class Slice {
     ].map(([u, v]) => {
       const point = [0, 0, 0];
       point[this.axis] = this.position;
-      point[this.sides[0]] = one[u];
-      point[this.sides[1]] = other[v];
+      point[one] = box[u][one];
+      point[other] = box[v][other];
       return point;
     });
+  }
+
+  /** Makes the rectangle. */
+  place() {
+    const { first, spacing } = this.flow;
+    const lower = first.map((low, axis) => low - spacing[axis] / 2);
+    const upper = lower.map((low, axis) => low + this.cells[axis] * spacing[axis]);
+    const corners = this.corners([lower, upper]);
     this.slice.geometry.dispose();
     this.slice.geometry = this.solid.geometry = geometryOf(
       { position: [corners.flat(), 3], uv: [[0, 0, 1, 0, 1, 1, 0, 1], 2] },

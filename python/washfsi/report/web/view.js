@@ -3,7 +3,6 @@
 
 const DIRECTIONS = { "3d": [0.42, -1.05, 0.72], top: [0, -0.001, 1], front: [0, -1, 0.001], side: [1, 0, 0.001] };
 const ANGLE = 30; // of the camera [degrees]
-const NEAR = 0.84; // of the distance from which all of the box is seen for sure
 
 /** Returns what draws in space, null where nothing does. */
 function drawerName() {
@@ -15,25 +14,24 @@ function drawerName() {
   return name;
 }
 
-/** A view of a box. */
+/** A view of a box. `seen` returns the points that it has to show. */
 class View {
-  constructor(frame, lower, upper) {
+  constructor(frame, lower, upper, seen) {
     this.frame = frame;
+    this.seen = seen;
     const three = (corner) => new THREE.Vector3(...corner, ...(corner.length === 2 ? [0] : []));
     [this.lower, this.upper] = [three(lower), three(upper)];
-    this.middle = this.lower.clone().add(this.upper).multiplyScalar(0.5);
     this.size = this.upper.distanceTo(this.lower);
     const soft = /SwiftShader|llvmpipe|software/i.test(drawerName()); // without a graphics processor
     this.renderer = new THREE.WebGLRenderer({ antialias: !soft });
     this.renderer.setPixelRatio(soft ? 1 : Math.min(window.devicePixelRatio, 2));
     frame.append(this.renderer.domElement);
     this.scene = new THREE.Scene();
-    this.camera = new THREE.PerspectiveCamera(ANGLE, 1, this.size / 100, this.size * 20);
+    this.camera = new THREE.PerspectiveCamera(ANGLE);
     this.camera.up.set(0, 0, 1);
     this.light();
     this.outline();
     this.control();
-    this.look(lower.length === 2 ? "top" : "3d");
     this.watcher = new ResizeObserver(() => this.resize());
     this.watcher.observe(frame);
   }
@@ -75,16 +73,32 @@ class View {
     });
   }
 
-  /** Looks from a direction at all of the box. */
+  /** Looks from a direction, so that what has to be seen fills the picture. */
   look(name) {
-    const direction = new THREE.Vector3(...DIRECTIONS[name]).normalize();
-    const narrow = Math.min(1, this.camera.aspect);
-    const reach = (0.5 * this.size) / Math.tan(((ANGLE / 2) * Math.PI) / 180) / narrow;
+    const ahead = new THREE.Vector3(...DIRECTIONS[name]).normalize().negate();
+    const right = ahead.clone().cross(this.camera.up).normalize();
+    const axes = [right, right.clone().cross(ahead), ahead];
+    const slope = Math.tan(((ANGLE / 2) * Math.PI) / 180);
+    const points = this.seen();
+    const place = fittedPlace(
+      points,
+      axes.map((axis) => axis.toArray()),
+      [slope * this.camera.aspect, slope],
+    );
     this.from = name;
-    this.camera.position.copy(this.middle).addScaledVector(direction, (name === "3d" ? NEAR : 0.86) * reach);
-    this.controls.target.copy(this.middle);
-    this.controls.update();
+    this.camera.position.set(...place).applyMatrix4(new THREE.Matrix4().makeBasis(...axes));
+    this.turnAbout(points, ahead);
     this.ask();
+  }
+
+  /** Makes the camera turn about a place straight ahead, as far away as the middle of some points. */
+  turnAbout(points, ahead) {
+    const box = new THREE.Box3().setFromPoints(points.map((point) => new THREE.Vector3(...point)));
+    const distance = box.getCenter(new THREE.Vector3()).sub(this.camera.position).dot(ahead);
+    [this.camera.near, this.camera.far] = [distance / 200, distance + 20 * this.size];
+    this.camera.updateProjectionMatrix();
+    this.controls.target.copy(this.camera.position).addScaledVector(ahead, distance);
+    this.controls.update();
   }
 
   /** Goes nearer or farther. */
