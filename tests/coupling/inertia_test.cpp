@@ -90,9 +90,10 @@ TEST_P(EveryCarrier, ExchangesMomentumOfClothAndWaterExactly) {
 // Thrown at water at rest, the cloth has lost what the water has gained, the first step's impulse included.
 TEST_P(EveryCarrier, LosesNoMomentumWhereItStartsSuddenly) {
   const auto system = start_system<2>(PETSC_COMM_WORLD, heavy_fibre(5), {});
-  auto& [clock, positions, velocities, before, mean, forces] = system->state;
+  auto& state = system->state;
+  Points<2>&velocities = state.velocities, &before = state.velocities_before;
   velocities.assign(velocities.size(), Point<2>(0.1, 0.3));
-  before = mean = velocities;
+  before = state.mean_velocities = velocities;
   const bool carries_end = GetParam() == "implicit_trapezoidal" || GetParam() == "semi_implicit_second_order";
   const Point<2> thrown = momentum_of(*system, velocities);
   const auto scheme = make_coupling_scheme<2>(coupling_with_inertia(GetParam()), *system);
@@ -169,13 +170,14 @@ Points<2> displacements(const std::string& name, int finer, const Start& how) {
   options.model.cloths[0].markers = {markers, 1};
   options.model.cloths[0].sheet.ds = 0.2 / static_cast<double>(markers);
   const auto system = start_system<2>(PETSC_COMM_WORLD, options, {});
-  auto& [clock, positions, velocities, before, mean, forces] = system->state;
+  auto& state = system->state;
+  Points<2>&positions = state.positions, &velocities = state.velocities;
   const Point<2> middle(0.16, 0.16);
   for (std::size_t m = 0; m < positions.size(); ++m) {
     velocities[m] = how.turn * Point<2>(0, 0.3 * std::sin(2 * std::numbers::pi * (positions[m][0] - 0.06) / 0.2));
     positions[m] = (3 * middle + 0.01 / finer * how.cells + how.turn * (positions[m] - middle)).eval();
   }
-  before = mean = velocities;
+  state.velocities_before = state.mean_velocities = velocities;
   const Points<2> start = positions;
   const auto scheme = make_coupling_scheme<2>(coupling_with_inertia(name), *system);
   for (int n = 0; n < 40; ++n) scheme->advance(*system, 1e-3);

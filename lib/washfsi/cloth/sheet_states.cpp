@@ -52,6 +52,20 @@ Points<Dim> normals(const Sheet& sheet, std::span<const Point<Dim>> positions) {
   return result;
 }
 
+template <int Dim>
+std::vector<Outwards<Dim>> outwards(const Sheet& sheet, std::span<const Point<Dim>> x) {
+  const SheetLattice<Dim> lattice(sheet, x);
+  const std::size_t m = lattice.m;
+  std::vector<Outwards<Dim>> result(x.size());
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    if (k < m && !sheet.closed && lattice.has_edge_s(k)) result[k].s = tangent_between<Dim>(x, k + m, k);
+    if (k >= m && !lattice.has_edge_s(k)) result[k].s = tangent_between<Dim>(x, k - m, k);
+    if (k % m == 0 && lattice.has_edge_r(k)) result[k].r = tangent_between<Dim>(x, k + 1, k);
+    if (k % m > 0 && !lattice.has_edge_r(k)) result[k].r = tangent_between<Dim>(x, k - 1, k);
+  }
+  return result;
+}
+
 namespace {
 
 /// Sum over the edges or quads beside a marker that exist, and their number.
@@ -150,6 +164,13 @@ Points<Dim> normals(const Cloths<Dim>& cloths, const Points<Dim>& positions) {
 }
 
 template <int Dim>
+std::vector<Outwards<Dim>> outwards(const Cloths<Dim>& cloths, const Points<Dim>& positions) {
+  const Points<Dim> x = cloths.lattices().with_halo(positions);
+  return values_by_part(
+      cloths, [&](const LatticePart& part) { return outwards<Dim>(cloths.group_of(part).sheet, part.seen(x)); });
+}
+
+template <int Dim>
 std::vector<MarkerState> marker_states(const Cloths<Dim>& cloths, const Points<Dim>& positions) {
   const Points<Dim> x = cloths.lattices().with_halo(positions);
   return values_by_part(
@@ -176,6 +197,10 @@ template std::vector<MarkerState> marker_states<2>(const Sheet&, std::span<const
 template std::vector<MarkerState> marker_states<3>(const Sheet&, std::span<const Point<3>>);
 template Points<2> normals<2>(const Cloths<2>&, const Points<2>&);
 template Points<3> normals<3>(const Cloths<3>&, const Points<3>&);
+template std::vector<Outwards<2>> outwards<2>(const Sheet&, std::span<const Point<2>>);
+template std::vector<Outwards<3>> outwards<3>(const Sheet&, std::span<const Point<3>>);
+template std::vector<Outwards<2>> outwards<2>(const Cloths<2>&, const Points<2>&);
+template std::vector<Outwards<3>> outwards<3>(const Cloths<3>&, const Points<3>&);
 template std::vector<MarkerState> marker_states<2>(const Cloths<2>&, const Points<2>&);
 template std::vector<MarkerState> marker_states<3>(const Cloths<3>&, const Points<3>&);
 template std::vector<double> largest_stretches<2>(const Cloths<2>&, const Points<2>&);

@@ -15,6 +15,16 @@ double largest_stretch(const Sheet& sheet, std::span<const Point<Dim>> positions
 template <int Dim>
 Points<Dim> normals(const Sheet& sheet, std::span<const Point<Dim>> positions);
 
+/// The unit vectors along s and r that point out of the cloth at the edge where a marker is; zero elsewhere.
+template <int Dim>
+struct Outwards {
+  Point<Dim> s = Point<Dim>::Zero(), r = Point<Dim>::Zero();
+};
+
+/// Those at each marker.
+template <int Dim>
+std::vector<Outwards<Dim>> outwards(const Sheet& sheet, std::span<const Point<Dim>> positions);
+
 /// Components of stress: along warp, along weft, shear. In the plane there is only the first.
 enum StressComponent : std::size_t { ss, rr, sr, stress_components };
 
@@ -36,6 +46,10 @@ std::vector<MarkerState> marker_states(const Sheet& sheet, std::span<const Point
 /// Unit normal of the cloth at each of this rank's markers. Collective.
 template <int Dim>
 Points<Dim> normals(const Cloths<Dim>& cloths, const Points<Dim>& positions);
+
+/// The directions out of the cloth at each of this rank's markers. Collective.
+template <int Dim>
+std::vector<Outwards<Dim>> outwards(const Cloths<Dim>& cloths, const Points<Dim>& positions);
 
 /// Stress and deformation at each of this rank's markers. Collective.
 template <int Dim>

@@ -144,6 +144,8 @@ std::unique_ptr<CouplingScheme<Dim>> make_coupling_scheme(const CouplingOptions&
   if (scheme.takes_seepage && options.mobility == Mobility::matrix) return scheme.make(system, options);
   const std::string needs = ": needs -coupling_scheme semi_implicit or implicit, with -coupling_mobility matrix";
   if (system.model.cloth_treatment.films_drain) throw InputError("-contact_drainage" + needs);
+  if (system.model.cloth_treatment.wall_model != WallTreatment::none)
+    throw InputError("-cloth_wall_model " + name_of(system.model.cloth_treatment.wall_model) + needs);
   for (const auto& group : system.model.cloths.groups())
     if (group.permeance > 0) throw InputError("-" + group.name + "_permeance" + needs);
   return scheme.make(system, options);

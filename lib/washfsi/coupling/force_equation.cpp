@@ -56,7 +56,7 @@ ClothEquation<Dim> ForceEquation<Dim>::of_velocities(const Step& step, double sh
   equation.residual = [=, this](const Points<Dim>& all) { return residual(step, share, all); };
   equation.assemble = [=, this](const Points<Dim>& all, GeometricStiffness geometric, Mat matrix) {
     set_stiffness(step, step.start + step.dt * all, geometric, matrix);
-    scale_and_shift<Dim>(diagonal(step), std::vector<double>(all.size(), 1.0), matrix);
+    step.mobility.precondition(step.dt * step.dt, matrix);
   };
   equation.product = [=, this](const Points<Dim>& direction) {
     return direction + step.dt * step.dt * step.mobility.times(product_(stiffness_, direction));

@@ -118,7 +118,7 @@ void ImplicitCoupling<Dim>::advance_fields(System<Dim>& system, double dt) {
   State<Dim>& state = system.state;
   if (seepage_.present()) {
     begin_step(system, state.positions, state.clock.time, 0);
-    seepage_.begin_step(state.positions, model.forces.of_places(state.positions) + model.forces.constant());
+    seepage_.begin_step(state, model.forces.of_places(state.positions) + model.forces.constant(), dt);
   }
   begin_step(system, state.positions, state.clock.time + dt, dt,
              is_trapezoidal() ? trapezoidal_difference(system, dt) : backward_difference(system, dt));
@@ -128,6 +128,7 @@ void ImplicitCoupling<Dim>::advance_fields(System<Dim>& system, double dt) {
   const Points<Dim> velocities =
       model.forces.have_step_limit() ? solve_by_sweeps(system, dt, last) : solve(system, dt, last);
   if (seepage_.present()) system.step.seepage_power = seepage_.power(system.step.force_on_water);
+  seepage_.finish_step(system.step.force_on_water, state);
   model.water_step().finish();
   state.positions += dt * velocities;
   state.velocities = last;

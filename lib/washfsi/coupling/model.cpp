@@ -70,7 +70,12 @@ ModelOptions<Dim> ModelOptions<Dim>::from_options(Options& options, MassCarrier 
   options.block("", "Water beside cloth", [&](OptionBlock& block) {
     block.boolean("cloth_limits_advection", model.cloth_limits_advection,
                   "beside cloth -advection central gives way to upwind, for thin liquids and coarse grids");
+    block.choice(
+        "cloth_wall_model", model.cloth.wall_model,
+        "friction along cloth: of the two cells of water that its kernels drag along, or by the law of the wall");
   });
+  if (model.cloth.wall_model != WallTreatment::none && model.fluid.viscosity == 0)
+    throw InputError("-cloth_wall_model " + name_of(model.cloth.wall_model) + ": needs a -fluid_viscosity > 0");
   model.treatment = BodyTreatment::from_options(options);
   if (model.medium == Medium::none) model.treatment.method = BodyMethod::mapping;  // there is no water to hold
   model.treatment.inner_water_slides = model.fluid.wall_model != WallTreatment::none;

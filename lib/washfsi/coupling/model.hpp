@@ -19,8 +19,10 @@ const ChoiceNames<MassCarrier>& names_of(MassCarrier);
 /// How cloths are treated, whatever they are made of.
 struct ClothTreatment {
   MassCarrier mass_carrier = MassCarrier::water;
-  double drag = 0;             ///< without fluid: force per undeformed area and speed [kg/(m2 s)]
-  bool films_drain = false;    ///< whether films between cloths nearer than a cell drain
+  double drag = 0;           ///< without fluid: force per undeformed area and speed [kg/(m2 s)]
+  bool films_drain = false;  ///< whether films between cloths nearer than a cell drain
+  WallTreatment wall_model =
+      WallTreatment::none;     ///< law of the friction along cloth, whose layers cells do not resolve
   double verify_interval = 0;  ///< between counts of intersections [s]; 0: each step with a barrier, else never
 };
 

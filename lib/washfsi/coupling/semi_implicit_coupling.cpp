@@ -136,8 +136,8 @@ Points<Dim> SemiImplicitCoupling<Dim>::solve_by_matrix(System<Dim>& system, doub
   Points<Dim> linearised_at;
   const auto assemble = [&](const Points<Dim>& velocities, GeometricStiffness geometric, Mat matrix) {
     linearised_at = start + dt * velocities;
-    all.stiffness().set(linearised_at, geometric, dt * dt, matrix);
-    scale_and_shift<Dim>(mobility_.row_sums(), std::vector<double>(mobility_.row_sums().size(), 1.0), matrix);
+    all.stiffness().set(linearised_at, geometric, 1, matrix);
+    mobility_.precondition(dt * dt, matrix);
   };
   const auto jacobian = [&](const Points<Dim>& direction) {
     return direction + dt * dt * mobility_.times(all.stiffness().product(linearised_at, direction));
@@ -260,10 +260,11 @@ void SemiImplicitCoupling<Dim>::advance_fields(System<Dim>& system, double dt) {
   change_ = at_start - (state.clock.step > 0 ? state.forces_before : at_start);  // as in the last step
   mobility_.find(model, places, options_.mobility_factor * weights_.end * weights_.end,
                  options_.mobility == Mobility::matrix);
-  seepage_.begin_step(state.positions, step.force_on_water);
+  seepage_.begin_step(state, step.force_on_water, dt);
   seepage_.add_to(mobility_, weights_.end / dt);
   iterate(system, dt, forces, reached_velocities(system, dt));
   if (seepage_.present()) step.seepage_power = seepage_.power(step.force_on_water);
+  seepage_.finish_step(step.force_on_water, state);
   state.velocities = options_.order == 1 ? velocities_ : extrapolated(system, dt, velocities_);
   state.forces_before = at_start;
   model.water_step().finish();

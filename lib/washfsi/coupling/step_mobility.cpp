@@ -20,6 +20,7 @@ void StepMobility<Dim>::find(const Model<Dim>& model, const Points<Dim>& places,
   most = largest(model.grid.comm(), most);
   for (double& sum : row_sums_) sum = factor * std::max(sum, floor * most);
   parts_.clear();
+  own_.clear();
   share_ = 1;
   if (!with_matrix) return;
   const double share = model.forces.have_step_limit() ? own_share : 0;
@@ -39,7 +40,22 @@ Points<Dim> StepMobility<Dim>::times(const Points<Dim>& forces) const {
   Points<Dim> result = by_faces_ ? faces_.times(forces) : matrix_.times(forces);
   if (share_ != 1) result = share_ * result;
   for (const Mat part : parts_) result += product_(part, forces);
+  for (std::size_t m = 0; m < own_.size(); ++m) result[m] += own_[m] * forces[m];
   return result;
+}
+
+template <int Dim>
+void StepMobility<Dim>::precondition(double factor, Mat matrix) const {
+  if (own_.empty()) {
+    std::vector<double> factors;
+    for (const double sum : row_sums_) factors.push_back(factor * sum);
+    scale_and_shift<Dim>(factors, std::vector<double>(factors.size(), 1.0), matrix);
+    return;
+  }
+  std::vector<Block<Dim>> blocks;
+  for (std::size_t m = 0; m < own_.size(); ++m)
+    blocks.push_back(factor * (row_sums_[m] * Block<Dim>::Identity() + own_[m]));
+  scale_by_blocks_and_shift<Dim>(blocks, 1, matrix);
 }
 
 template class StepMobility<2>;

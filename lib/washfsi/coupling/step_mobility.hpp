@@ -25,10 +25,15 @@ class StepMobility {
   void find(const Model<Dim>& model, const Points<Dim>& places, double factor, bool with_matrix);
   /// Adds a symmetric matrix to M. No communication.
   void add(petsc::Matrix part) { parts_.push_back(std::move(part)); }
-  /// Multiplies M, without the matrices that were added, with a share; its row sums stay.
+  /// Adds a block for each of this rank's markers to the diagonal of M.
+  void add_own(std::vector<Block<Dim>> blocks) { own_ = std::move(blocks); }
+  /// Multiplies M, without what was added, with a share; its row sums stay.
   void set_share(double share) { share_ = share; }
 
   const std::vector<double>& row_sums() const { return row_sums_; }
+  /// Replaces a matrix K of the cloths' lattice by  1 + factor D K, D having the row sums and the blocks that were
+  /// added on its diagonal. Collective.
+  void precondition(double factor, Mat matrix) const;
   /// M F for forces F. Collective.
   Points<Dim> times(const Points<Dim>& forces) const;
 
@@ -39,6 +44,7 @@ class StepMobility {
   bool by_faces_ = false;
   double share_ = 1;
   std::vector<petsc::Matrix> parts_;
+  std::vector<Block<Dim>> own_;  ///< empty, or of each of this rank's markers
   MatrixProduct<Dim> product_;
   std::vector<double> row_sums_;  ///< row sums D of this rank's markers
 };

@@ -11,11 +11,13 @@ namespace washfsi {
 template <int Dim>
 struct State {
   Clock clock;
-  Points<Dim> positions;          ///< X^n of this rank's markers [m]
-  Points<Dim> velocities;         ///< V^n [m/s]
-  Points<Dim> velocities_before;  ///< V^(n-1); V^n before the first step [m/s]
-  Points<Dim> mean_velocities;    ///< W = (X^n - X^(n-1))/dt; V^n before the first step [m/s]
-  Points<Dim> forces_before;      ///< F(X^(n-1)) of `Forces::of_places` without inertia, if the scheme needs it [N]
+  Points<Dim> positions;            ///< X^n of this rank's markers [m]
+  Points<Dim> velocities;           ///< V^n [m/s]
+  Points<Dim> velocities_before;    ///< V^(n-1); V^n before the first step [m/s]
+  Points<Dim> mean_velocities;      ///< W = (X^n - X^(n-1))/dt; V^n before the first step [m/s]
+  Points<Dim> forces_before;        ///< F(X^(n-1)) of `Forces::of_places` without inertia, if the scheme needs it [N]
+  Points<Dim> slips, slips_before;  ///< s^n and s^(n-1) along cloth with a wall model [m/s]
+  Points<Dim> water_forces;         ///< F_f of the last step of cloth with a wall model [N]
 };
 
 /// The results of a step for measures, and the cost of all steps.
@@ -46,6 +48,7 @@ struct System {
       state.velocities.push_back(model.cloths.group_of(m).velocity);
     state.velocities_before = state.mean_velocities = state.velocities;
     state.forces_before.assign(state.positions.size(), Point<Dim>::Zero());
+    state.slips = state.slips_before = state.water_forces = state.forces_before;
     step.force = model.grid.face_vector();
     step.evaluated_at = state.positions;
     step.force_on_water.assign(state.positions.size(), Point<Dim>::Zero());

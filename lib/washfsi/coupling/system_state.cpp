@@ -23,6 +23,10 @@ void register_motion(System<Dim>& system, StateList& list) {
                                                                         {"force_before", &state.forces_before}}};
   for (const auto& [name, points] : of_markers)
     list.add(points_entry<Dim>(std::string("/cloth/") + name, slab, *points));
+  if (system.model.cloth_treatment.wall_model == WallTreatment::none) return;
+  list.add(points_entry<Dim>("/cloth/slip", slab, state.slips));
+  list.add(points_entry<Dim>("/cloth/slip_before", slab, state.slips_before));
+  list.add(points_entry<Dim>("/cloth/water_force", slab, state.water_forces));
 }
 
 // Registers the results of the previous step, which only a repeated step needs: a restarted run measures them anew.

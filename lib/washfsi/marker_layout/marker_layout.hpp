@@ -5,7 +5,7 @@
 
 #include <mpi.h>
 
-#include "washfsi/marker_layout/kernel_moments.hpp"
+#include "washfsi/immersed_boundary/kernel_moments.hpp"
 #include "washfsi/mask/inner_water.hpp"
 #include "washfsi/support/point.hpp"
 

@@ -35,6 +35,7 @@ void mark_without_water(Options& options, const CaseOptions<Dim>& chosen) {
                              "statistics",
                              "statistics_*",
                              "cloth_limits_advection",
+                             "cloth_wall_model",
                              "coupling_mobility*",
                              "coupling_order",
                              "coupling_sweeps",
@@ -47,8 +48,8 @@ void mark_without_water(Options& options, const CaseOptions<Dim>& chosen) {
 void mark_without_cloths(Options& options) {
   const std::string reason = "-cloths names none";
   options.mark_idle(
-      reason, {"coupling_*", "cloth_inertia", "cloth_limits_advection", "cloth_drag", "contact", "contact_*", "gravity",
-               "rest_speed", "time_tolerance", "machine_orbit_center", "delta_*"});
+      reason, {"coupling_*", "cloth_inertia", "cloth_limits_advection", "cloth_wall_model", "cloth_drag", "contact",
+               "contact_*", "gravity", "rest_speed", "time_tolerance", "machine_orbit_center", "delta_*"});
 }
 
 // Marks options of couplings, each of which uses only some of them.
@@ -79,6 +80,8 @@ void mark_of_cloths(Options& options, const CaseOptions<Dim>& chosen) {
     const std::string& name = groups[g].name;
     const ClothShape shape = groups[g].shape;
     const PlacementOptions<Dim>& placement = chosen.placements[g];
+    if (chosen.model.cloth.wall_model == WallTreatment::none)
+      options.mark_idle("-cloth_wall_model is none", {name + "_held_water"});
     const std::string reason = "-" + name + "_shape is " + name_of(shape);
     if (shape != ClothShape::ellipse) options.mark_idle(reason, {name + "_semi_axes"});
     if (shape != ClothShape::mode) options.mark_idle(reason, {name + "_mode"});

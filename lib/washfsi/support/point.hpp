@@ -13,6 +13,10 @@ namespace washfsi {
 template <int Dim>
 using Point = Eigen::Matrix<double, Dim, 1>;
 
+/// A linear map of such points.
+template <int Dim>
+using Block = Eigen::Matrix<double, Dim, Dim>;
+
 /// One value per marker.
 template <int Dim>
 using Points = std::vector<Point<Dim>>;

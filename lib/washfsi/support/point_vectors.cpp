@@ -2,6 +2,8 @@
 #include "washfsi/support/point_vectors.hpp"
 
 #include <algorithm>
+#include <array>
+#include <numeric>
 
 namespace washfsi {
 
@@ -61,6 +63,54 @@ void scale_columns_and_shift(const std::vector<double>& column_factors, double d
   WASH_PETSC(MatShift(matrix, diagonal));
 }
 
+namespace {
+
+// The values of one marker's rows, which have the same columns.
+template <int Dim>
+struct MarkerRows {
+  std::vector<PetscInt> columns;
+  Eigen::Matrix<double, Dim, Eigen::Dynamic, Eigen::RowMajor> values;
+};
+
+template <int Dim>
+MarkerRows<Dim> rows_at(Mat matrix, PetscInt first) {
+  MarkerRows<Dim> rows;
+  for (int d = 0; d < Dim; ++d) {
+    PetscInt count = 0;
+    const PetscInt* columns = nullptr;
+    const double* values = nullptr;
+    WASH_PETSC(MatGetRow(matrix, first + d, &count, &columns, &values));
+    if (d == 0) rows.columns.assign(columns, columns + count);
+    rows.values.conservativeResize(Dim, count);
+    std::copy_n(values, count, rows.values.row(d).data());
+    WASH_PETSC(MatRestoreRow(matrix, first + d, &count, &columns, &values));
+  }
+  return rows;
+}
+
+}  // namespace
+
+template <int Dim>
+void scale_by_blocks_and_shift(const std::vector<Block<Dim>>& blocks, double diagonal, Mat matrix) {
+  PetscInt first = 0;
+  WASH_PETSC(MatGetOwnershipRange(matrix, &first, nullptr));
+  const auto row_of = [&](std::size_t marker) { return first + Dim * static_cast<PetscInt>(marker); };
+  std::vector<MarkerRows<Dim>> rows;  // all of them, before one is changed
+  for (std::size_t m = 0; m < blocks.size(); ++m) rows.push_back(rows_at<Dim>(matrix, row_of(m)));
+  for (std::size_t m = 0; m < blocks.size(); ++m) {
+    rows[m].values = (blocks[m] * rows[m].values).eval();
+    std::array<PetscInt, Dim> numbers{};
+    std::iota(numbers.begin(), numbers.end(), row_of(m));
+    WASH_PETSC(MatSetValues(matrix, Dim, numbers.data(), static_cast<PetscInt>(rows[m].columns.size()),
+                            rows[m].columns.data(), rows[m].values.data(), INSERT_VALUES));
+  }
+  WASH_PETSC(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
+  WASH_PETSC(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
+  WASH_PETSC(MatShift(matrix, diagonal));
+}
+
+template void scale_by_blocks_and_shift<2>(const std::vector<Block<2>>&, double, Mat);
+template void scale_by_blocks_and_shift<3>(const std::vector<Block<3>>&, double, Mat);
 template void to_vector<2>(const Points<2>&, Vec);
 template void to_vector<3>(const Points<3>&, Vec);
 template Points<2> to_points<2>(Vec);

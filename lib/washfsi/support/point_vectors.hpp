@@ -34,6 +34,11 @@ class MatrixProduct {
 template <int Dim>
 void scale_and_shift(const std::vector<double>& row_factors, const std::vector<double>& diagonal, Mat matrix);
 
+/// Replaces it by  B M + diagonal 1, with a block of B for the rows of each marker, whose nonzero pattern must be the
+/// same. Collective.
+template <int Dim>
+void scale_by_blocks_and_shift(const std::vector<Block<Dim>>& blocks, double diagonal, Mat matrix);
+
 /// Replaces it by  M diag(column_factors) + diagonal 1. Collective.
 template <int Dim>
 void scale_columns_and_shift(const std::vector<double>& column_factors, double diagonal, Mat matrix);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "washfsi/immersed_boundary/delta.hpp"
+#include "washfsi/support/point.hpp"
 
 namespace washfsi {
 
@@ -25,6 +26,16 @@ class KernelMoments {
   double variance() const { return variance_; }
   /// <|y - y'|> on a grid: how far before its faces and beyond its edges a sheet of markers acts [cells].
   double sheet_reach() const { return sheet_reach_; }
+  /// The same for a sheet with this unit normal on cells of this spacing [m], as a length [m]. Water that the sheet
+  /// drags along itself on both sides alike is interpolated at the sheet as if it were that far from it.
+  template <int Dim>
+  double sheet_reach(const Point<Dim>& normal, const Point<Dim>& spacing) const {
+    const Point<Dim> across = normal.cwiseProduct(spacing);
+    const double width = across.norm();
+    if (width == 0) return 0;
+    const double fourth = normal.cwiseProduct(across).squaredNorm();  // sum n_d^4 h_d^2
+    return mean_distance_ * width - overlap(0) / 6 * fourth / width;
+  }
   /// How far behind the surface of a part of this half thickness its markers belong; all in cells. Parts thinner than
   /// a sheet of markers acts get one sheet in their middle.
   double retraction(double half_thickness) const;
@@ -33,7 +44,7 @@ class KernelMoments {
   double mean_difference(double shift) const;
   double acting_half_thickness(double d) const { return 0.5 * (sheet_reach_ + mean_difference(2 * d)); }
 
-  double width_, spacing_, variance_ = 0, sheet_reach_ = 0;
+  double width_, spacing_, variance_ = 0, mean_distance_ = 0, sheet_reach_ = 0;
   std::vector<double> weights_;   ///< distribution of y - y' at equal spacing, from -2 width on
   std::vector<double> by_depth_;  ///< retraction at equal steps of half thickness
 };

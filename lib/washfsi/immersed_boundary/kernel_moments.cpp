@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "washfsi/marker_layout/kernel_moments.hpp"
+#include "washfsi/immersed_boundary/kernel_moments.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +26,7 @@ KernelMoments::KernelMoments(DeltaKernel kernel, double width) : width_(width), 
   for (std::size_t i = 0; i < density.size(); ++i)
     for (std::size_t j = 0; j < density.size(); ++j) weights_[i + j] += density[i] * density[j];
   sheet_reach_ = mean_difference(0);
+  mean_distance_ = sheet_reach_ + fourth_powers / 6 * overlap(0);
   for (int n = 0; n <= depths_a_cell * deepest; ++n) {
     const double b = static_cast<double>(n) / depths_a_cell;
     double lower = 0, upper = b;
