@@ -74,10 +74,11 @@ std::vector<double> speeds_over_exact(const PulledSheet& how, const std::vector<
   group.name = "sheet";
   group.markers = {how.markers, 1};
   group.size = {16, 1};
-  group.excess_mass = group.held_water = 0;
+  group.excess_mass = 0;
   group.load[how.along] = load;
   group.sheet = {
       .ds = 16.0 / static_cast<double>(how.markers), .fabric = LinearFabric({.ke_s = 1000}), .thickness = 0.1};
+  group.sheet.held_water = 0;
   options.model.cloths = {group};
   PlacementOptions<2> placement;
   placement.center[how.along] = 8;

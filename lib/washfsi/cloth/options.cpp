@@ -131,7 +131,7 @@ ClothGroup<Dim> ClothGroup<Dim>::from_options(Options& options, const std::strin
                    "mass over that of the water displaced; 0: it neither sinks nor rises, not with -fluid none");
         block.real("permeance", group.permeance, "m/(s Pa)", non_negative,
                    "speed of water through it over the jump of pressure; 0: tight (semi_implicit, implicit)");
-        block.real("held_water", group.held_water, "kg/m2", non_negative,
+        block.real("held_water", sheet.held_water, "kg/m2", non_negative,
                    "water in its pores, which moves with it along -cloth_wall_model equilibrium; 0: none");
         block.real("thickness", sheet.thickness, "m", positive, "thickness, for stresses");
         block.real("damping", sheet.damping, "s", non_negative,

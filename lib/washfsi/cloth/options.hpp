@@ -34,7 +34,6 @@ struct ClothGroup {
   std::array<double, 2> size{0.25, 1};
   double excess_mass = 0.093;  ///< rho_s, mass in excess of the water displaced [kg/m2]
   double permeance = 0;        ///< speed of water through it over the jump of pressure [m/(s Pa)]; 0: tight
-  double held_water = 1;       ///< water in its pores, which it carries along itself [kg/m2]
   ElasticModel model = ElasticModel::energy;
   ClothShape shape = ClothShape::flat;  ///< shape at the start; an ellipse is a ring
   Sheet sheet;

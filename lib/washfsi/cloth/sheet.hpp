@@ -39,6 +39,7 @@ struct Sheet {
   double thickness = 1;   ///< [m], for stresses only
   bool closed = false;    ///< a ring along s: no ends
   MarkerLattice lattice = MarkerLattice::centred;
+  double held_water = 1;  ///< water in its pores, which it carries along itself [kg/m2]
 
   /// Undeformed area of a marker inside the sheet [m2; m in the plane].
   double part_area() const { return ds * dr; }

@@ -96,7 +96,7 @@ void ClothWallModel<Dim>::begin_step(const State<Dim>& state, double dt) {
       const Point<Dim> b = along * towards;
       if (!b.isZero(0)) friction += edge / b.squaredNorm() * b * b.transpose();
     }
-    const Block<Dim> kept = (layer.memory * friction + cloths.group_of(m).held_water * unit) / dt;
+    const Block<Dim> kept = (layer.memory * friction + cloths.group_of(m).sheet.held_water * unit) / dt;
     const Block<Dim> ease = along * (friction + kept).inverse() * along;
     eases_[m] = ease / cloths.marker_areas()[m];
     rests_[m] = ease * kept * along * state.slips[m];
