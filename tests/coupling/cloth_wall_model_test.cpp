@@ -47,13 +47,14 @@ TEST(EdgeFriction, HoldsSheetsAcrossAStream) {
   EXPECT_EQ(edge_friction(1000, 0.1, 0), 0);
 }
 
-// A sheet as wide as a periodic box of 16 x 64 cells of a metre, pulled along itself by a small load, as in Rayleigh's
-// problem: its speed over the exact one, load/mu sqrt(nu t/pi), when sqrt(nu t) is so many cells.
+// A sheet as wide as a periodic box of 16 x 64 cells a metre high, pulled along itself by a small load, as in
+// Rayleigh's problem: its speed over the exact one, load/mu sqrt(nu t/pi), when sqrt(nu t) is so many cells.
 struct PulledSheet {
   WallTreatment wall_model = WallTreatment::equilibrium;
   PetscInt markers = 16;
   double height = 0.2;  ///< above the middle between two faces
   int along = 0;        ///< axis
+  double length = 16;   ///< width of the box along the sheet [m]: cells are as much longer than high
 };
 
 std::vector<double> speeds_over_exact(const PulledSheet& how, const std::vector<double>& layers) {
@@ -63,7 +64,7 @@ std::vector<double> speeds_over_exact(const PulledSheet& how, const std::vector<
   auto& [shape, sides] = options.model.grid;
   shape.cells[how.along] = 16;
   shape.cells[across] = 64;
-  shape.upper[how.along] = 16;
+  shape.upper[how.along] = how.length;
   shape.upper[across] = 64;
   shape.periodic[how.along] = true;
   for (auto& side : sides[how.along]) side.kind = BoundaryKind::periodic;
@@ -73,15 +74,15 @@ std::vector<double> speeds_over_exact(const PulledSheet& how, const std::vector<
   ClothGroup<2> group;
   group.name = "sheet";
   group.markers = {how.markers, 1};
-  group.size = {16, 1};
+  group.size = {how.length, 1};
   group.excess_mass = 0;
   group.load[how.along] = load;
   group.sheet = {
-      .ds = 16.0 / static_cast<double>(how.markers), .fabric = LinearFabric({.ke_s = 1000}), .thickness = 0.1};
+      .ds = how.length / static_cast<double>(how.markers), .fabric = LinearFabric({.ke_s = 1000}), .thickness = 0.1};
   group.sheet.held_water = 0;
   options.model.cloths = {group};
   PlacementOptions<2> placement;
-  placement.center[how.along] = 8;
+  placement.center[how.along] = 0.5 * how.length;
   placement.center[across] = 32 + how.height;
   placement.direction = Point<2>::Unit(how.along);
   options.placements = {placement};
@@ -102,7 +103,8 @@ std::vector<double> speeds_over_exact(const PulledSheet& how, const std::vector<
 // cells.
 TEST(ClothWallModel, PulledAlongItselfASheetHasTheSpeedOfItsLayer) {
   const std::vector<double> layers{1, 2, 4}, bounds{0.2, 0.06, 0.02};
-  for (const PulledSheet& how : {PulledSheet{}, {.markers = 10}, {.height = 0.5}, {.along = 1}}) {
+  for (const PulledSheet& how :
+       {PulledSheet{}, {.markers = 10}, {.height = 0.5}, {.along = 1}, {.length = 48}, {.length = 6}}) {
     const std::vector<double> speeds = speeds_over_exact(how, layers);
     for (std::size_t n = 0; n < layers.size(); ++n) EXPECT_NEAR(speeds[n], 1, bounds[n]);
   }

@@ -6,6 +6,34 @@
 namespace washfsi::test {
 namespace {
 
+const KernelMoments yang_moments(DeltaKernel::yang, 2);
+
+TEST(KernelMoments, AreThoseOfTheDelta) {
+  EXPECT_NEAR(yang_moments.variance(), 0.3818, 1e-3);
+  EXPECT_NEAR(yang_moments.retraction(10), 0.5 * yang_moments.sheet_reach(), 1e-9);
+  double sum = 0, square = 0;
+  constexpr double step = 0.01;
+  for (int n = -400; n <= 400; ++n) {
+    const double shift = n * step;
+    sum += step * yang_moments.overlap(shift);
+    square += step * yang_moments.overlap(shift) * shift * shift;
+  }
+  EXPECT_NEAR(sum, 1, 1e-4);
+  EXPECT_NEAR(square, 2 * yang_moments.variance(), 1e-3);
+  EXPECT_EQ(yang_moments.overlap(4.1), 0);
+}
+
+TEST(KernelMoments, PutOneSheetIntoThinParts) {
+  const double thinnest = yang_moments.sheet_reach();
+  for (const double b : {0.1, 0.3, 0.6}) EXPECT_NEAR(yang_moments.retraction(b), b, 1e-9);
+  double before = thinnest;
+  for (int n = 0; n < 23; ++n) {
+    const double b = thinnest + 0.05 + 0.1 * n;
+    EXPECT_LE(yang_moments.retraction(b), before + 2e-4);  // but for what the grid takes
+    before = yang_moments.retraction(b);
+  }
+}
+
 // The mean of |i - j| over the points that the kernels of a sheet along the grid reach: -|i - j|/2 is the discrete
 // solution of u'' = delta.
 TEST(SheetReach, IsThatOfADiscreteBend) {

@@ -21,32 +21,6 @@ MarkerLayout<3> layout(double cell) {
   return {Point<3>::Constant(cell), 1.2, yang_moments};
 }
 
-TEST(KernelMoments, AreThoseOfTheDelta) {
-  EXPECT_NEAR(yang_moments.variance(), 0.3818, 1e-3);
-  EXPECT_NEAR(yang_moments.retraction(10), 0.5 * yang_moments.sheet_reach(), 1e-9);
-  double sum = 0, square = 0;
-  constexpr double step = 0.01;
-  for (int n = -400; n <= 400; ++n) {
-    const double shift = n * step;
-    sum += step * yang_moments.overlap(shift);
-    square += step * yang_moments.overlap(shift) * shift * shift;
-  }
-  EXPECT_NEAR(sum, 1, 1e-4);
-  EXPECT_NEAR(square, 2 * yang_moments.variance(), 1e-3);
-  EXPECT_EQ(yang_moments.overlap(4.1), 0);
-}
-
-TEST(KernelMoments, PutOneSheetIntoThinParts) {
-  const double thinnest = yang_moments.sheet_reach();
-  for (const double b : {0.1, 0.3, 0.6}) EXPECT_NEAR(yang_moments.retraction(b), b, 1e-9);
-  double before = thinnest;
-  for (int n = 0; n < 23; ++n) {
-    const double b = thinnest + 0.05 + 0.1 * n;
-    EXPECT_LE(yang_moments.retraction(b), before + 2e-4);  // but for what the grid takes
-    before = yang_moments.retraction(b);
-  }
-}
-
 // How far from the middle of a ball of radius 1 its markers lie, at least and at most.
 std::pair<double, double> radii(const MarkerLayout<3>& layout) {
   const Sphere<3> ball(1);

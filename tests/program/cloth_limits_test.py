@@ -35,6 +35,7 @@ STREAM = """
 
 
 CELL = 1 / 6
+WALL_MODEL = ("-cloth_wall_model", "equilibrium", "-sheet_direction", "0.5,1")  # its edges are held, and slide
 SWAPPED = ("-grid_cells", "36,48", "-grid_upper", "3,5", "-bc_x_lower", "slip", "-bc_x_lower_velocity", "0,0", "-bc_x_upper", "slip",
            "-bc_y_lower", "inflow", "-bc_y_lower_velocity", "0,1", "-bc_y_upper", "outflow", "-fluid_initial_velocity", "0,1",
            "-sheet_direction", "1,0")
@@ -68,13 +69,17 @@ class ClothLimits(ProgramTest):
                 self.assertLess(abs(value / drag["as_it_is"] - 1), 1e-5 if name == "swapped" else 5e-3)
 
     def test_ranks(self):
-        exact = ("-cloth_limits_advection", "-sheet_permeance", 0.3, "-time_end", 0.1, "-coupling_tolerance", 1e-11,
-                 "-pressure_tolerance", 1e-10, "-momentum_tolerance", 1e-11)
-        one, two = (self.history(f"on{ranks}", *exact, ranks=ranks)["sheet_water_force_x"] for ranks in (1, 2))
-        np.testing.assert_allclose(two, one, rtol=1e-6)
+        exact = ("-time_end", 0.1, "-coupling_tolerance", 1e-11, "-pressure_tolerance", 1e-10, "-momentum_tolerance", 1e-11)
+        for options in (("-cloth_limits_advection", "-sheet_permeance", 0.3), WALL_MODEL):
+            with self.subTest(options[0]):
+                one, two = (self.history(f"on{ranks}", *exact, *options, ranks=ranks)["sheet_water_force_x"] for ranks in (1, 2))
+                np.testing.assert_allclose(two, one, rtol=1e-6)
 
     def test_restart(self):
         self.assert_restart_goes_on(self.results, ("-cloth_limits_advection",), 0.1, 0.2)
+
+    def test_restart_with_a_wall_model(self):
+        self.assert_restart_goes_on(self.results, WALL_MODEL, 0.1, 0.2)
 
     def results(self, folder, *options, ranks):
         history = self.history(folder, *options, ranks=ranks)

@@ -15,7 +15,7 @@ sys.path.insert(0, str(SOURCE / "python"))
 from washfsi.report.scene import AROUND, WAKE, Subject, scene_of, stream_of  # noqa: E402
 
 WEB = SOURCE / "python" / "washfsi" / "report" / "web"
-MARGIN = 0.05  # of the picture, at each side
+MARGIN = 0.05  # share of the picture that is free at each side
 RANDOM = np.random.default_rng(5)
 
 

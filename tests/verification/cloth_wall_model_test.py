@@ -15,7 +15,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from tables import ARGUMENTS, command, print_record, print_record_head, read_columns, scientific
+from tables import command, print_record, print_record_head, read_columns, run_tables, scientific
 
 SPEED, LENGTH, DENSITY = 0.5, 0.15, 1000
 ALONG, ACROSS = 0.35, 0.12  # the aim across is 0.05: missed
@@ -79,8 +79,7 @@ def across():
 
 
 def main():
-    tables = {"along": along, "across": across}
-    return 0 if all([tables[name]() for name in ARGUMENTS or tables]) else 1
+    return run_tables({"along": along, "across": across})
 
 
 if __name__ == "__main__":

@@ -16,7 +16,7 @@ from pathlib import Path
 
 import numpy as np
 
-from tables import ARGUMENTS, SOURCE, command, print_record, print_record_head, read_columns, scientific
+from tables import SOURCE, command, print_record, print_record_head, read_columns, run_tables, scientific
 
 RANKS = 2
 MASSES = 0, 0.01, 0.1, 1, 10, 100
@@ -103,8 +103,7 @@ def sheet():
 
 
 def main():
-    tables = {"masses": masses, "sheet": sheet}
-    return 0 if all([tables[name]() for name in ARGUMENTS or tables]) else 1
+    return run_tables({"masses": masses, "sheet": sheet})
 
 
 if __name__ == "__main__":

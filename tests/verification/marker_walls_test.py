@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
-from tables import ARGUMENTS, Miss, agrees, command, is_small, print_record, print_record_head, read_columns
+from tables import Miss, agrees, command, is_small, print_record, print_record_head, read_columns, run_tables
 
 DIRECT = ["-body_method", "direct_forcing", "-fluid_density", 1, "-output_interval", 100]
 THIN = 0.6  # of a cell
@@ -204,8 +204,7 @@ def water():
 
 
 def main():
-    parts = {"leaks": leaks, "places": places, "plates": plates, "towed": towed, "squares": squares, "water": water}
-    return 0 if all([parts[word]() for word in ARGUMENTS or parts]) else 1
+    return run_tables({"leaks": leaks, "places": places, "plates": plates, "towed": towed, "squares": squares, "water": water})
 
 
 if __name__ == "__main__":

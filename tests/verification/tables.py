@@ -52,6 +52,11 @@ def is_small(found, bound):
     return abs(found / bound.figure - 1) <= bound.within if isinstance(bound, Miss) else found <= bound
 
 
+def run_tables(tables):
+    """Prints the tables that the arguments name, by default all, each by a function that returns whether it holds; returns the exit code."""
+    return 0 if all([tables[name]() for name in ARGUMENTS or tables]) else 1
+
+
 def print_row(*words):
     """Prints a row of a Markdown table."""
     print("|", " | ".join(str(word) for word in words), "|", flush=True)

@@ -14,10 +14,10 @@
 //   + sum over quads      w_t ds dr K_t |X_sr|^2
 // <X_s> and <X_r> are the mean tangents of a quad, X_ss and X_rr second differences, absent where a neighbour is
 // missing, and X_sr the mixed one. `cross` is nu_P sqrt(K_b,s K_b,r) in the linear model. w_b is not 1 where X_ss
-// or X_rr is missing, and w_i and w_j are the shares of rows and columns. On the centred lattice these are 1. The strip
-// of half a spacing round its markers has no quads: there an edge is bare on one or both sides, and w_t has a factor
-// 3/2 for each side without a next row of quads. On the nodal lattice quads fill the cloth: the shares are 1/2
-// on its edges, and w_t = 1. The form conserves linear and angular momentum to round-off and cannot create energy.
+// or X_rr is missing, and w_i and w_j are the shares of rows and columns. On the centred lattice these are 1. Half a
+// spacing round its markers there are no quads: an edge is bare on one or both sides there, and w_t has a factor 3/2
+// for each side without a next row of quads. On the nodal lattice quads fill the cloth: the shares are 1/2 on its
+// edges, and w_t = 1. The form conserves linear and angular momentum to round-off and cannot create energy.
 // Bending is linear in X, so that nothing is singular on crumpled cloth.
 #pragma once
 
@@ -47,7 +47,7 @@ struct Sheet {
 
 /// A block of the stiffness K = d2Psi/dX2 between two markers [N/m; per unit depth in 2D].
 template <int Dim>
-using StiffnessBlock = Eigen::Matrix<double, Dim, Dim>;
+using StiffnessBlock = Block<Dim>;
 
 /// A callback that adds the block of a row and a column.
 template <int Dim>

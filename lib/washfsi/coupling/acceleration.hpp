@@ -11,8 +11,8 @@ namespace washfsi {
 /// Second backward difference (BDF2) of the velocities V = W, taken at the ends of the steps. With chi the ratio of
 /// this step to the last, the acceleration is
 ///   ( (1 + 2 chi)/(1 + chi) W - (1 + chi) V^n + chi^2/(1 + chi) V^(n-1) )/dt
-/// The first step follows one of its own length without acceleration: the impulses of equal steps add up to the change
-/// of the momentum of 3/2 V^n - 1/2 V^(n-1), whatever the first step is.
+/// The first step follows one of its own length without acceleration. So the impulses of equal steps add up to what the
+/// momentum of 3/2 V^n - 1/2 V^(n-1) changes by, whatever the first step is.
 template <int Dim>
 Acceleration<Dim> backward_difference(const System<Dim>& system, double dt);
 

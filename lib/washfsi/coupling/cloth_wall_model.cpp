@@ -30,7 +30,7 @@ ClothLayer cloth_layer(const PureLiquid& liquid, double distance, double speed, 
   const double nu = liquid.viscosity / liquid.density;
   ClothLayer layer;
   layer.y_plus = wall_distance(speed * distance / nu);
-  const double part = layer.y_plus > 1e-3 ? reichardt(layer.y_plus) / layer.y_plus : 1;  // of the linear profile's E
+  const double part = layer.y_plus > 1e-3 ? reichardt(layer.y_plus) / layer.y_plus : 1;  // E over that of a line
   layer.ease = part * distance / (2 * liquid.viscosity);
   if (speed > 0) layer.ease = std::min(layer.ease, blasius_ease(liquid, speed, length));
   const double laminar = std::exp(-std::pow(layer.y_plus / viscous_layer, 2));
@@ -44,6 +44,21 @@ double edge_friction(double density, double speed, double pressure) {
   const double share = pressure / (pressure + density * speed * speed);
   return most * share * pressure / (speed + least_speed * std::sqrt(pressure / density));
 }
+
+namespace {
+
+// G of a marker at the edges beyond which these directions point; and something across the cloth, which drops out.
+template <int Dim>
+Block<Dim> friction_of(const ClothLayer& layer, double edge, const Outwards<Dim>& outwards, const Block<Dim>& along) {
+  Block<Dim> friction = Block<Dim>::Identity() / layer.ease;
+  for (const Point<Dim>& towards : {outwards.s, outwards.r}) {
+    const Point<Dim> b = along * towards;
+    if (!b.isZero(0)) friction += edge / b.squaredNorm() * b * b.transpose();
+  }
+  return friction;
+}
+
+}  // namespace
 
 template <int Dim>
 ClothWallModel<Dim>::ClothWallModel(const Model<Dim>& model)
@@ -91,11 +106,7 @@ void ClothWallModel<Dim>::begin_step(const State<Dim>& state, double dt) {
     const double speed = (0.5 * (along * (state.slips[m] + state.slips_before[m]))).norm();
     const ClothLayer layer = cloth_layer(liquid, y, speed, length_of(m));
     const double edge = edge_friction(liquid.density, speed, pressures[cloths.piece_of_marker()[m]]);
-    Block<Dim> friction = unit / layer.ease;  // G, and something across, which drops out
-    for (const Point<Dim>& towards : {outwards[m].s, outwards[m].r}) {
-      const Point<Dim> b = along * towards;
-      if (!b.isZero(0)) friction += edge / b.squaredNorm() * b * b.transpose();
-    }
+    const Block<Dim> friction = friction_of<Dim>(layer, edge, outwards[m], along);
     const Block<Dim> kept = (layer.memory * friction + cloths.group_of(m).sheet.held_water * unit) / dt;
     const Block<Dim> ease = along * (friction + kept).inverse() * along;
     eases_[m] = ease / cloths.marker_areas()[m];

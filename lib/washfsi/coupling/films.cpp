@@ -109,14 +109,6 @@ void Films<Dim>::add_velocities(const Points<Dim>& forces, Points<Dim>& velociti
 }
 
 template <int Dim>
-double Films<Dim>::power(const Points<Dim>& forces) const {
-  const Points<Dim> all = search_.known().values(forces);
-  double sum = 0;
-  for (const Film& film : films_) sum += film.area * film.ease * std::pow(pressure(film, all), 2);
-  return ordered_sum(cloths_.comm(), sum);
-}
-
-template <int Dim>
 petsc::Matrix Films<Dim>::matrix(double factor) const {
   std::vector<PetscInt> rows, columns;
   std::vector<double> values;

@@ -29,8 +29,6 @@ class Films {
   void begin_step(const Points<Dim>& positions, const Points<Dim>& forces);
   /// Adds B F_f of this rank's markers, which give these forces F_f to the water [m/s]. Collective.
   void add_velocities(const Points<Dim>& forces, Points<Dim>& velocities) const;
-  /// The power F_f.B F_f, summed over all ranks [W; per unit depth in 2D]. Collective.
-  double power(const Points<Dim>& forces) const;
   /// Returns factor times B, with a row for each coordinate of each marker. Collective.
   petsc::Matrix matrix(double factor) const;
 

@@ -39,13 +39,6 @@ void ForceEquation<Dim>::set_stiffness(const Step& step, const Points<Dim>& plac
 }
 
 template <int Dim>
-std::vector<double> ForceEquation<Dim>::diagonal(const Step& step) const {
-  std::vector<double> factors;
-  for (const double sum : step.mobility.row_sums()) factors.push_back(step.dt * step.dt * sum);
-  return factors;
-}
-
-template <int Dim>
 Points<Dim> ForceEquation<Dim>::residual(const Step& step, double share, const Points<Dim>& all) const {
   return all - velocities(step, share, step.all.of_places(step.start + step.dt * all) - step.forces);
 }
@@ -78,7 +71,7 @@ ClothEquation<Dim> ForceEquation<Dim>::of_forces(const Step& step, double share)
   };
   equation.assemble = [=, this](const Points<Dim>& change, GeometricStiffness geometric, Mat matrix) {
     set_stiffness(step, places(change), geometric, matrix);
-    scale_columns_and_shift<Dim>(diagonal(step), 1, matrix);
+    scale_columns_and_shift<Dim>(step.mobility.row_sums(step.dt * step.dt), 1, matrix);
   };
   equation.is_solved = [=](const Points<Dim>& residual) {
     return norm(step.all.comm(), step.dt * step.mobility.times(residual)) <= step.tolerance;

@@ -51,7 +51,6 @@ class ForceEquation {
   ClothEquation<Dim> of_forces(const Step& step, double share);
   double potential(const Step& step, double share, const Points<Dim>& change) const;
   void set_stiffness(const Step& step, const Points<Dim>& places, GeometricStiffness geometric, Mat matrix);
-  std::vector<double> diagonal(const Step& step) const;
 
   ClothSolver<Dim>& solver_;
   petsc::Matrix stiffness_;  ///< K where it was assembled last

@@ -45,11 +45,16 @@ Points<Dim> StepMobility<Dim>::times(const Points<Dim>& forces) const {
 }
 
 template <int Dim>
+std::vector<double> StepMobility<Dim>::row_sums(double factor) const {
+  std::vector<double> sums = row_sums_;
+  for (double& sum : sums) sum *= factor;
+  return sums;
+}
+
+template <int Dim>
 void StepMobility<Dim>::precondition(double factor, Mat matrix) const {
   if (own_.empty()) {
-    std::vector<double> factors;
-    for (const double sum : row_sums_) factors.push_back(factor * sum);
-    scale_and_shift<Dim>(factors, std::vector<double>(factors.size(), 1.0), matrix);
+    scale_and_shift<Dim>(row_sums(factor), std::vector<double>(row_sums_.size(), 1.0), matrix);
     return;
   }
   std::vector<Block<Dim>> blocks;

@@ -31,6 +31,8 @@ class StepMobility {
   void set_share(double share) { share_ = share; }
 
   const std::vector<double>& row_sums() const { return row_sums_; }
+  /// The row sums times a factor.
+  std::vector<double> row_sums(double factor) const;
   /// Replaces a matrix K of the cloths' lattice by  1 + factor D K, D having the row sums and the blocks that were
   /// added on its diagonal. Collective.
   void precondition(double factor, Mat matrix) const;

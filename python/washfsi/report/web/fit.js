@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where a camera has to stand for its picture to be just filled.
 
-const MARGIN = 0.05; // of the picture, free at each side
+const MARGIN = 0.05; // share of the picture that is free at each side
 
 /** Returns the product of two vectors. */
 function dot(one, other) {

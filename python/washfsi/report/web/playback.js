@@ -21,7 +21,7 @@ const VIEWS = [
   ["side", "from the side"],
 ];
 
-const START = 0.75; // of the frames, where the playback stands at first
+const START = 0.75; // share of the frames before the one where the playback stands at first
 
 /** Returns a bar that tells the colours of a scale. */
 function colourBar(title, unit, scale, low, high) {
