@@ -142,9 +142,11 @@ class ShapeReader {
   void read_vaned(OptionBlock& block) {
     PetscInt vanes = vaned_.vanes;
     block.real("hub_radius", vaned_.hub_radius, "m", positive, "radius of the hub (vaned)");
-    block.real("tip_radius", vaned_.tip_radius, "m", positive, "reach of the vanes from the centre (vaned)");
-    block.real("vane_thickness", vaned_.vane_thickness, "m", positive, "thickness of a vane (vaned)");
-    block.integer("vanes", vanes, copies, "number of vanes (vaned)");
+    block.real("tip_radius", vaned_.tip_radius, "m", positive,
+               "reach of the vanes from the centre (vaned, and agitator, where the default is 0.16)");
+    block.real("vane_thickness", vaned_.vane_thickness, "m", positive,
+               "thickness of a vane (vaned, and agitator, where the default is 0.025)");
+    block.integer("vanes", vanes, copies, "number of vanes (vaned, agitator)");
     vaned_.vanes = static_cast<int>(vanes);
     if (vaned_.tip_radius <= vaned_.hub_radius && !options_.help())
       refuse("tip_radius", to_text(vaned_.tip_radius),
