@@ -37,8 +37,9 @@ LENGTHS = {**dict.fromkeys(EIGHT, (2, 5, 8)), "cloths32": (2, 5), "cloths64": (1
            "dt_quarter": (2,), "ratio1to2": (2,), "smooth": (2,), "re1.2e6": (2,)}  # cycles from which longer runs go on
 VARIANTS = {"ratio1to1": ("ratio1to2", ("-towel_markers", 6)),  # of cases: their file and what is changed in it
             "width1.5, 16 cloths": ("width1.5", ("-towel_count", 16))}
-LONG = {"re1.2e2": "1.6 h", "re1.2e3": "1.6 h", "re1.2e4": "3.2 h", "re1.2e5": "1.6 h"}  # with the thesis's steps
-LOADED = {"cloths64": "2 h"}
+MEASURED = 69.4 / 60 / 2  # [h] a cycle of 16 cloths with the thesis's numerics in steps of dt*/4, 2e-5 s, on one core
+HALF, QUARTER = 2, 1  # dt*/2 and dt*/4 over dt*/4
+HEAVY = 2  # so many times as long with 64 cloths
 CASE_NAMES = {"dt": "dt*", "dt_half": "dt*/2", "dt_quarter": "dt*/4", "cloths32": "32 cloths", "cloths64": "64 cloths",
               "width1.5": "64 cloths, half width 1.5 h", "width1.5, 16 cloths": "16 cloths, half width 1.5 h",
               "ratio1to1": "markers as far apart as cells are wide", "ratio1to2": "markers half as far apart", "smooth": "smooth mask",
@@ -48,6 +49,15 @@ IN_THICK_LIQUID = "in thick liquid the cloths are still round the post, where th
 CLOTHS_DECIDE = "beyond Re = 1.2e3 it is where cloths touch the drum that decides, and eddies have no model"
 
 MPA = 1e-6
+
+
+def cost(cycles, step, times=1):
+    """What so many cycles with the thesis's numerics would take, in words."""
+    return f"{MEASURED * cycles / step * times:.1f} h"
+
+
+LONG = {name: cost(8, QUARTER if name == "re1.2e4" else HALF) for name in EIGHT}
+LOADED = {"cloths64": cost(5, HALF, HEAVY)}
 
 
 def wash(numerics, name, cycles):
@@ -198,7 +208,7 @@ def wash_rows(table, quantity, measure, said, cycles, suffix="", within=MOTION, 
 def step_rows():
     """5.5.5.1: crashes and how deep cloths come, over the step."""
     yield from wash_rows("5.5.5.1", "cycles run, of two", cycles_run, dict.fromkeys(STEPS, "2"), 2, within=0.2)
-    for name, cycles, crash, hours in (("dt", 4, "2.9", ""), ("dt_half", 6, "5.3", "2 h"), ("dt_quarter", 8, "7.4 and on", "4 h")):
+    for name, cycles, crash, hours in (("dt", 4, "2.9", ""), ("dt_half", 6, "5.3", cost(6, HALF)), ("dt_quarter", 8, "7.4 and on", cost(8, QUARTER))):
         few = {"numerics": (TODAY,), "not_run": f"not run: {hours} on one core, for a crash alone"} if hours else {}
         yield from wash_rows("5.5.5.1, crash", CRASH, cycles_run, {name: crash}, cycles, f", of {cycles} cycles", 0.2, comparable=False, **few)
     yield from wash_rows("5.5.5.1, depth", "deepest face of a cloth in a body [mm]", depth,
@@ -214,14 +224,14 @@ def reynolds_rows():
     yield from wash_rows("5.5.5.2, bottom", LOW, low, dict.fromkeys(TWO, "") | {"re1.2e6": "some stayed there"}, 2, ", 2 cycles",
                          slack=3)  # one of sixteen towels more or less there for half of the time
     yield from wash_rows("5.5.5.2, bottom", CRASH, cycles_run, {"re1.2e6": "stress discontinuous after 2"}, 5.5, ", of 5.5 cycles", 0.2,
-                         numerics=(TODAY,), not_run="not run: 0.9 h on one core")
+                         numerics=(TODAY,), not_run=f"not run: {cost(5.5, HALF)} on one core")
     yield from wash_rows("5.5.5.2, drum", "torque on the drum, rms of two cycles [N m]", drum_torque, dict.fromkeys(TWO, ""), 2)
     for place in (AXIS, DRUM):
         yield from wash_rows("5.5.5.2, orbits", "vertical speed of cloths, mean of two cycles [m/s]",
                              functools.partial(rising, near_drum=place == DRUM), dict.fromkeys(("re1.2e3", "re1.2e4"), ""), 2, f", {place}")
     yield from wash_rows("Figs. 5.5-8 to 12", CENTRE, centre_moves, dict.fromkeys(TWO, ""), 2, ", 2 cycles")
     for name, words in {"re1.2e2": "", "re1.2e3": "stagnant", **dict.fromkeys(list(TWO)[2:], "wider")}.items():
-        hours = {"re1.2e3": "", "re1.2e4": "1.8 h"}.get(name, "0.9 h")
+        hours = {"re1.2e3": "", "re1.2e4": cost(5.5, QUARTER)}.get(name, cost(5.5, HALF))
         few = {"numerics": (TODAY,), "not_run": f"not run: {hours} on one core"} if hours else {}
         yield from wash_rows("Figs. 5.5-8 to 12", CENTRE, centre_moves, {name: words}, 5.5, ", 5.5 cycles", **few)
 
@@ -234,7 +244,7 @@ def load_rows():
     yield from wash_rows("5.5.5.3", TURNS, tumbles, dict.fromkeys(LOAD, "slower with the load"), 2)
     yield from wash_rows("5.5.5.3, alone", INDEPENDENT, independence, dict.fromkeys(LOAD, "less with the load"), 2, ", 2 cycles")
     for name, words in (("re1.2e3", "more than 1"), ("cloths32", ""), ("cloths64", "0.25")):
-        few = {"numerics": (TODAY,), "not_run": "not run: 2.4 h on one core"} if name in LOADED else {}
+        few = {"numerics": (TODAY,), "not_run": f"not run: {cost(6, HALF, HEAVY)} on one core"} if name in LOADED else {}
         yield from wash_rows("Figs. 5.5-15 to 17", CENTRE_TURNS, centre_turns, {name: words}, 6, ", 6 cycles", **few)
 
 
