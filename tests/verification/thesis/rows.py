@@ -61,7 +61,7 @@ class Row(NamedTuple):
     slack: float = 0  # it may move by so much however small it is
     is_error: bool = False  # the thesis's figure is an error itself: smaller is better
     miss: str = ""  # why ours is worse, where it is
-    comparable: bool = True  # no ratio is told where the thesis's figure is of something else: a percentage, another grid, a misprint
+    comparable: bool = True  # no ratio is told where the thesis's figure is of something else: a percentage, another grid, step or reference, a misprint
 
     def printed(self):
         """The thesis's figure that ours compares with; none where there is no such figure."""
