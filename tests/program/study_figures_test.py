@@ -18,7 +18,7 @@ from study_fixtures import write_run, write_study
 from support import SOURCE, ProgramTest
 
 sys.path.insert(0, str(SOURCE / "python"))
-from washfsi.study import verdict  # noqa: E402
+from washfsi.study import refinement, verdict  # noqa: E402
 from washfsi.study.command import jobs_and_ranks  # noqa: E402
 from washfsi.study.runs import seed_words  # noqa: E402
 from washfsi.study.tradeoff import draw_tradeoff  # noqa: E402
@@ -131,6 +131,71 @@ class Verdict(unittest.TestCase):
 
     def test_seeds_that_change_nothing_decide_nothing(self):
         self.assertIn("seeds change nothing", verdict.sentence("Work", {"a": [1.0, 1.0], "b": [2.0, 2.0]}, "J"))
+
+
+class Refinement(ProgramTest):
+    def test_the_order_of_three_grids_is_found(self):
+        for order in (0.5, 1, 2, 3):
+            for factors in ((1, 1.5, 2.25), (1, 2, 3), (2, 2.5, 4)):
+                values = [3 - 0.7 * factor ** -order for factor in factors]
+                self.assertAlmostEqual(refinement.order_of(factors, values), order, places=6)
+        self.assertIsNone(refinement.order_of((1, 2, 4), [1, 2, 1.5]))
+        self.assertIsNone(refinement.order_of((1, 2, 4), [1, 1.1, 2.5]))
+
+    def test_a_figure_of_first_order_is_continued_to_its_limit(self):
+        found = refinement.estimate({1: [5 + 2.0], 1.5: [5 + 2 / 1.5]})
+        self.assertAlmostEqual(found.value, 5)
+        self.assertAlmostEqual(found.band, 2 / 1.5)
+        self.assertFalse(found.observed)
+        second = refinement.estimate({factor: [5 + 2 * factor ** -2.0] for factor in (1, 1.5, 3)})
+        self.assertAlmostEqual(second.value, 5)
+        self.assertTrue(second.observed)
+
+    def test_the_band_holds_the_spread_over_seeds(self):
+        random, misses = np.random.default_rng(3), 0
+        for _ in range(300):
+            found = refinement.estimate({factor: list(random.normal(5, 0.3, 4)) for factor in (1.0, 2.0)})
+            misses += abs(found.value - 5) > found.band
+        self.assertLess(misses, 300 * 0.15)
+
+    def test_only_pairs_that_differ_alike_on_both_grids_are_ranked(self):
+        low, high, higher = ([value + step for step in (-0.01, 0, 0.01)] for value in (1, 2, 3))
+        coarse = {"a": low, "b": high, "c": higher}
+        told = refinement.ranking("Work", [coarse, {"a": low, "b": high, "c": higher}])
+        self.assertEqual(told, "Work: may be ranked. On both grids b > a; c > a; c > b.")
+        self.assertEqual(refinement.ranking("Work", [coarse, {"a": low, "b": higher, "c": high}]),
+                         "Work: may not be ranked. On the finer grid, other than on the coarser, b > c.")
+        self.assertIn("may be ranked in part. On both grids b > a; c > a; not told apart on one of them at least: b > c",
+                      refinement.ranking("Work", [coarse, {"a": low, "b": [2.1, 2.5, 2.9], "c": [2.0, 2.4, 2.9]}]))
+        self.assertIn("No pair", refinement.ranking("Work", [coarse, {name: [1.0, 2.0, 3.0] for name in "abc"}]))
+        self.assertIn("the order is the same", refinement.ranking("Work", [{"a": [1], "b": [2]}, {"a": [1], "b": [3]}]))
+        self.assertIn("may not be ranked. The order is b > a on the coarser grid and a > b",
+                      refinement.ranking("Work", [{"a": [1], "b": [2]}, {"a": [4], "b": [3]}]))
+
+    def test_a_study_on_two_grids_says_which_figures_keep_their_ranking(self):
+        files = write_study(self.folder, APART, 3)
+        write_study(self.folder, {"gentle": (8, 0.04, 1e5), "rough": (10, 0.03, 2e5)}, 3, grid="_refined_1.5")
+        outcome = subprocess.run([SOURCE / "scripts" / "study", "--table", "--refine", "1.5", "--output", self.folder / "study",
+                                  *files], capture_output=True, text=True, check=False)
+        self.assertEqual(outcome.returncode, 0, outcome.stderr)
+        for text in ("Stress of the cloth: may be ranked. On both grids rough > gentle.",
+                     "Speed of the water along the cloth: may not be ranked. On the finer grid, other than on the coarser, gentle > rough.",
+                     "Turns of the cloths: may not be ranked. No pair", "Work of the bodies in a cycle, cells x 1.5: gentle"):
+            self.assertIn(text, outcome.stdout)
+        page = (self.folder / "study" / "study.md").read_text(encoding="utf-8")
+        self.assertIn("| figure | design | cells x 1 | cells x 1.5 | estimate |", page)
+        self.assertRegex(page, r"\| Work of the bodies in a cycle \[J\] \| gentle \| .* \| .* \| 4\.\d+ ± .* \(order 1\) \|")
+        with open(self.folder / "study" / "study.csv", encoding="utf-8") as file:
+            self.assertEqual([row["case"] for row in csv.DictReader(file)],
+                             ["gentle", "rough", "gentle_refined_1.5", "rough_refined_1.5"])
+
+    def test_wrong_factors_are_told_in_a_line(self):
+        files = write_study(self.folder, ALIKE, 1)
+        for factor, told in (("0.5", "must be numbers above 1"), ("x", "must be numbers above 1"), ("2", "cannot be given together")):
+            outcome = subprocess.run([SOURCE / "scripts" / "study", "--table", "--refine", factor, "--output", self.folder / "study", *files,
+                                      "--", "-refine", "2"], capture_output=True, text=True, check=False)
+            self.assertEqual(outcome.returncode, 2)
+            self.assertIn(told, outcome.stderr)
 
 
 class Seeds(ProgramTest):

@@ -39,15 +39,16 @@ def write_run(folder, status="finished", cycles=4, **figures):
     (folder / "summary.json").write_text(json.dumps(summary))
 
 
-def write_study(folder, designs, seeds, spread=0.02):
-    """Writes a case file and runs for each design: {name: (work, speed, stress)}; returns the files of the cases."""
+def write_study(folder, designs, seeds, spread=0.02, grid=""):
+    """Writes a case file and runs for each design: {name: (work, speed, stress)}; returns the files of the cases. `grid` ends the
+    names of the folders of runs on a finer grid."""
     random, files = np.random.default_rng(1), []
     for name, (work, speed, stress) in designs.items():
         files.append(folder / f"{name}.opts")
         files[-1].write_text("-cloths towel\n")
         for seed in range(1, seeds + 1):
             factors = 1 + spread * random.standard_normal(4)
-            place = folder / "study" / name / (f"seed_{seed}" if seeds > 1 else "")
+            place = folder / "study" / (name + grid) / (f"seed_{seed}" if seeds > 1 else "")
             write_run(place, agitator_work=work * factors[0], drum_work=0.0, towel_friction_work=0.1 * work,
                       agitator_power_mean=work / PERIOD, towel_relative_speed=speed * factors[1], towel_water_shear=3 * speed * factors[1],
                       towel_stress=stress * factors[2], towel_turns=0.5 * factors[3])

@@ -87,6 +87,13 @@ void read_lattice(OptionBlock& block, ClothGroup<Dim>& group) {
 }
 
 template <int Dim>
+void refine_lattice(Options& options, const Refinement& refinement, ClothGroup<Dim>& group) {
+  std::vector<double> markers(group.markers.begin(), group.markers.begin() + Dim - 1);
+  refinement.multiply(options, group.name + "_markers", markers, group.sheet.lattice == MarkerLattice::nodal ? 1 : 0);
+  for (std::size_t d = 0; d < markers.size(); ++d) group.markers[d] = static_cast<PetscInt>(markers[d]);
+}
+
+template <int Dim>
 void read_loads(OptionBlock& block, ClothGroup<Dim>& group) {
   block.choice("hold", group.hold,
                Dim == 2
@@ -113,7 +120,7 @@ std::vector<ClothShape> shapes_in(int dimension) {
 }  // namespace
 
 template <int Dim>
-ClothGroup<Dim> ClothGroup<Dim>::from_options(Options& options, const std::string& name) {
+ClothGroup<Dim> ClothGroup<Dim>::from_options(Options& options, const std::string& name, const Refinement& refinement) {
   ClothGroup group;
   group.name = name;
   Sheet& sheet = group.sheet;
@@ -143,6 +150,7 @@ ClothGroup<Dim> ClothGroup<Dim>::from_options(Options& options, const std::strin
         read_loads(block, group);
       },
       "cloths_");
+  refine_lattice(options, refinement, group);
   sheet.fabric = fabric_from_options(options, name, Dim - 1);
   sheet.width = static_cast<std::size_t>(group.markers[1]);
   sheet.ds = group.size[0] / group.row(0).parts();
@@ -204,22 +212,22 @@ std::vector<PetscInt> ClothGroup<Dim>::held_markers() const {
 }
 
 template <int Dim>
-std::vector<ClothGroup<Dim>> cloth_groups_from_options(Options& options) {
+std::vector<ClothGroup<Dim>> cloth_groups_from_options(Options& options, const Refinement& refinement) {
   std::vector<std::string> names;
   options.block("", "Cloth",
                 [&](OptionBlock& block) { block.names("cloths", names, "names of the groups of cloths"); });
   if (names.empty()) names = options.examples("towel", "CLOTH");
   std::vector<ClothGroup<Dim>> groups;
   for (const auto& name : names) options.claim_prefix(name, "-cloths");
-  for (const auto& name : names) groups.push_back(ClothGroup<Dim>::from_options(options, name));
-  options.leave_out_dropped("cloths", names,
-                            [&](const std::string& name) { (void)ClothGroup<Dim>::from_options(options, name); });
+  const auto read = [&](const std::string& name) { return ClothGroup<Dim>::from_options(options, name, refinement); };
+  for (const auto& name : names) groups.push_back(read(name));
+  options.leave_out_dropped("cloths", names, read);
   return groups;
 }
 
 template struct ClothGroup<2>;
 template struct ClothGroup<3>;
-template std::vector<ClothGroup<2>> cloth_groups_from_options<2>(Options&);
-template std::vector<ClothGroup<3>> cloth_groups_from_options<3>(Options&);
+template std::vector<ClothGroup<2>> cloth_groups_from_options<2>(Options&, const Refinement&);
+template std::vector<ClothGroup<3>> cloth_groups_from_options<3>(Options&, const Refinement&);
 
 }  // namespace washfsi

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "washfsi/cloth/sheet.hpp"
-#include "washfsi/support/options.hpp"
+#include "washfsi/support/refinement.hpp"
 
 namespace washfsi {
 
@@ -45,7 +45,7 @@ struct ClothGroup {
   Point<Dim> end_force_last = Point<Dim>::Zero();   ///< force at the edge after the last row [N; N/m in the plane]
   Point<Dim> velocity = Point<Dim>::Zero();         ///< velocity at the start [m/s]
 
-  static ClothGroup from_options(Options& options, const std::string& name);
+  static ClothGroup from_options(Options& options, const std::string& name, const Refinement& refinement);
 
   PetscInt marker_count() const { return markers[0] * markers[1]; }  ///< number of markers of one cloth
   /// The markers along s (0) or r (1).
@@ -70,7 +70,7 @@ bool uses(const std::vector<ClothGroup<Dim>>& groups, ElasticModel model) {
 
 /// All groups named by -cloths.
 template <int Dim>
-std::vector<ClothGroup<Dim>> cloth_groups_from_options(Options& options);
+std::vector<ClothGroup<Dim>> cloth_groups_from_options(Options& options, const Refinement& refinement);
 
 extern template struct ClothGroup<2>;
 extern template struct ClothGroup<3>;

@@ -30,7 +30,7 @@ void mark_unused(Options& options, const ContactOptions& contact) {
 
 }  // namespace
 
-ContactOptions ContactOptions::from_options(Options& options, bool has_cloths) {
+ContactOptions ContactOptions::from_options(Options& options, bool has_cloths, const Refinement& refinement) {
   ContactOptions contact;
   if (!has_cloths) contact.kind = ContactKind::none;
   options.alias_value("contact", "cushion", "penalty");
@@ -63,6 +63,8 @@ ContactOptions ContactOptions::from_options(Options& options, bool has_cloths) {
     block.real("verify_interval", contact.verify_interval, "s", non_negative,
                "between counts of the cloths' intersections; 0: after each step with the barrier, else never");
   });
+  refinement.divide(options, "contact_distance", contact.distance);
+  refinement.divide(options, "contact_body_distance", contact.body_distance);
   if (contact.kind == ContactKind::penalty && contact.pressure == 0 && !options.help())
     throw InputError("-contact penalty: needs -contact_pressure, above 0");
   if (has_cloths) mark_unused(options, contact);

@@ -3,6 +3,7 @@
 
 #include "washfsi/contact/barrier.hpp"
 #include "washfsi/contact/body_contact.hpp"
+#include "washfsi/support/refinement.hpp"
 
 namespace washfsi {
 
@@ -28,7 +29,7 @@ struct ContactOptions {
   double verify_interval = 0;  ///< interval between counts of intersections [s]; 0: each step with the barrier
 
   /// Without cloths there is no contact by default.
-  static ContactOptions from_options(Options& options, bool has_cloths);
+  static ContactOptions from_options(Options& options, bool has_cloths, const Refinement& refinement);
   /// Makers of the forces that these options request.
   template <int Dim>
   std::vector<MakeForce<Dim>> forces(bool in_water) const;

@@ -53,10 +53,11 @@ FluidOptions<Dim> with_edges(const ModelOptions<Dim>& options, const Bodies<Dim>
 }  // namespace
 
 template <int Dim>
-ModelOptions<Dim> ModelOptions<Dim>::from_options(Options& options, MassCarrier mass_carrier) {
+ModelOptions<Dim> ModelOptions<Dim>::from_options(Options& options, MassCarrier mass_carrier,
+                                                  const Refinement& refinement) {
   ModelOptions<Dim> model;
   model.cloth.mass_carrier = mass_carrier;
-  model.grid = GridOptions<Dim>::from_options(options);
+  model.grid = GridOptions<Dim>::from_options(options, refinement);
   model.fluid = FluidOptions<Dim>::from_options(options);
   options.block("", "Fluid or none", [&](OptionBlock& block) {
     block.choice("fluid", model.medium, "none: cloth alone, as in a vacuum or with a linear drag");
@@ -66,7 +67,7 @@ ModelOptions<Dim> ModelOptions<Dim>::from_options(Options& options, MassCarrier 
   options.block("", "Gravity", [&](OptionBlock& block) {
     block.template point<Dim>("gravity", model.gravity, "m/s2", "acceleration by gravity, acting on excess mass");
   });
-  model.cloths = cloth_groups_from_options<Dim>(options);
+  model.cloths = cloth_groups_from_options<Dim>(options, refinement);
   options.block("", "Water beside cloth", [&](OptionBlock& block) {
     block.boolean("cloth_limits_advection", model.cloth_limits_advection,
                   "beside cloth -advection central gives way to upwind, for thin liquids and coarse grids");
@@ -80,7 +81,7 @@ ModelOptions<Dim> ModelOptions<Dim>::from_options(Options& options, MassCarrier 
   if (model.medium == Medium::none) model.treatment.method = BodyMethod::mapping;  // there is no water to hold
   model.treatment.inner_water_slides = model.fluid.wall_model != WallTreatment::none;
   model.delta = DeltaOptions::from_options(options);
-  const ContactOptions contact = ContactOptions::from_options(options, !model.cloths.empty());
+  const ContactOptions contact = ContactOptions::from_options(options, !model.cloths.empty(), refinement);
   model.surrounding_forces = contact.forces<Dim>(model.medium == Medium::water);
   model.cloth.films_drain = contact.drainage;
   model.cloth.verify_interval = contact.verify_interval;

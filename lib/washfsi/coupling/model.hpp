@@ -40,7 +40,7 @@ struct ModelOptions {
   BodyTreatment treatment;
   DeltaOptions delta;
 
-  static ModelOptions from_options(Options& options, MassCarrier mass_carrier);
+  static ModelOptions from_options(Options& options, MassCarrier mass_carrier, const Refinement& refinement);
 };
 
 /// The model: water, bodies and cloths, and the operators between them. `fluid` stores the water's velocity and

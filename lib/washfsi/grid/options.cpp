@@ -72,10 +72,11 @@ int dimension_from_options(Options& options) {
 }
 
 template <int Dim>
-GridOptions<Dim> GridOptions<Dim>::from_options(Options& options) {
+GridOptions<Dim> GridOptions<Dim>::from_options(Options& options, const Refinement& refinement) {
   GridOptions<Dim> grid;
   options.block("", "Grid and boundary", [&](OptionBlock& block) {
-    const std::vector<double> cells = read_cells(block);
+    std::vector<double> cells = read_cells(block);
+    refinement.multiply(options, "grid_cells", cells);
     for (int d = 0; d < Dim; ++d) grid.shape.cells[d] = static_cast<PetscInt>(cells[d]);
     block.template point<Dim>("grid_lower", grid.shape.lower, "m", "lower corner of the box");
     block.template point<Dim>("grid_upper", grid.shape.upper, "m", "upper corner of the box");

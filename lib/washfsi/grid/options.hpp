@@ -2,7 +2,7 @@
 #pragma once
 
 #include "washfsi/grid/boundary.hpp"
-#include "washfsi/support/options.hpp"
+#include "washfsi/support/refinement.hpp"
 
 namespace washfsi {
 
@@ -12,13 +12,14 @@ const ChoiceNames<InflowProfile>& names_of(InflowProfile);
 /// The number of dimensions, from the number of values in -grid_cells. Errors: InputError.
 int dimension_from_options(Options& options);
 
-/// -grid_cells, -grid_lower, -grid_upper and the sides' kinds and velocities (-bc_x_lower ...).
+/// -grid_cells, as often as the refinement says, -grid_lower, -grid_upper and the sides' kinds and velocities
+/// (-bc_x_lower ...).
 template <int Dim>
 struct GridOptions {
   GridShape<Dim> shape;
   typename Boundary<Dim>::Sides sides;
 
-  static GridOptions from_options(Options& options);
+  static GridOptions from_options(Options& options, const Refinement& refinement);
 };
 
 extern template struct GridOptions<2>;

@@ -8,10 +8,10 @@
 namespace washfsi {
 
 template <int Dim>
-CaseOptions<Dim> CaseOptions<Dim>::from_options(Options& options) {
+CaseOptions<Dim> CaseOptions<Dim>::from_options(Options& options, const Refinement& refinement) {
   CaseOptions<Dim> read;
   read.coupling = CouplingOptions::from_options(options);
-  read.model = ModelOptions<Dim>::from_options(options, read.coupling.mass_carrier);
+  read.model = ModelOptions<Dim>::from_options(options, read.coupling.mass_carrier, refinement);
   read.initial_flow = InitialFlowOptions<Dim>::from_options(options);
   const auto placement = [&](const std::string& group) { return PlacementOptions<Dim>::from_options(options, group); };
   std::vector<std::string> groups;

@@ -17,7 +17,7 @@ struct CaseOptions {
   CouplingOptions coupling;
   MeasureOptions measure;
 
-  static CaseOptions from_options(Options& options);
+  static CaseOptions from_options(Options& options, const Refinement& refinement = {});
 };
 
 /// Creates the system of a case at t = 0. Collective. Errors: InputError.

@@ -6,7 +6,7 @@
 
 namespace washfsi {
 
-RunOptions RunOptions::from_options(Options& options, const std::string& case_name) {
+RunOptions RunOptions::from_options(Options& options, const std::string& case_name, const Refinement& refinement) {
   RunOptions run;
   run.case_name = case_name;
   options.block("", "Run", [&](OptionBlock& block) {
@@ -38,6 +38,7 @@ RunOptions RunOptions::from_options(Options& options, const std::string& case_na
     block.boolean("check", run.check, "only check: set everything up, write it at t = 0 and tell its cost");
     block.boolean("strict", run.strict, "what the program warns of at the start is an error");
   });
+  refinement.divide(options, "time_step", run.time_step);
   if (run.time_step > run.time_end && run.time_cfl == 0)
     throw InputError("-time_step " + to_text(run.time_step) + ": must be at most -time_end " + to_text(run.time_end));
   if (run.time_cfl >= run.max_courant)

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "washfsi/support/options.hpp"
+#include "washfsi/support/refinement.hpp"
 
 namespace washfsi {
 
@@ -26,7 +26,7 @@ struct RunOptions {
   bool strict = false;             ///< refuse a case with warnings
 
   /// `case_name` is the default. Errors: InputError. Collective.
-  static RunOptions from_options(Options& options, const std::string& case_name);
+  static RunOptions from_options(Options& options, const std::string& case_name, const Refinement& refinement);
 };
 
 }  // namespace washfsi

@@ -45,8 +45,9 @@ ProgressState progress_of(const System<Dim>& system, double courant, double end)
 
 template <int Dim>
 Simulation<Dim>::Simulation(Options& options, const std::string& case_name) : progress_(options.comm()) {
-  run_ = RunOptions::from_options(options, case_name);
-  const auto chosen = CaseOptions<Dim>::from_options(options);
+  const Refinement refinement = Refinement::from_options(options);
+  run_ = RunOptions::from_options(options, case_name, refinement);
+  const auto chosen = CaseOptions<Dim>::from_options(options, refinement);
   const GridShape<Dim>& shape = chosen.model.grid.shape;
   std::vector<Body<Dim>> bodies = prepared_bodies<Dim>(options, shape);
   mark_idle_options<Dim>(options, chosen, bodies);

@@ -8,6 +8,7 @@ import signal
 import sys
 
 from washfsi.running import find_program
+from washfsi.study import refinement
 from washfsi.study.runs import ROOT, runs_of
 from washfsi.study.scheduler import Scheduler
 from washfsi.study.tables import HEADLINES, cases_of, groups_of, samples_of, write_tables
@@ -18,6 +19,17 @@ TITLES = {"work": "Work of the bodies in a cycle", "relative_speed": "Speed of t
           "water_shear": "Shear of the water on the cloth", "stress": "Stress of the cloth", "turns": "Turns of the cloths"}
 
 
+def factors_in(text):
+    """Returns the factors of a list, in ascending order."""
+    try:
+        factors = sorted({float(word) for word in text.split(",")})
+    except ValueError:
+        factors = [0.0]
+    if not all(1 < factor <= 10 for factor in factors):
+        raise argparse.ArgumentTypeError(f"{text}: must be numbers above 1 and at most 10")
+    return factors
+
+
 def make_parser(description):
     """Returns the parser of the command line."""
     parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -25,6 +37,8 @@ def make_parser(description):
     parser.add_argument("--output", type=pathlib.Path, default=ROOT / "out" / "study", help="folder of the study")
     parser.add_argument("--seeds", type=int, help="runs of each case, each with other seeds of its cloths (default: as many "
                         "as the study's folder has, at least one)")
+    parser.add_argument("--refine", type=factors_in, default=[], metavar="F[,F]", help="runs each case on finer grids too, with F times "
+                        "as many cells and markers along each axis, and says which figures keep their ranking")
     parser.add_argument("--jobs", type=int, help="runs at the same time (default: cores / ranks)")
     parser.add_argument("--ranks", type=int, help="processes of each run (default: 1 with several jobs, else 2)")
     parser.add_argument("--action", choices=ACTIONS, default="relative_speed", help="washing action of study.png")
@@ -46,6 +60,8 @@ def parse_arguments(words, description):
     for name in ("seeds", "jobs", "ranks"):
         if getattr(options, name) is not None and getattr(options, name) < 1:
             parser.error(f"--{name} must be 1 or more")
+    if options.refine and "-refine" in words[cut:]:
+        parser.error("--refine and -refine cannot be given together")
     names = [case.stem for case in options.cases]
     for case in options.cases:
         if not case.is_file():
@@ -63,8 +79,8 @@ def jobs_and_ranks(options, runs):
 
 
 def samples_by_group(runs):
-    """Returns the figures of all designs for each group of cloths."""
-    cases = cases_of(runs)
+    """Returns the figures of all designs for each group of cloths, of runs on one grid."""
+    cases = {mine[0].design: mine for mine in cases_of(runs).values()}
     groups = dict.fromkeys(group for mine in cases.values() for group in groups_of(mine))
     every = {group: {case: samples_of(mine, group) for case, mine in cases.items() if group in groups_of(mine)}
              for group in groups if group or len(groups) == 1}
@@ -72,9 +88,9 @@ def samples_by_group(runs):
             if (figures := {case: samples for case, samples in designs.items() if samples})}
 
 
-def sentences(groups):
-    """Returns a sentence for each headline figure."""
-    lines = []
+def headlines_of(groups):
+    """Returns title, unit and the values of all designs for each headline figure of each group."""
+    found = []
     for group, designs in groups.items():
         for headline in HEADLINES:
             samples = {case: values for case, figures in designs.items()
@@ -82,8 +98,42 @@ def sentences(groups):
             unit = next((key[1] for figures in designs.values() for key in figures if key[0] == headline), "")
             if samples and not (headline == "work" and group != next(iter(groups))):  # that of all is said once
                 of_group = f" ({group})" if len(groups) > 1 and headline != "work" else ""
-                lines.append(sentence(TITLES[headline] + of_group, samples, unit))
+                found.append((TITLES[headline] + of_group, unit, samples))
+    return found
+
+
+def by_refinement(runs):
+    """Returns the figures of all designs for each group of cloths, on each grid that has any."""
+    factors = sorted({run.refine for run in runs})
+    grids = {factor: samples_by_group([run for run in runs if run.refine == factor]) for factor in factors}
+    return {factor: groups for factor, groups in grids.items() if groups}
+
+
+def sentences(grids):
+    """Returns a sentence for each headline figure on each grid."""
+    lines = []
+    for factor, groups in grids.items():
+        of_grid = f", cells x {factor:g}" if len(grids) > 1 else ""
+        lines += [sentence(title + of_grid, samples, unit) for title, unit, samples in headlines_of(groups)]
     return lines
+
+
+def on_finer_grids(grids):
+    """Returns the table of estimates and the sentences on the ranking, of studies on several grids."""
+    figures = {}
+    for factor, groups in grids.items():
+        for title, unit, samples in headlines_of(groups):
+            figures.setdefault((title, unit), {})[factor] = samples
+    rows, lines = [], []
+    for (title, unit), found in figures.items():
+        designs = {}
+        for factor, samples in found.items():
+            for design, values in samples.items():
+                designs.setdefault(design, {})[factor] = values
+        rows += refinement.estimate_rows(title, unit, designs)
+        if len(found) > 1:
+            lines.append(refinement.ranking(title, [found[factor] for factor in sorted(found)[-2:]]))
+    return (refinement.table(rows) if rows else ""), lines
 
 
 def doubts(runs):
@@ -111,16 +161,20 @@ def draw(groups, options):
 def report(runs, options, last=True):
     """Writes the tables and, when all has been run, what can be decided; prints it."""
     table = write_tables(runs, options.output)
-    groups = samples_by_group(runs)
+    grids = by_refinement(runs)
+    estimates, rankings = on_finer_grids(grids)
     lines = [f"{run.name} was run with other options than it has now; delete {run.folder} to run it anew."
              for run in runs if run.status() == "finished" and run.changed()]
     lines += doubts(runs)
-    lines += sentences(groups) or ["No finished run has figures of agitation cycles, so there is nothing to decide."]
+    lines += sentences(grids) or ["No finished run has figures of agitation cycles, so there is nothing to decide."]
     text = table + "\n" + "\n".join(f"- {line}" for line in lines) + "\n\n" + EXPLANATION
+    if estimates:
+        text += "\n## On finer grids\n\n" + "\n".join([estimates, *(f"- {line}" for line in rankings), "", refinement.EXPLANATION])
     (options.output / "study.md").write_text(text, encoding="utf-8")
     if last:
-        print(table + "\n" + "\n".join(lines))
-        draw(groups, options)
+        print("\n".join([table, *lines, *(["", estimates] if estimates else []), *rankings]))
+        if grids:
+            draw(grids[max(grids)], options)
 
 
 def raise_interrupt(*_):
@@ -149,7 +203,7 @@ def main(description):
     """Runs the study and reports."""
     options, words = parse_arguments(sys.argv[1:], description)
     signal.signal(signal.SIGTERM, raise_interrupt)
-    runs = runs_of(options.cases, options.output, options.seeds, words)
+    runs = runs_of(options.cases, options.output, options.seeds, words, options.refine)
     status = 0 if options.table else run_all(runs, options)
     report(runs, options)
     return status

@@ -18,16 +18,22 @@ ROOT = HERE.parents[2] if (HERE.parents[2] / "CMakeLists.txt").is_file() else pa
 class Run:
     """One run of a case. Seed 1 is that of the case itself; seed n adds n - 1 to the seed of every group."""
 
-    case: str
+    case: str  # its name, that of the folder too
     file: pathlib.Path
     folder: pathlib.Path
     seed: int = 1
     words: list = field(default_factory=list)  # further options
+    refine: float = 1.0  # so many times the cells and markers of the case along each axis
 
     @property
     def name(self):
         """Returns the run's name in messages."""
         return str(self.folder.name if self.folder.name == self.case else f"{self.case}/{self.folder.name}")
+
+    @property
+    def design(self):
+        """Returns the case's name on any grid."""
+        return self.file.stem
 
     @property
     def record(self):
@@ -116,9 +122,18 @@ def folder_of(case_folder, seed, seeds):
     return case_folder if alone else case_folder / f"seed_{seed}"
 
 
-def runs_of(files, output, seeds, words):
-    """Returns all runs of a study: the first seed of every case, then the second, and so on."""
-    counts = {file: seeds or seeds_there(output / file.stem) for file in files}
-    return [Run(file.stem, file, folder_of(output / file.stem, seed, counts[file]), seed,
-                [*words, *seed_words(file, words, seed)])
-            for seed in range(1, max(counts.values()) + 1) for file in files if seed <= counts[file]]
+def case_name(file, refine):
+    """Returns the name of a case on a grid."""
+    return file.stem if refine == 1 else f"{file.stem}_refined_{refine:g}"
+
+
+def runs_of(files, output, seeds, words, refinements=()):
+    """Returns all runs of a study: the first seed of every case, then the second, and so on; then the same on each finer grid."""
+    runs = []
+    for refine in (1.0, *refinements):
+        counts = {file: seeds or seeds_there(output / case_name(file, refine)) for file in files}
+        finer = [] if refine == 1 else ["-refine", f"{refine:g}"]
+        runs += [Run(case_name(file, refine), file, folder_of(output / case_name(file, refine), seed, counts[file]), seed,
+                     [*words, *finer, *seed_words(file, words, seed)], refine)
+                 for seed in range(1, max(counts.values()) + 1) for file in files if seed <= counts[file]]
+    return runs
