@@ -207,7 +207,8 @@ class Contents(ProgramTest):
                         "std": 0.1, "name": f"{owner}_{rest}"}
                        for owner, rest, value in (("agitator", "work", work), ("towel", "relative_speed", work / 100),
                                                   ("towel", "stress", 5.0 + seed))]
-            runs.append({"name": f"{design}/{seed}", "design": design, "groups": ["towel"], "cycles": {"figures": figures}})
+            runs.append({"name": f"{design}/{seed}", "design": design, "groups": ["towel"], "cycles": {"figures": figures},
+                         "options": {}})
         made = comparison_of(runs)
         first = made["tradeoffs"][0]["points"]
         self.assertEqual([(point["name"], point["x"]["value"], point["x"]["seeds"]) for point in first],
@@ -215,6 +216,22 @@ class Contents(ProgramTest):
         self.assertAlmostEqual(first[0]["x"]["std"], np.sqrt(2))
         self.assertTrue(any(line.startswith("work: ") and "differ by more than their spread" in line
                             for line in made["verdicts"]), made["verdicts"])
+
+    def test_a_case_on_several_grids_is_continued_to_cells_of_no_width(self):
+        runs = []
+        for cells, seed, work, vanes in (("20,20,10", 1, 10.0, 3), ("20,20,10", 2, 12.0, 3), ("40,40,20", 1, 8.0, 3), ("40,40,20", 2, 8.4, 3),
+                                         ("20,20,10", 1, 7.0, 2)):
+            figures = [{"owner": "agitator", "rest": "work", "label": "work", "unit": "J", "values": [1, work], "mean": work, "std": 0.1,
+                        "name": "agitator_work"}]
+            options = {"grid_cells": cells, "towel_markers": cells[:2], "towel_seed": str(seed), "agitator_vanes": str(vanes)}
+            runs.append({"name": f"{vanes}/{cells}/{seed}", "design": f"{vanes}", "groups": ["towel"], "cycles": {"figures": figures},
+                         "options": options})
+        table, = comparison_of(runs)["grids"]
+        self.assertEqual((table["designs"], table["grids"]), (["3"], ["20 × 20 × 10", "40 × 40 × 20"]))
+        row, = table["rows"]
+        self.assertEqual([figure["value"] for figure in row["values"]], [11.0, 8.2])
+        self.assertAlmostEqual(row["estimate"]["value"], 8.2 - (11.0 - 8.2))
+        self.assertGreater(row["estimate"]["std"], 11.0 - 8.2)
 
     def test_mistakes_are_told_in_a_line(self):
         (self.folder / "empty").mkdir()

@@ -5,7 +5,8 @@ import os
 import re
 import statistics
 
-from washfsi.report.figures import MACHINE, value_of
+from washfsi.report.figures import MACHINE, figure_rows, value_of
+from washfsi.report.grids import on_grids
 from washfsi.study.tables import HEADLINES, spread
 from washfsi.study.tradeoff import ACTIONS, COSTS
 from washfsi.study.verdict import sentence
@@ -101,17 +102,6 @@ def verdicts(runs, groups):
     return told
 
 
-def figure_rows(runs):
-    """Returns the rows of the table: owner, label, unit, and for each run the figure or None."""
-    rows = {}
-    for place, run in enumerate(runs):
-        for figure in (run["cycles"] or {"figures": []})["figures"]:
-            key = (figure["owner"], figure["label"], figure["unit"])
-            rows.setdefault(key, [None] * len(runs))[place] = value_of(figure)
-    return [{"owner": owner, "label": label, "unit": unit, "values": values}
-            for (owner, label, unit), values in rows.items()]
-
-
 def comparison_of(runs):
     """Returns the comparison for the page; None of one run. Each run has a name, a design, cycles and groups."""
     if len(runs) < 2:
@@ -119,6 +109,6 @@ def comparison_of(runs):
     groups = list(dict.fromkeys(group for run in runs for group in run["groups"]))
     rows = figure_rows(runs)
     notes = {value["note"] for row in rows for value in row["values"] if value}
-    return {"rows": rows, "tradeoffs": tradeoffs(runs, groups), "verdicts": verdicts(runs, groups),
+    return {"rows": rows, "tradeoffs": tradeoffs(runs, groups), "verdicts": verdicts(runs, groups), "grids": on_grids(runs),
             "first": any(note.startswith("first") for note in notes),
             "designs": list(dict.fromkeys(run["design"] for run in runs))}

@@ -108,6 +108,17 @@ def value_of(figure):
     return {"value": figure["values"][-1], "std": None, "note": "first cycle alone: start-up, no spread"}
 
 
+def figure_rows(runs):
+    """Returns the rows of a table of several runs: owner, label, unit, and for each run the figure or None."""
+    rows = {}
+    for place, run in enumerate(runs):
+        for figure in (run["cycles"] or {"figures": []})["figures"]:
+            key = (figure["owner"], figure["label"], figure["unit"])
+            rows.setdefault(key, [None] * len(runs))[place] = value_of(figure)
+    return [{"owner": owner, "label": label, "unit": unit, "values": values}
+            for (owner, label, unit), values in rows.items()]
+
+
 def headlines(cycles):
     """Returns the figures that tell most: of the body with the largest one, of each group of cloths; none that is zero."""
     found = []

@@ -119,6 +119,34 @@ function comparisonRow(row) {
   );
 }
 
+/** Returns the row of a figure on several grids, with its estimate. */
+function gridRow({ label, unit, values, estimate, order, observed }) {
+  const cell = numberCell(estimate.value, unit, estimate.std, { class: "number mean" });
+  if (observed) cell.append(element("span", { class: "change" }, ` order ${digitsOf(order, 2)}`));
+  return element(
+    "tr",
+    {},
+    element("th", { scope: "row" }, label),
+    values.map((figure) => numberCell(figure.value, unit, figure.std)),
+    cell,
+  );
+}
+
+/** Returns the table of a case on several grids. */
+function gridTable({ designs, grids, rows }) {
+  const heads = ["figure", ...grids.map((cells) => `${cells} cells`), "estimate"];
+  return [
+    element("h3", {}, `On finer grids: ${designs.join(", ")}`),
+    element(
+      "p",
+      { class: "note" },
+      "The estimate continues the two finest grids to cells of no width (Richardson), by first order unless three grids show " +
+        "another. The number behind ± is the size of this continuation and the spread over seeds: an estimate, not a bound.",
+    ),
+    table(heads, ownedRows(rows, heads.length, gridRow)),
+  ];
+}
+
 /** Returns the name of a curve among those of all panels. */
 function curveTitle(panel, curve) {
   return [panel.title, curve.label].filter(Boolean).join(": ");
@@ -159,6 +187,7 @@ class Comparison {
             ),
           ]
         : null,
+      comparison.grids.map(gridTable),
       element("h3", {}, "Over time"),
       this.chooser(),
       this.overlay,
