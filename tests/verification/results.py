@@ -32,9 +32,9 @@ FIELDS = ("flow", "slices", "surfaces")  # large, and no table reads them
 class Unfinished(Exception):
     """A run that was stopped since it would take too long. It can go on from its checkpoint."""
 
-    def __init__(self, seconds):
+    def __init__(self, seconds, ranks=1):
         super().__init__(f"would take some {seconds / 60:.3g} minutes")
-        self.seconds = seconds
+        self.seconds, self.ranks = seconds, ranks
 
 
 class Result(NamedTuple):
@@ -88,7 +88,7 @@ def spent(folder):
     return before + max(0, (folder / "history.csv").stat().st_mtime - begun)
 
 
-def wait_for(process, folder):
+def wait_for(process, folder, ranks):
     """The status of a run; asks for a checkpoint and raises Unfinished where it would take longer than it may."""
     while True:
         try:
@@ -98,7 +98,7 @@ def wait_for(process, folder):
                 continue
             process.terminate()
             process.wait()
-            LATE[folder] = Unfinished(seconds)
+            LATE[folder] = Unfinished(seconds, ranks)
             raise LATE[folder] from late
 
 
@@ -142,7 +142,7 @@ def make(folder, ranks, options, may_fail):
     checkpoint = folder / "checkpoint.h5"
     line = command(ranks, *options, *(["-restart", checkpoint] if checkpoint.is_file() else []), "-output_dir", folder)
     with open(folder / "output.txt", "a", encoding="utf-8") as output:
-        status = wait_for(subprocess.Popen(line, stdout=output, stderr=subprocess.STDOUT), folder)
+        status = wait_for(subprocess.Popen(line, stdout=output, stderr=subprocess.STDOUT), folder, ranks)
     if status and not may_fail:
         raise subprocess.CalledProcessError(status, line)
     finished = {"seconds": before + time.time() - begun, "failed": status != 0, "command": " ".join(line)}

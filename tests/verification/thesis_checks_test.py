@@ -8,9 +8,11 @@ import math
 import unittest
 import unittest.mock
 
+import results
 import thesis_test
-from thesis import checks, conclusions, rows
+from thesis import checks, conclusions, costs, rows
 from thesis.checks import Smaller
+from thesis.costs import EARLIER, ESTIMATED, MEASURED, STOPPED, Cost
 from thesis.rows import NUMERICS, THEIRS, TODAY, Kept, Row
 
 EVERYTHING = argparse.Namespace(numerics=NUMERICS)
@@ -105,6 +107,61 @@ class Checks(unittest.TestCase):
     def test_prefixes_select_tables_and_figures(self):
         tables = {row.table for row in thesis_test.selected(["3.5-1", "5.4"])}
         self.assertEqual(tables, {"3.5-1", "3.5-1, step", "3.5-1, lowest modes", "3.5-1, high modes", "5.4-3", "5.4-4", "Fig. 5.4-3", "Fig. 5.4-4"})
+
+
+def cost(minutes, run="a", cores=1, how=ESTIMATED):
+    """What a row would cost."""
+    return Cost(minutes, cores, how, run, "as another")
+
+
+class Costs(unittest.TestCase):
+    def test_no_cell_is_empty(self):
+        figures, known = rows.read_figures(), costs.read()
+        empty = [row.key(numerics) for row in thesis_test.selected(()) for numerics in NUMERICS
+                 if not thesis_test.cell(row, numerics, figures, known)]
+        self.assertEqual(empty, [], "neither a figure nor a cost nor a reason")
+
+    def test_costs_are_of_rows_without_figures_and_say_why(self):
+        known, figures = costs.read(), rows.read_figures()
+        of_rows = {row.key(numerics) for row in thesis_test.selected(()) for numerics in NUMERICS}
+        self.assertEqual(known.keys() - of_rows, set())
+        self.assertEqual(known.keys() & figures.keys(), set())
+        for key, found in known.items():
+            with self.subTest(key=key):
+                self.assertIn(found.how, costs.HOW)
+                self.assertIn(found.cores, (1, 2))
+                self.assertGreater(found.minutes, 0)
+                self.assertTrue(found.run and found.reason)
+
+    def test_what_is_not_measured_is_about(self):
+        self.assertEqual(cost(16.4, how=MEASURED).words(), "not run: 16 min on one core")
+        for how in (EARLIER, STOPPED, ESTIMATED):
+            self.assertEqual(cost(90, cores=2, how=how).words(), "not run: about 1.5 h on 2 cores")
+        self.assertEqual(cost(0.1).words(), "not run: under a minute on one core")
+
+    def test_a_row_prints_its_figure_then_its_cost_then_its_reason(self):
+        row = Row("t", "a", "error", "", float, numerics=(THEIRS,), not_run="no mask")
+        self.assertEqual(thesis_test.cell(row, TODAY, {}, {}), "no mask")
+        self.assertEqual(thesis_test.cell(row, TODAY, {}, {row.key(TODAY): cost(5)}), "not run: about 5 min on one core")
+        self.assertEqual(thesis_test.cell(row, TODAY, kept(3), {row.key(TODAY): cost(5)}), "3")
+        self.assertEqual(thesis_test.cell(row, THEIRS, {}, {}), "")
+
+    def test_a_stopped_run_says_how_long_it_would_take_and_on_how_many_cores(self):
+        key, two = ("t", "a", "error", TODAY), ("t", "b", "error", TODAY)
+        written = {}
+        with unittest.mock.patch.object(costs, "read", lambda: {key: cost(5, "a run"), two: cost(9, "a run + another")}), \
+                unittest.mock.patch.object(costs, "write", written.update):
+            thesis_test.keep_cost(key, results.Unfinished(600, 2))
+            self.assertEqual(written[key], Cost(10, 2, STOPPED, "a run", "by how far it came"))
+            written.clear()
+            thesis_test.keep_cost(two, results.Unfinished(600, 2))
+            self.assertEqual(written, {})
+
+    def test_shared_runs_count_once_and_the_longest_of_a_run_counts(self):
+        self.assertAlmostEqual(costs.hours([cost(60), cost(60), cost(120)]), 2)
+        self.assertAlmostEqual(costs.hours([cost(90, "a + b"), cost(60, "a"), cost(30, "b")]), 1.5)
+        self.assertAlmostEqual(costs.hours([cost(90, "a + b"), cost(90, "a + b"), cost(60, "a")]), 1.5)
+        self.assertAlmostEqual(costs.hours([cost(60, cores=2)]), 2)
 
 
 if __name__ == "__main__":

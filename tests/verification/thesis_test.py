@@ -3,6 +3,7 @@
 
     thesis_test.py 3.5                    measures the rows of all tables whose numbers begin so, those that are kept
     thesis_test.py conclusions            runs nothing: asserts the thesis's conclusions (thesis/conclusions.py) on the kept figures
+    thesis_test.py costs --page           runs nothing: prints what the rows without figures would cost (thesis/costs.py), by chapters
     thesis_test.py 3.5-1 --all            those too for which no figure is kept yet
     thesis_test.py 3.5-1 --new            only those for which none is kept yet
     thesis_test.py 3.5-1 --longest 20     stops runs that would take more minutes than that: they go on the next time
@@ -23,12 +24,14 @@ import sys
 
 import results
 from tables import ARGUMENTS, print_head, print_row
-from thesis import beam, cavity, conclusions, couette, cylinder, drape, falling_plate, plate, rows, wash, wash2d
+from thesis import beam, cavity, conclusions, costs, couette, cylinder, drape, falling_plate, plate, rows, wash, wash2d
 from thesis.rows import NUMERICS, THEIRS, TODAY, as_figures, as_text
 
 SAID = {THEIRS: "with its numerics", TODAY: "today"}
-CONCLUSIONS = "conclusions"
-CHAPTERS = (cavity, plate, beam, falling_plate, couette, cylinder, drape, wash2d, wash)
+CONCLUSIONS, COSTS = "conclusions", "costs"
+TITLES = {cavity: "2.3 cavity", plate: "3.5.1 plate", beam: "3.5.2 beam", falling_plate: "3.5.3 falling plates", couette: "4.3.1 Couette flow",
+          cylinder: "4.3.2 cylinder", drape: "4.3.3 drape", wash2d: "5.4 machine in two dimensions", wash: "5.5 machine in three dimensions"}
+CHAPTERS = tuple(TITLES)
 
 
 def selected(prefixes):
@@ -53,14 +56,12 @@ def ratio(row, kept):
     return f"{ours.figures[0] / thesis:.2f}" if ours and thesis and not math.isnan(ours.figures[0]) else ""
 
 
-def cell(row, numerics, kept, costs):
-    """What a table says of a row with one of the numerics."""
-    found = kept.get(row.key(numerics))
-    if found:
+def cell(row, numerics, kept, known_costs):
+    """What a table says of a row with one of the numerics: its figure, what it would cost, or why it cannot be."""
+    if found := kept.get(row.key(numerics)):
         return as_text(found.figures)
-    cost = costs.get(row.key(numerics))
-    if cost and numerics in row.numerics:
-        return f"not run: {cost / 60:.1f} h" if cost >= 60 else f"not run: {cost:.0f} min"
+    if cost := known_costs.get(row.key(numerics)):
+        return cost.words()
     return "" if numerics in row.numerics else row.not_run
 
 
@@ -81,7 +82,7 @@ def print_checks(of_table, kept):
 
 def print_page(chosen, checks_of, kept):
     """Prints the kept figures, a table for each of the thesis's, and its checks."""
-    costs = rows.read_costs()
+    known_costs = costs.read()
     for table in dict.fromkeys(row.table for row in chosen):
         of_table = [row for row in chosen if row.table == table]
         print(f"\n**{table}**. {of_table[0].quantity}; `scripts/verification thesis {shlex.quote(table)}`\n")
@@ -89,7 +90,7 @@ def print_page(chosen, checks_of, kept):
         for row in of_table:
             commits = dict.fromkeys(kept[row.key(numerics)].commit for numerics in NUMERICS if row.key(numerics) in kept)
             name = row.what if row.quantity == of_table[0].quantity else f"{row.what}, {row.quantity}"
-            print_row(name, row.thesis, *(cell(row, numerics, kept, costs) for numerics in NUMERICS),
+            print_row(name, row.thesis, *(cell(row, numerics, kept, known_costs) for numerics in NUMERICS),
                       "larger: " * bool(row.miss) + ratio(row, kept), ", ".join(commits), minutes(row, kept))
         for reason in dict.fromkeys(row.miss for row in of_table if row.miss):
             print(f"\nExpected miss: {reason}")
@@ -128,7 +129,7 @@ def measure(chosen, kept, options):
             except results.Unfinished as late:
                 print_row(row.table, row.what, numerics, row.thesis, "", "", "", late)
                 if options.keep:
-                    keep_cost(row.key(numerics), late.seconds / 60)
+                    keep_cost(row.key(numerics), late)
                 passed = False
                 continue
             wrong = judged(row, numerics, found, known)
@@ -171,12 +172,16 @@ def keep(key, found):
     kept = {**rows.read_figures(), key: found}
     keys = [row.key(numerics) for row in selected(()) for numerics in row.numerics]
     rows.write_figures({key: kept[key] for key in keys if key in kept})
-    rows.write_costs({key: minutes for key, minutes in rows.read_costs().items() if key in keys and key not in kept})
+    of_rows = {row.key(numerics) for row in selected(()) for numerics in NUMERICS}
+    costs.write({key: cost for key, cost in costs.read().items() if key in of_rows and key not in kept})
 
 
-def keep_cost(key, minutes):
-    """Keeps how long a row without figures would take."""
-    rows.write_costs({**rows.read_costs(), key: minutes})
+def keep_cost(key, late):
+    """Keeps how long the run of a row without figures would take, by how far it came; not of a row of several runs."""
+    known = costs.read()
+    run = known[key].run if key in known else ", ".join((key[0], key[1], key[3]))
+    if " + " not in run:
+        costs.write({**known, key: costs.Cost(late.seconds / 60, late.ranks, costs.STOPPED, run, "by how far it came")})
 
 
 def main():
@@ -195,6 +200,8 @@ def main():
     if options.page:
         if options.tables == [CONCLUSIONS]:
             return conclusions.print_page(kept, print_head, print_row)
+        if options.tables == [COSTS]:
+            return costs.print_page({title: list(chapter.rows()) for chapter, title in TITLES.items()}, kept, print_head, print_row)
         return print_page(chosen, checks_of, kept)
     as_kept, figures = measure(chosen, kept, options)
     hold = assert_checks(checks_of, figures, options)

@@ -12,7 +12,7 @@ from thesis import checks
 from thesis.rows import THEIRS, Row, case_file
 
 SETTLED = 110  # [s] by then the shedding is periodic
-NEVER = {"numerics": (), "not_run": "not run: 30 h on one core"}  # on 2048 x 2048 cells
+NEVER = {"numerics": ()}  # on 2048 x 2048 cells
 NO_MASK, LOADS = "no mask", "Cd (Cl)"
 OF_STEP = 0.01  # Cd may change by so much with half the step
 
@@ -66,9 +66,7 @@ def load_row(table, mask, what, thesis, **arguments):
     """A row of mean drag and lift, of the smooth mask with the thesis's numerics alone."""
     smooth = mask == "smooth"
     only = {"numerics": (THEIRS,), "not_run": NO_MASK} if smooth else {}
-    options = {key: arguments.pop(key) for key in ("numerics", "not_run", "comparable") if key in arguments}
-    if smooth and "not_run" in options:
-        options["not_run"] += f", {NO_MASK} today"
+    options = {key: arguments.pop(key) for key in ("numerics", "comparable") if key in arguments}
     return Row(table, f"{mask} mask, {what}", LOADS, thesis, functools.partial(loads, options=of_mask(smooth), **arguments), **{**only, **options})
 
 

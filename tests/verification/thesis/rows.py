@@ -14,7 +14,6 @@ from typing import Callable, NamedTuple
 from tables import SOURCE
 
 FIGURES = pathlib.Path(__file__).with_name("figures.csv")
-COSTS = FIGURES.with_name("costs.csv")
 THEIRS, TODAY = "theirs", "today"
 NUMERICS = (THEIRS, TODAY)
 WITHIN = 0.05  # of a kept figure, unless a row says otherwise
@@ -31,22 +30,6 @@ def first_number(text):
     return float(found[0]) if found and "stable" not in text else None
 
 
-def read_costs():
-    """The minutes that rows without figures would take, by row and numerics."""
-    if not COSTS.is_file():
-        return {}
-    with open(COSTS, encoding="utf-8", newline="") as file:
-        return {(row["table"], row["what"], row["quantity"], row["numerics"]): float(row["minutes"]) for row in csv.DictReader(file)}
-
-
-def write_costs(costs):
-    """Keeps them."""
-    with open(COSTS, "w", encoding="utf-8", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(["table", "what", "quantity", "numerics", "minutes"])
-        writer.writerows([*key, f"{minutes:.3g}"] for key, minutes in costs.items())
-
-
 class Row(NamedTuple):
     """A figure, or several, of a table of the thesis."""
     table: str  # of the thesis: 3.5-1, conclusion 7
@@ -55,7 +38,7 @@ class Row(NamedTuple):
     thesis: str  # as printed
     measure: Callable  # takes the numerics; returns a figure or several, NaN for a run that failed
     numerics: tuple = NUMERICS  # it is measured with these
-    not_run: str = ""  # why not with the others, and what it would cost
+    not_run: str = ""  # why it cannot be with the others; what it would cost is in costs.csv
     within: float = WITHIN  # infinite: the kept figure is only told, and checks judge (checks.py)
     within_spread: float = 0  # the same of its standard deviation, the second figure; 0: as the first
     slack: float = 0  # it may move by so much however small it is
