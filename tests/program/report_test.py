@@ -221,8 +221,8 @@ class Contents(ProgramTest):
         runs = []
         for cells, seed, work, vanes in (("20,20,10", 1, 10.0, 3), ("20,20,10", 2, 12.0, 3), ("40,40,20", 1, 8.0, 3), ("40,40,20", 2, 8.4, 3),
                                          ("20,20,10", 1, 7.0, 2)):
-            figures = [{"owner": "agitator", "rest": "work", "label": "work", "unit": "J", "values": [1, work], "mean": work, "std": 0.1,
-                        "name": "agitator_work"}]
+            figures = [{"owner": owner, "rest": rest, "label": rest, "unit": "J", "values": [1, work], "mean": work, "std": 0.1,
+                        "name": f"{owner}_{rest}"} for owner, rest in (("agitator", "work"), ("towel", "relative_speed"))]
             options = {"grid_cells": cells, "towel_markers": cells[:2], "towel_seed": str(seed), "agitator_vanes": str(vanes)}
             runs.append({"name": f"{vanes}/{cells}/{seed}", "design": f"{vanes}", "groups": ["towel"], "cycles": {"figures": figures},
                          "options": options})

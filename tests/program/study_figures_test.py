@@ -185,6 +185,7 @@ class Refinement(ProgramTest):
         page = (self.folder / "study" / "study.md").read_text(encoding="utf-8")
         self.assertIn("| figure | design | cells x 1 | cells x 1.5 | estimate |", page)
         self.assertRegex(page, r"\| Work of the bodies in a cycle \[J\] \| gentle \| .* \| .* \| 4\.\d+ ± .* \(order 1\) \|")
+        self.assertNotIn("| Speed of the water along the cloth", page)  # taken 1.5 cells from it
         with open(self.folder / "study" / "study.csv", encoding="utf-8") as file:
             self.assertEqual([row["case"] for row in csv.DictReader(file)],
                              ["gentle", "rough", "gentle_refined_1.5", "rough_refined_1.5"])

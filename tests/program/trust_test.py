@@ -4,7 +4,9 @@
 import json
 import unittest
 
-from support import SOURCE, ProgramTest, run
+import numpy as np
+
+from support import SOURCE, ProgramTest, read_columns, run
 
 WATER = ["-grid_cells", "16,16,16", "-fluid_viscosity", 1e-3, "-time_step", 1e-3, "-time_end", 1, "-check"]
 WASH = ["-options_file", SOURCE / "inputs" / "wash.opts", "-grid_cells", "12,12,12", "-towel_markers", 4]
@@ -90,6 +92,24 @@ class Trust(ProgramTest):
         self.assert_found(found, "Reynolds number", "ok", "the reach of agitator")
         self.assert_found(found, "body drum", "ok", "cells")
         self.assert_found(found, "cycles", "warn", "1 of")
+
+    def test_work_that_the_advection_scheme_takes(self):
+        run_of = [*WASH, "-cloths", "", "-max_steps", 60]
+        for advection, verdict in (("upwind", "warn"), ("central", None)):
+            with self.subTest(advection):
+                found = self.findings(*run_of, "-advection", advection, "-body_limits_advection", "false")
+                if verdict:
+                    self.assert_found(found, "numerical dissipation", verdict, "J put in (limit 10)")
+                    self.check_dissipation(float(found["numerical dissipation"].split()[3]))
+                else:
+                    self.assertNotIn("numerical dissipation", found)
+
+    def check_dissipation(self, percent):
+        """Holds the finding against the history's columns: powers, over the work of the bodies."""
+        history = read_columns(self.folder / "out" / "history.csv")
+        steps = np.diff(history["time"], prepend=0)
+        work = sum((history[name] * steps).sum() for name in ("agitator_power", "drum_power"))
+        self.assertAlmostEqual(percent, 100 * (history["numerical_dissipation"] * steps).sum() / work, delta=0.06 * percent)
 
     def test_blades_too_narrow_for_their_jets(self):
         tank = ["-options_file", SOURCE / "inputs" / "stirred_tank.opts", "-impeller_parts", "blade", "-check"]

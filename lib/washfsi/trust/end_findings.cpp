@@ -12,7 +12,8 @@ namespace {
 
 /// The balance of energy over the whole run [J; in the plane J/m].
 struct EnergyBalance {
-  double put_in = 0, open = 0, by_mask = 0, at_start = 0;  ///< `at_start`: kinetic
+  double put_in = 0, open = 0, by_mask = 0, by_advection = 0;
+  double at_start = 0;  ///< kinetic
 
   explicit EnergyBalance(const Cycles& run) {
     const std::vector<double> values = run.so_far();
@@ -21,6 +22,7 @@ struct EnergyBalance {
       open += figure.balance * values[n];
       if (figure.balance > 0) put_in += values[n];
       if (figure.name == "mask_dissipated") by_mask = values[n];
+      if (figure.name == "advection_dissipated") by_advection = values[n];
       if (figure.name == "kinetic_energy_change") at_start = run.at_start()[n];
     }
   }
@@ -45,11 +47,17 @@ void add_energy(const Model<Dim>& model, const Cycles& run, Findings& findings) 
   const EnergyBalance energy(run);
   const double whole = std::max(energy.put_in, energy.at_start);
   if (!(whole > 0) || passes_sides(model.boundary)) return;
-  const double open = std::abs(energy.open) / whole, mask = energy.by_mask / whole;
+  const double open = std::abs(energy.open) / whole, mask = energy.by_mask / whole,
+               advection = energy.by_advection / whole;
   const std::string of_whole = format_text(energy.put_in < whole ? "of the %.3g %s of the start" : "of %.3g %s put in",
                                            whole, Dim == 2 ? "J/m" : "J");
   findings.push_back(at_most("energy open", 100 * open, {5, 20}, format_text("%.2g %% ", 100 * open) + of_whole,
                              "loads and flow are not in balance by so much; shorter -time_step, more -grid_cells"));
+  if (advection > 0)
+    findings.push_back(at_most("numerical dissipation", 100 * advection, {10},
+                               format_text("%.2g %% ", 100 * advection) + of_whole,
+                               "the advection scheme takes so much of the work in place of eddies and layers that the "
+                               "cells do not resolve; more -grid_cells"));
   if (mask > 0)
     findings.push_back(at_most("energy lost at moving walls", 100 * mask, {10, 50},
                                format_text("%.2g %% ", 100 * mask) + of_whole,

@@ -113,10 +113,10 @@ def figure_rows(runs):
     rows = {}
     for place, run in enumerate(runs):
         for figure in (run["cycles"] or {"figures": []})["figures"]:
-            key = (figure["owner"], figure["label"], figure["unit"])
+            key = (figure["owner"], figure["rest"], figure["label"], figure["unit"])
             rows.setdefault(key, [None] * len(runs))[place] = value_of(figure)
-    return [{"owner": owner, "label": label, "unit": unit, "values": values}
-            for (owner, label, unit), values in rows.items()]
+    return [{"owner": owner, "rest": rest, "label": label, "unit": unit, "values": values}
+            for (owner, rest, label, unit), values in rows.items()]
 
 
 def headlines(cycles):

@@ -7,7 +7,7 @@ import statistics
 from washfsi.report.figures import figure_rows
 from washfsi.report.words import numbers
 from washfsi.study.refinement import estimate
-from washfsi.study.tables import spread
+from washfsi.study.tables import OF_THE_CELLS, spread
 
 OF_THE_GRID = {"grid_cells", "time_step", "contact_distance", "contact_body_distance"}
 OF_THE_RUN = {"output_dir", "case_name", "history_interval", "output_interval", "checkpoint_interval", "restart"}
@@ -55,7 +55,7 @@ def on_grids(runs):
     every = figure_rows(runs)
     tables = []
     for grids in by_grid(runs):
-        rows = [row for row in (continued(row, grids) for row in every) if row]
+        rows = [row for row in (continued(row, grids) for row in every if row["rest"] not in OF_THE_CELLS) if row]
         designs = dict.fromkeys(runs[place]["design"] for places in grids.values() for place in places)
         if rows:
             tables.append({"designs": list(designs), "grids": [" × ".join(map(str, cells)) for cells in grids], "rows": rows})

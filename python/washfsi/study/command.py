@@ -11,7 +11,7 @@ from washfsi.running import find_program
 from washfsi.study import refinement
 from washfsi.study.runs import ROOT, runs_of
 from washfsi.study.scheduler import Scheduler
-from washfsi.study.tables import HEADLINES, cases_of, groups_of, samples_of, write_tables
+from washfsi.study.tables import HEADLINES, OF_THE_CELLS, cases_of, groups_of, samples_of, write_tables
 from washfsi.study.tradeoff import ACTIONS, DPI, draw_tradeoff
 from washfsi.study.verdict import EXPLANATION, sentence
 
@@ -130,7 +130,8 @@ def on_finer_grids(grids):
         for factor, samples in found.items():
             for design, values in samples.items():
                 designs.setdefault(design, {})[factor] = values
-        rows += refinement.estimate_rows(title, unit, designs)
+        if not any(title.startswith(TITLES[name]) for name in OF_THE_CELLS):
+            rows += refinement.estimate_rows(title, unit, designs)
         if len(found) > 1:
             lines.append(refinement.ranking(title, [found[factor] for factor in sorted(found)[-2:]]))
     return (refinement.table(rows) if rows else ""), lines

@@ -8,6 +8,7 @@ STRESSES = ("stress_ss", "stress_rr", "stress_sr", "stress")
 MEASURES = ("max_stretch", "max_depth", "tumbles")
 START = ["case", "status", "time_s", "steps", "wall_seconds", "group"]
 SUMMARY = [*(f"{stress}_{what}_MPa" for stress in STRESSES for what in ("mean", "std")), *MEASURES, "crossings"]
+OF_THE_CELLS = ("relative_speed", "water_shear")  # taken 1.5 cells from the cloth: on finer grids they are another figure
 HEADLINES = ("work", "relative_speed", "water_shear", "stress", "turns")  # figures in study.md
 
 
