@@ -7,8 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include "support/refusal.hpp"
 #include "washfsi/shapes/primitives.hpp"
 #include "washfsi/support/collective.hpp"
+#include "washfsi/support/errors.hpp"
 #include "washfsi/wall_forces/marker_loads.hpp"
 
 namespace washfsi::test {
@@ -34,6 +36,13 @@ class Discs {
   }
 
   bool reduce_slip() { return walls_.reduce_slip_beyond_tolerance(velocity_, 1); }
+  /// Solves for the forces that leave this slip [m/s].
+  void solve(double slip, Projection& projection) const {
+    NoSlipSolver<2> solver(walls_.markers(), treatment(slip));
+    solver.place();
+    solver.begin({0, 0.01}, density_);
+    (void)solver.solve(solver.slips(velocity_), slip, projection);
+  }
   /// Of the disc that turns, root mean square [m/s].
   double slip() const { return slip_of_bodies(walls_.markers(), walls_.markers().water_velocities(velocity_, 0))[0]; }
 
@@ -111,6 +120,29 @@ TEST(WallForces, AreAsLargeAsTheWaterAtEachPatchIsDense) {
   EXPECT_TRUE(layered.reduce_slip());
   EXPECT_LT(alike.slip(), 0.3 * speed_of_rim);
   EXPECT_LT(layered.slip(), 1.4 * alike.slip());  // three times it by the least density
+}
+
+/// A projection that diverges when it is used for the nth time.
+class DivergingProjection : public Projection {
+ public:
+  explicit DivergingProjection(int uses) : uses_left_(uses) {}
+  void project_again() override {}
+  void project_increment(Vec) override {
+    if (uses_left_-- == 0) throw DivergedError("the projection diverged");
+  }
+
+ private:
+  int uses_left_;
+};
+
+TEST(WallForces, PassOnWhatDivergesWithinTheirSolver) {
+  const Discs discs(0, 1e-3);
+  for (const int uses : {0, 1}) {
+    DivergingProjection projection(uses);
+    expect_refusal<DivergedError>([&] { discs.solve(1e-6, projection); }, "the projection diverged");
+  }
+  DivergingProjection lasting(-1);
+  discs.solve(1e-3, lasting);
 }
 
 /// The overlaps of the patches of two discs, an inner and a larger one, shared by some ranks.

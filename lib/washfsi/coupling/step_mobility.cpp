@@ -7,7 +7,7 @@
 
 namespace washfsi {
 
-// Within solids, where nothing moves a marker, the row sums have a floor.
+// Within solids, where nothing moves a marker, the row sums have a floor; where all markers are there, any does.
 template <int Dim>
 void StepMobility<Dim>::find(const Model<Dim>& model, const Points<Dim>& places, double factor, bool with_matrix) {
   const petsc::LogPart part("mobility");
@@ -18,6 +18,7 @@ void StepMobility<Dim>::find(const Model<Dim>& model, const Points<Dim>& places,
   double most = 0;
   for (const double sum : row_sums_) most = std::max(most, sum);
   most = largest(model.grid.comm(), most);
+  if (most == 0) most = 1;
   for (double& sum : row_sums_) sum = factor * std::max(sum, floor * most);
   parts_.clear();
   own_.clear();

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "washfsi/support/collective.hpp"
+#include "washfsi/support/errors.hpp"
 #include "washfsi/support/krylov.hpp"
 #include "washfsi/support/point_vectors.hpp"
 
@@ -53,22 +54,34 @@ void NoSlipSolver<Dim>::create_solver() {
   (void)set_up_from_options(solver_);
 }
 
+// Puts product(x) into y. If that diverges, `judge` ends the solver, and `solve` throws.
 template <int Dim>
-PetscErrorCode NoSlipSolver<Dim>::multiply(Mat matrix, Vec x, Vec y) {
+template <class Product>
+PetscErrorCode NoSlipSolver<Dim>::put_product(Vec x, Vec y, const Product& product) {
   return petsc::guarded([&] {
-    void* self = nullptr;
-    WASH_PETSC(MatShellGetContext(matrix, &self));
-    to_vector<Dim>(static_cast<NoSlipSolver*>(self)->response(to_points<Dim>(x)), y);
+    try {
+      to_vector<Dim>(product(to_points<Dim>(x)), y);
+    } catch (const DivergedError&) {
+      solving_.failure = std::current_exception();
+      WASH_PETSC(VecCopy(x, y));
+    }
   });
 }
 
 template <int Dim>
+PetscErrorCode NoSlipSolver<Dim>::multiply(Mat matrix, Vec x, Vec y) {
+  void* context = nullptr;
+  if (const PetscErrorCode error = MatShellGetContext(matrix, &context)) return error;
+  auto& self = *static_cast<NoSlipSolver*>(context);
+  return self.put_product(x, y, [&](const Points<Dim>& forces) { return self.response(forces); });
+}
+
+template <int Dim>
 PetscErrorCode NoSlipSolver<Dim>::precondition(PC pc, Vec x, Vec y) {
-  return petsc::guarded([&] {
-    void* self = nullptr;
-    WASH_PETSC(PCShellGetContext(pc, &self));
-    to_vector<Dim>(static_cast<const NoSlipSolver*>(self)->approximate_forces(to_points<Dim>(x)), y);
-  });
+  void* context = nullptr;
+  if (const PetscErrorCode error = PCShellGetContext(pc, &context)) return error;
+  auto& self = *static_cast<NoSlipSolver*>(context);
+  return self.put_product(x, y, [&](const Points<Dim>& slips) { return self.approximate_forces(slips); });
 }
 
 template <int Dim>
@@ -77,11 +90,11 @@ PetscErrorCode NoSlipSolver<Dim>::judge(KSP solver, PetscInt, PetscReal norm, KS
     const auto& equations = *static_cast<const NoSlipSolver*>(self);
     Vec residual = nullptr;
     WASH_PETSC(KSPBuildResidual(solver, nullptr, nullptr, &residual));
-    const std::vector<bool> within = equations.are_within(to_points<Dim>(residual), equations.slip_left_);
+    const std::vector<bool> within = equations.are_within(to_points<Dim>(residual), equations.solving_.slip_left);
     WASH_PETSC(VecDestroy(&residual));
     *reason = KSP_CONVERGED_ITERATING;
-    if (!std::isfinite(norm)) *reason = KSP_DIVERGED_NANORINF;
     if (std::ranges::all_of(within, std::identity())) *reason = KSP_CONVERGED_ATOL;
+    if (!std::isfinite(norm) || equations.solving_.failure) *reason = KSP_DIVERGED_NANORINF;
   });
 }
 
@@ -160,7 +173,7 @@ Points<Dim> NoSlipSolver<Dim>::response(const Points<Dim>& forces) const {
   const petsc::GlobalVector increment(grid().face_dm());
   WASH_PETSC(VecZeroEntries(increment));
   accelerate(forces, increment);
-  projection_->project_increment(increment);
+  solving_.projection->project_increment(increment);
   return without_unreachable(interpolated(increment));
 }
 
@@ -197,11 +210,14 @@ std::vector<bool> NoSlipSolver<Dim>::are_within(const Points<Dim>& slips, double
 
 template <int Dim>
 Points<Dim> NoSlipSolver<Dim>::solve(const Points<Dim>& slips, double tolerance, Projection& projection) {
-  slip_left_ = tolerance;
-  projection_ = &projection;
+  solving_ = {&projection, tolerance, nullptr};
   to_vector<Dim>(slips, right_);
-  (void)solve_to(solver_, 0, right_, solution_, "walls");
-  projection_ = nullptr;
+  try {
+    (void)solve_to(solver_, 0, right_, solution_, "walls");
+  } catch (const DivergedError&) {
+    if (solving_.failure) std::rethrow_exception(solving_.failure);
+    throw;
+  }
   return to_points<Dim>(solution_);
 }
 

@@ -9,6 +9,8 @@
 // Uhlmann, J. Comput. Phys. 209 (2005) 448; Taira and Colonius, J. Comput. Phys. 225 (2007) 2118.
 #pragma once
 
+#include <exception>
+
 #include "washfsi/fluid/projection.hpp"
 #include "washfsi/support/vector_range.hpp"
 #include "washfsi/wall_forces/closed_walls.hpp"
@@ -44,9 +46,17 @@ class NoSlipSolver {
   Points<Dim> solve(const Points<Dim>& slips, double tolerance, Projection& projection);
 
  private:
+  /// A solution of the equations.
+  struct Solving {
+    Projection* projection = nullptr;
+    double slip_left = 0;        ///< rms slip at which the solver stops [m/s]
+    std::exception_ptr failure;  ///< what has diverged within the solver; PETSc cannot pass it on
+  };
   const Grid<Dim>& grid() const { return markers_.grid(); }
   static PetscErrorCode multiply(Mat matrix, Vec x, Vec y);
   static PetscErrorCode precondition(PC pc, Vec x, Vec y);
+  template <class Product>
+  PetscErrorCode put_product(Vec x, Vec y, const Product& product);
   static PetscErrorCode judge(KSP solver, PetscInt iteration, PetscReal norm, KSPConvergedReason* reason, void* self);
   void create_solver();
   Points<Dim> response(const Points<Dim>& forces) const;
@@ -61,13 +71,12 @@ class NoSlipSolver {
   petsc::Matrix matrix_;
   petsc::Solver solver_;
   petsc::Vector right_, solution_;
-  TimeStep step_;                     ///< current step
-  Vec density_ = nullptr;             ///< density on faces in the current step [kg/m3]
-  petsc::Version density_version_;    ///< version of the density that was seen last
-  VectorRange densities_;             ///< its range [kg/m3]
-  Points<Dim> local_densities_;       ///< that of each patch, for forces along each axis [kg/m3]
-  Projection* projection_ = nullptr;  ///< set while the solver runs
-  double slip_left_ = 0;              ///< rms slip at which the solver stops [m/s]
+  TimeStep step_;                   ///< current step
+  Vec density_ = nullptr;           ///< density on faces in the current step [kg/m3]
+  petsc::Version density_version_;  ///< version of the density that was seen last
+  VectorRange densities_;           ///< its range [kg/m3]
+  Points<Dim> local_densities_;     ///< that of each patch, for forces along each axis [kg/m3]
+  Solving solving_;                 ///< the present or last `solve`
 };
 
 extern template class NoSlipSolver<2>;
