@@ -66,7 +66,7 @@ Finding presence(const Body<Dim>& body, const BodySurvey<Dim>& survey, double al
   return {name, survey_text<Dim>(survey), Verdict::ok, survey.cells, Finding::none, ""};
 }
 
-// Markers enforce no slip on a sheet as well as on a wall, but it acts as if it were 1.4 cells thick.
+// Markers enforce no slip on a sheet as well as on a wall, but it acts as if it were 1.3 cells thick.
 template <int Dim>
 Finding thickness(const std::string& name, const BodySurvey<Dim>& survey, bool has_markers) {
   const bool is_thick = survey.thickness >= BodySurvey<Dim>::most_cells;

@@ -18,7 +18,7 @@ struct BodySurvey {
   double nearest = 0;                        ///< least distance of a cell's middle from it, negative inside [m]
   std::vector<double> shared;                ///< cells that it shares with each body
   static constexpr double most_cells = 8;    ///< largest value of both
-  static constexpr double thin_cells = 1.4;  ///< effective thickness of a sheet of markers
+  static constexpr double thin_cells = 1.4;  ///< below this a part is thin; a sheet of markers acts 1.3 cells thick
 };
 
 /// Surveys each body. Collective.
