@@ -21,8 +21,8 @@ const ChoiceNames<WallTreatment>& names_of(WallTreatment);
 /// The friction of walls whose layers are thinner than a cell. With u the velocity relative to the wall, h the spacing
 /// across it:
 ///   1. u_1, u_2   along the wall at the middles of the first and the second cell, filtered over T = y_2/|u_2|:
-///                 u_bar += dt/(T + dt) (u - u_bar). Longer times, as y_2/(0.41 u_tau), would not follow the strokes of
-///                 an agitator
+///                 u_bar += dt/(T + dt) (u - u_bar). T is chosen: longer times, as y_2/(0.41 u_tau), are less accurate
+///                 in steady channels; the strokes of an agitator were not tried
 ///   2. u_tau      of Reichardt's law at y_2 = 3/2 h for |u_bar_2|: not at the first cell, whose velocity results from
 ///                 the stress of the wall (Kawai and Larsson, Phys. Fluids 24 (2012) 015105)
 ///   3. mu_w       = rho u_tau^2 (h/2)/|u_bar_1|: with it the discrete friction mu_w u_1/(h/2) has the mean rho

@@ -4,8 +4,7 @@
 // box (`wall_model.hpp`) it follows the law of the wall, but acts as a force on the water before the walls. It is found
 // at points on the surface, on both faces of thin parts. y is the distance from the surface along the normal n, h the
 // size of a cell along n, and u_t(y) the velocity along the surface relative to the body, in its frame:
-//   1. u_bar_t       u_t(3h) and u_t(0), filtered over T = 3h/|u_t(3h)|: longer times would not follow the strokes of
-//                    an agitator
+//   1. u_bar_t       u_t(3h) and u_t(0), filtered over T = 3h/|u_t(3h)|, which is chosen as at the sides of the box
 //   2. u_tau         of Reichardt's law, |u_bar_t(3h)| = u_tau u+(3h u_tau/nu)
 //   3. F             = -w rho u_tau^2 A u_bar_t/|u_bar_t| on the water, spread round y = 3/2 h, so that nearly all of
 //                    it acts before the wall; A is the area of the point
