@@ -38,7 +38,7 @@ ClosedWalls<Dim>::ClosedWalls(const Grid<Dim>& grid, const std::vector<Body<Dim>
 template <int Dim>
 void ClosedWalls<Dim>::update(const std::vector<typename BodyMarkers<Dim>::State>& states, double time) {
   weighted_normals_ = turned<Dim>(normals_, bodies_, time, true, [this](std::size_t p) { return body_of_[p]; });
-  std::vector<double> sums(2 * bodies_.size(), 0.0);  // for each body: squared areas; covered markers
+  std::vector<double> sums(2 * bodies_.size(), 0.0);  // for each body: squared counts; covered markers
   std::size_t m = 0;
   for (std::size_t p = 0; p < weighted_normals_.size(); ++p) {
     double acting = 0;

@@ -32,7 +32,8 @@ class ClosedWalls {
   Points<Dim> normals_;                       ///< their outward normals in their bodies' frames; 0 where thin
   std::vector<double> thin_patches_;          ///< number of patches of each body where it is thinner than a cell
   Points<Dim> weighted_normals_;              ///< acting markers of each patch times its normal in space
-  std::vector<double> squares_;               ///< sum of the squared areas over each body's patches; 0 for open walls
+  /// For each body: the sum over its patches of the squared counts of acting markers; 0 for open walls.
+  std::vector<double> squares_;
 };
 
 extern template class ClosedWalls<2>;

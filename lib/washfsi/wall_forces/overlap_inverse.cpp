@@ -25,6 +25,7 @@ class PatchOverlap {
         layout_(layout),
         reach_(2 * layout.moments.width() * layout.cell),
         search_(bounds_of(patches.markers), reach_, hull(bounds_of(patches.markers))) {
+    // each patch extends the list to its end, so its markers get its number
     for (std::size_t p = 0; p < patches.size(); ++p) patch_of_.resize(patches.starts[p + 1], p);
   }
 

@@ -26,7 +26,7 @@ class WallForces : public ForceField {
   void let_slide(const BodyWallLaw<Dim>& law) { markers_.sliding().let_slide(law); }
 
   /// Begins a trial of a step, which schemes may repeat: each trial starts from the forces of the previous step, and
-  /// `accept` keeps those of the last trial for the next step. `density` [kg/m3], on faces, is the trial's.
+  /// `accept` keeps those of the last trial for the next step. `density` [kg/m3], on faces, is the trial's. Collective.
   void begin_trial(const TimeStep& step, Vec density);
   /// Adds the forces at the start of the trial, and the friction of the law. Collective.
   void add_to(Vec force) const override;
@@ -49,7 +49,7 @@ class WallForces : public ForceField {
   /// Nearness of faces to edges beside which central advection is limited, from 0 to 1; null if it is limited nowhere.
   Vec upwind_weight() const { return limits_advection_ ? markers_.nearness() : nullptr; }
 
-  /// Registers the forces of the previous step. Other bodies start without them.
+  /// Registers the forces of the previous step. A restart whose patches differ in number begins with zero forces.
   void register_state(StateList& state);
   const Points<Dim>& previous() const { return previous_; }  ///< F of the previous step, in the frames of the bodies
 

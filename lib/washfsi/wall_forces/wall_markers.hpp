@@ -63,7 +63,8 @@ class WallMarkers {
   Transfer<Dim> transfer_;
   BodyMarkers<Dim> layout_;
   std::vector<State> states_;
-  std::vector<double> shares_;  ///< share of each marker in the force of its patch; 0 if no marker of the patch acts
+  /// For each patch: 1/(number of its markers), the share that each acting marker takes; 0 if none acts.
+  std::vector<double> shares_;
   PatchSliding<Dim> sliding_;
   petsc::Vector nearness_;
   double time_ = 0;
