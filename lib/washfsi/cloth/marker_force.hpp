@@ -15,8 +15,8 @@ namespace washfsi {
 enum class Dependence {
   none,        ///< neither places nor velocities: constant over a step
   potential,   ///< on places alone: minus the gradient of its energy, with its Jacobian
-  places,      ///< on places alone, without an energy of its own; its Jacobian is approximate, which implicit schemes
-               ///< refuse
+  places,      ///< on places alone, without an energy of its own; its Jacobian is approximate, so schemes with Newton's
+               ///< method refuse it
   velocities,  ///< on velocities too: dissipates energy of the cloth
 };
 

@@ -47,7 +47,8 @@ double edge_friction(double density, double speed, double pressure) {
 
 namespace {
 
-// G of a marker at the edges beyond which these directions point; and something across the cloth, which drops out.
+// Friction G of a marker with these edge directions. Its component across the cloth is arbitrary; callers project it
+// away.
 template <int Dim>
 Block<Dim> friction_of(const ClothLayer& layer, double edge, const Outwards<Dim>& outwards, const Block<Dim>& along) {
   Block<Dim> friction = Block<Dim>::Identity() / layer.ease;

@@ -7,8 +7,8 @@
 // F_f is the force that it gives to the water, m_w the mass of the water that the fabric holds [kg/m2], and the
 // friction G, on both sides together, is
 //   G = 1/E P + sum over edges k b b^T
-// E is the ease of the two layers between the sheet and the water at the distance y (`KernelMoments::sheet_reach`), |s|
-// being the difference of the velocities across each, and nu = mu/rho:
+// E is the ease of the two layers between the sheet and the water at the distance y (`KernelMoments::sheet_reach`).
+// |s| is the speed of the cloth relative to the water at the distance y, the same on both sides, and nu = mu/rho:
 //   layers that y lies within    E = |s|/(2 rho u_tau^2)  with |s| = u_tau u+(y u_tau/nu)  by Reichardt's law; for
 //                                small y+ this is y/(2 mu), the exact correction of a profile that is bent at the sheet
 //   layers thinner than y        E = |s|/(2 . 0.664 rho |s|^2/sqrt(Re)), Re = |s| L/nu: Blasius' mean friction of a

@@ -7,8 +7,8 @@
 
 namespace washfsi {
 
-/// Prepares the forces for a step: each searches for contacts near these positions. They will act at `time`; until then
-/// the markers move for `dt` with this acceleration. `share` is the weight of these forces in the step's mean force.
+/// Prepares the forces for a step: each searches for contacts near these positions. The forces will act at `time`;
+/// until then, for `dt`, markers accelerate as given. `share` is the weight of these forces in the step's mean force.
 template <int Dim>
 void begin_step(System<Dim>& system, const Points<Dim>& positions, double time, double dt,
                 const Acceleration<Dim>& acceleration = {}, double share = 1);

@@ -75,7 +75,7 @@ class CouplingScheme {
   virtual void advance_fields(System<Dim>& system, double dt) = 0;
 };
 
-/// Creates the scheme for a system. Errors: InputError if it does not fit the cloths.
+/// Creates the scheme for a system. Collective. Errors: InputError if it does not fit the cloths.
 template <int Dim>
 std::unique_ptr<CouplingScheme<Dim>> make_coupling_scheme(const CouplingOptions& options, System<Dim>& system);
 

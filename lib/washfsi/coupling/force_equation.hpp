@@ -10,14 +10,15 @@ namespace washfsi {
 /// The cloths' equations where something limits their motion. In a step from X^n, with the velocity U of the water
 /// before the forces change by lambda, the velocities W of the markers are
 ///   W = U + M~ lambda,     lambda(W) = F(X^n + dt W) - F,     M~ = dt M
-/// where M is that of `StepMobility`: symmetric and positive, its diagonal already raised by 10^-2 of itself, and with
-/// the part of B of permeable cloth and films added. With the M of the theory, M~ = dt (M + 10^-2 diag M) + w_0 B.
-/// Newton's steps  (I + dt M~ K) dW = -(W - U - M~ lambda(W))  are found by GMRES with the preconditioner I + dt^2 D K,
-/// D the row sums of the mobility without these additions. The steps are shortened to the step limit, and further until
-/// the preconditioned residual falls.
+/// M here is that of `StepMobility`, additions included; it is symmetric and positive. In the theory's M:
+///   M~ = dt (M + 10^-2 diag M) + w_0 B
+/// Newton's steps  (I + dt M~ K) dW = -(W - U - M~ lambda(W))  are found by GMRES with the preconditioner I + dt^2 D K.
+/// D has the row sums of the mobility without these additions, and the blocks of permeance and wall model. The steps
+/// are shortened to the step limit, and further until the preconditioned residual falls.
 /// Where that fails, the equations are solved for lambda, since in W they have no potential without M^-1:
 ///   Pi(lambda) = 1/2 lambda.M~ lambda + Psi(X^n + dt W)/dt + F.W   has the gradient  M~ (lambda - F(X^n + dt W) + F)
-/// and falls along Newton's steps  (I + dt K M~) dlambda = -(lambda - F(X^n + dt W) + F).
+/// and falls along Newton's steps  (I + dt K M~) dlambda = -(lambda - F(X^n + dt W) + F).  Their preconditioner
+/// I + dt^2 K D has the row sums alone.
 template <int Dim>
 class ForceEquation {
  public:

@@ -18,7 +18,7 @@ namespace washfsi {
 template <int Dim>
 class ImplicitClothAlone : public CouplingScheme<Dim> {
  public:
-  /// Errors: InputError if a force has no Jacobian.
+  /// Collective. Errors: InputError if a force has no Jacobian.
   ImplicitClothAlone(System<Dim>& system, const CouplingOptions& options);
   double step_bound(const System<Dim>& system) const override;
 

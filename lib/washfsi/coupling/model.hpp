@@ -52,15 +52,16 @@ struct Model {
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
 
-  /// Creates the forces on cloths; `start` are the initial positions of this rank's markers.
+  /// Creates the forces on cloths; `start` are the initial positions of this rank's markers. Collective. Errors:
+  /// InputError.
   void add_forces(const ModelOptions<Dim>& options, const Points<Dim>& start);
-  /// Fixes spread and interpolate, and the density of water and cloth, at these places of the markers. Collective.
-  /// Errors: DivergedError if a marker has left the box.
+  /// Fixes spread and interpolate at these places of the markers. Finds `cloth_nearness` there and, if the water
+  /// carries the cloths' excess mass, the density. Collective. Errors: DivergedError if a marker has left the box.
   void locate_cloth(const Points<Dim>& places);
   /// Nearness of faces to edges and cloth beside which central advection becomes upwind (`StepFields`); null if there
   /// are none. Collective.
   Vec upwind_weight() const;
-  /// The water's step between the walls.
+  /// The sequence of a water step together with the walls' forces.
   WaterStep<Dim> water_step() { return {fluid, bodies.wall_forces()}; }
 
   Grid<Dim> grid;

@@ -20,7 +20,7 @@ namespace washfsi {
 template <int Dim>
 class Seepage {
  public:
-  /// The model must outlive it.
+  /// The model must outlive it. Collective.
   explicit Seepage(const Model<Dim>& model);
 
   /// Whether any cloth is permeable, films drain, or cloth has a wall model.

@@ -17,7 +17,7 @@ namespace washfsi {
 
 namespace {
 
-constexpr double least_share = 0.75;  // least share of the mobility with which any step is stable
+constexpr double least_share = 0.75;  // least share of the mobility with which any step of order 1 is stable
 
 // Whether more than three markers would lie within a kernel if all were spread evenly over the box. Then the pressure,
 // which the mobility neglects, resists much of the motion that the mobility allows.

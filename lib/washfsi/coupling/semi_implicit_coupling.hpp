@@ -10,12 +10,12 @@
 //   1. spread      S, J, rho at X^n + dt/2 V^n;  f = S (w_0 F + w_1 F^n + w_2 F^(n-1) + weight, loads). The first guess
 //                  is F = F^n + F_inertia^n/w_0, with the force of inertia of the previous step
 //   2. fluid       u, p by the fractional step with f
-//   3. markers     U = J (w_0 u + w_1 u^n + w_2 u^(n-1))_H. For permeable cloth B F_f is added to U, and M + w_0 B/dt
-//                  replaces M from item 4 on (coupling/seepage.hpp)
-//   4. mobility    M = factor times w_0^2 times the mobility J H S / rho, as a sparse matrix, or, where many cloths lie
-//                  on each other, as the product itself. With the pressure markers yield less than this. D is the
-//                  diagonal of its row sums. Stable for any step if factor >= 3/4 and the density is nearly uniform; a
-//                  heavy plate needs 1
+//   3. markers     U = J (w_0 u + w_1 u^n + w_2 u^(n-1))_H. With seepage B F_f is added to U, with a wall model r
+//                  too, and M + w_0 B/dt replaces M from item 4 on (coupling/seepage.hpp)
+//   4. mobility    M = factor times w_0^2 times the mobility J H S / rho, as a sparse matrix or, where that is faster,
+//                  as the product itself. With the pressure markers yield less than this. D is the diagonal of its row
+//                  sums. A linear oscillator without mass and further sweeps is stable for any step if factor >= 3/4
+//                  with order 1, 0.95 with order 2 (docs/theory/coupling.md); a heavy plate needs 1
 //   5. elasticity  W - U = dt M [F(X^n + dt W) - F], by Newton's method. With D the equations are the gradient of a
 //                  potential; with M they are solved by GMRES, preconditioned by those with D. Where contact limits
 //                  the motion, see coupling/force_equation.hpp
@@ -49,6 +49,8 @@ class SemiImplicitCoupling : public CouplingScheme<Dim> {
   static constexpr bool takes_inertia = true;
   static constexpr bool takes_seepage = true;
 
+  /// Collective. Errors: InputError if a force has no Jacobian, or the mobility's matrix is not symmetric where it has
+  /// to be.
   SemiImplicitCoupling(System<Dim>& system, const CouplingOptions& options);
   double step_bound(const System<Dim>& system) const override;
 
@@ -58,7 +60,7 @@ class SemiImplicitCoupling : public CouplingScheme<Dim> {
   void find_explicit_velocity(const System<Dim>& system);
   /// Interpolates the step's mean velocity of the water to the markers.
   Points<Dim> water_velocities(const System<Dim>& system, double dt) const;
-  /// Adds the velocity of seepage B F_f to it.
+  /// Adds the velocity of seepage to it: B F_f, with a wall model r too.
   Points<Dim> reached_velocities(const System<Dim>& system, double dt) const;
   void prepare_end_forces(System<Dim>& system, double dt) const;
   void iterate(System<Dim>& system, double dt, Points<Dim> forces, Points<Dim> interpolated);

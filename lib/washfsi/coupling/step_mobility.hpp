@@ -9,8 +9,9 @@
 
 namespace washfsi {
 
-/// The approximate mobility of the markers in a step: M, symmetric, or its row sums. M is a sparse matrix or, for
-/// packed loads, a product through the faces of the grid, to which parts may be added.
+/// The approximate mobility of the markers in a step: M, symmetric, or its row sums. M is a sparse matrix or, where so
+/// many markers are near each other that it is faster, a product through the faces of the grid. Parts may be added to
+/// either.
 template <int Dim>
 class StepMobility {
  public:
@@ -25,7 +26,7 @@ class StepMobility {
   void find(const Model<Dim>& model, const Points<Dim>& places, double factor, bool with_matrix);
   /// Adds a symmetric matrix to M. No communication.
   void add(petsc::Matrix part) { parts_.push_back(std::move(part)); }
-  /// Adds a block for each of this rank's markers to the diagonal of M.
+  /// Adds a block for each of this rank's markers to the diagonal of M, in place of those that it added before.
   void add_own(std::vector<Block<Dim>> blocks) { own_ = std::move(blocks); }
   /// Multiplies M, without what was added, with a share; its row sums stay.
   void set_share(double share) { share_ = share; }

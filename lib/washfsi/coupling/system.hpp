@@ -29,9 +29,11 @@ struct StepRecord {
   ContactLoads<Dim> contact_at_start;             ///< this rank's contact loads at the start, with the other weight
   Points<Dim> force_on_water;                     ///< force of each of this rank's markers on the water [N]
   Point<Dim> side_reaction = Point<Dim>::Zero();  ///< part of the cloth's force that sides of the box took [N]
-  double seepage_power = 0;                       ///< power lost by seepage through cloth [W; W/m in the plane]
-  double cloth_slip = 0;                          ///< rms difference of cloth and water over the rms speed of cloth
-  double cloth_iterations = 0;                    ///< evaluations of the cloths' equations in all steps so far
+  /// Power lost by seepage through cloth [W; W/m in the plane]; with a wall model that of all slip of cloth, what the
+  /// water that it holds stores included.
+  double seepage_power = 0;
+  double cloth_slip = 0;        ///< rms difference of cloth and water over the rms speed of cloth
+  double cloth_iterations = 0;  ///< evaluations of the cloths' equations in all steps so far
 };
 
 /// Water, bodies and cloth in motion.
