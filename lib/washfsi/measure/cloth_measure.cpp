@@ -60,9 +60,9 @@ void ClothMeasure<Dim>::declare_all(QuantityList& quantities) {
   if (!crossings_) return;
   quantities.add({"cloth_distance", "m", "least distance of a marker from another cloth, at most half a spacing",
                   [this] { return crossings_->least_distance(); }});
-  quantities.add({"cloth_crossings", "-", "markers that went through another cloth so far",
+  quantities.add({"cloth_crossings", "-", "passages of markers through another cloth so far",
                   [this] { return crossings_->crossings(); }, Accumulation::none, "/cloth_crossings", true},
-                 {{"cloth_crossings", "-", OverCycle::change, "markers that went through another cloth", 0, true}});
+                 {{"cloth_crossings", "-", OverCycle::change, "passages of markers through another cloth", 0, true}});
   quantities.keep("crossings", crossings_->state());
   quantities.keep("tumbling_angles", tumbles_->angles());
   quantities.keep("tumbling_turned", tumbles_->turned());

@@ -118,7 +118,7 @@ void add_crossings(const Model<Dim>& model, const QuantityList& quantities, Find
   const double crossings = quantities.summary_value("/cloth_crossings");
   const double share = crossings / static_cast<double>(model.cloths.marker_count());
   findings.push_back(at_most("crossings", share, {0, 0.5},
-                             format_text("%.0f of %d markers went through another cloth", crossings,
+                             format_text("%.0f passages of markers through another cloth, of %d markers", crossings,
                                          static_cast<int>(model.cloths.marker_count())),
                              "cloths pass through each other; turns and stress of the load are wrong by it"));
 }
