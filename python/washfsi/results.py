@@ -6,15 +6,10 @@ import json
 import pathlib
 
 from washfsi.errors import ResultsError
+from washfsi.options_file import read_options
 from washfsi.phases import read_phases
 from washfsi.series import Fields, Markers, Surfaces
 from washfsi.table import read_table
-
-
-def read_options(path):
-    """Returns the options of an options file and their values, as texts; names without their dash."""
-    lines = (line.split("#")[0].split(maxsplit=1) for line in pathlib.Path(path).read_text(encoding="utf-8").splitlines())
-    return {words[0].lstrip("-"): words[1].strip() if len(words) > 1 else "" for words in lines if words}
 
 
 class Results:

@@ -18,9 +18,10 @@ from study_fixtures import write_run, write_study
 from support import SOURCE, ProgramTest
 
 sys.path.insert(0, str(SOURCE / "python"))
+from washfsi.options_file import read_options  # noqa: E402
 from washfsi.study import refinement, verdict  # noqa: E402
 from washfsi.study.command import jobs_and_ranks  # noqa: E402
-from washfsi.study.runs import seed_words  # noqa: E402
+from washfsi.study.runs import Run, all_words, seed_words  # noqa: E402
 from washfsi.study.tradeoff import draw_tradeoff  # noqa: E402
 
 ALIKE = {"round": (10, 0.02, 2e5), "square": (10, 0.02, 2e5)}
@@ -207,6 +208,18 @@ class Seeds(ProgramTest):
         self.assertEqual(seed_words(case, ["-short_seed", "5"], 1), [])
         self.assertEqual(seed_words(case, ["-short_seed", "5"], 3),
                          ["-long_seed", "5", "-short_seed", "7", "-mat_seed", "9"])
+
+    def test_options_are_read_as_the_program_reads_them(self):
+        (self.folder / "a #1.opts").write_text("-CLOTHS_seed 4\n-cloths 'Long,short' # two\n-Long_file \"my #2 towel\"\n-bodies \"\"#none\n")
+        case = self.folder / "case.opts"
+        case.write_text(f"-options_file '{self.folder / 'a #1.opts'}'\n--long_SEED 3\n")
+        words = ["-CLOTHS_seed", "4", "-cloths", "Long,short", "-Long_file", "my #2 towel", "-bodies", "", "--long_SEED", "3"]
+        self.assertEqual(all_words(case, []), words)
+        self.assertEqual(seed_words(case, [], 2), ["-Long_seed", "4", "-short_seed", "5"])
+        run = Run("case", case, self.folder)
+        run.record.write_text(run.options())
+        self.assertFalse(run.changed())
+        self.assertEqual(read_options(run.record), dict(zip([name.lstrip("-") for name in words[::2]], words[1::2])))
 
 
 class Jobs(unittest.TestCase):

@@ -6,6 +6,7 @@ import re
 from dataclasses import dataclass, field
 
 from washfsi.errors import ResultsError
+from washfsi.options_file import quoted, words_of_line
 from washfsi.results import Results
 from washfsi.running import HERE
 
@@ -42,12 +43,12 @@ class Run:
 
     def options(self):
         """Returns all options of the run as it would be started now, in a text."""
-        words = words_in(self.file.resolve()) + with_files(self.words, ROOT)
-        return re.sub(r"\s+(?=-[A-Za-z])", "\n", " ".join(words)) + "\n"
+        words = all_words(self.file, self.words)
+        return "".join(("\n" if re.match("--?[A-Za-z]", word) else " ") + quoted(word) for word in words).strip() + "\n"
 
     def changed(self):
         """Returns whether the run was made with other options than it would be now."""
-        return self.record.is_file() and self.record.read_text(encoding="utf-8") != self.options()
+        return self.record.is_file() and words_in(self.record) != all_words(self.file, self.words)
 
     def summary(self):
         """Returns the run's summary, empty if there is none."""
@@ -79,7 +80,7 @@ def words_in(file, seen=()):
     path = file.resolve()
     if path in seen or not path.is_file():
         return []
-    words = [word for line in path.read_text(encoding="utf-8").splitlines() for word in line.split("#")[0].split()]
+    words = [word for line in path.read_text(encoding="utf-8").splitlines() for word in words_of_line(line)]
     return with_files(words, path.parent, (*seen, path))
 
 
@@ -94,9 +95,14 @@ def with_files(words, folder, seen=()):
     return every
 
 
+def all_words(file, words):
+    """Returns the words of a case and of further options, those of the files that they name included."""
+    return words_in(file) + with_files(words, ROOT)
+
+
 def value_of(words, name, default):
-    """Returns the last value that an option is given."""
-    values = [value for option, value in zip(words, words[1:]) if option == f"-{name}"]
+    """Returns the last value that an option is given, in letters of any case."""
+    values = [value for option, value in zip(words, words[1:]) if option[:1] == "-" and option.lstrip("-").lower() == name.lower()]
     return values[-1] if values else default
 
 
@@ -104,7 +110,7 @@ def seed_words(file, words, seed):
     """Returns the options that change the seed of every group of cloths."""
     if seed == 1:
         return []
-    every = words_in(file.resolve()) + with_files(words, ROOT)
+    every = all_words(file, words)
     usual = value_of(every, "cloths_seed", "1")
     groups = [group for group in value_of(every, "cloths", "").split(",") if group]
     return [word for group in groups
