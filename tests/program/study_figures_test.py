@@ -94,6 +94,22 @@ class Tables(ProgramTest):
         self.assertEqual((rough["seeds"], rough["status"]), ("2", "2 of 3 finished"))
 
 
+class Changes(ProgramTest):
+    def test_a_run_begun_with_other_options_does_not_go_on(self):
+        files = write_study(self.folder, APART, 1)
+        begun, new = (self.folder / "study" / name for name in APART)
+        for path in (begun / "summary.json", *new.iterdir()):
+            path.unlink()
+        (begun / "study.opts").write_text("-cloths mat\n")
+        (begun / "checkpoint.h5").touch()
+        outcome = subprocess.run([SOURCE / "scripts" / "study", "--program", "/bin/true", "--output", self.folder / "study", *files],
+                                 capture_output=True, text=True, check=False)
+        self.assertEqual(outcome.returncode, 1, outcome.stderr)
+        self.assertIn(f"study: gentle was begun with other options than it has now; delete {begun} to run it anew.\n", outcome.stdout)
+        self.assertEqual((begun / "study.opts").read_text(), "-cloths mat\n")
+        self.assertEqual((new / "study.opts").read_text(), "-cloths towel\n")
+
+
 class Verdict(unittest.TestCase):
     def test_student_s_distribution(self):
         for t, freedom, chance in ((12.706, 1, 0.05), (4.303, 2, 0.05), (2.776, 4, 0.05), (4.604, 4, 0.01),

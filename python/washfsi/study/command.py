@@ -164,9 +164,7 @@ def report(runs, options, last=True):
     table = write_tables(runs, options.output)
     grids = by_refinement(runs)
     estimates, rankings = on_finer_grids(grids)
-    lines = [f"{run.name} was run with other options than it has now; delete {run.folder} to run it anew."
-             for run in runs if run.status() == "finished" and run.changed()]
-    lines += doubts(runs)
+    lines = [told for run in runs if (told := run.outdated())] + doubts(runs)
     lines += sentences(grids) or ["No finished run has figures of agitation cycles, so there is nothing to decide."]
     text = table + "\n" + "\n".join(f"- {line}" for line in lines) + "\n\n" + EXPLANATION
     if estimates:
@@ -183,18 +181,27 @@ def raise_interrupt(*_):
     raise KeyboardInterrupt
 
 
-def run_all(runs, options):
-    """Runs what has not finished; returns the exit status."""
-    waiting = []
+def unfinished(runs):
+    """Returns the runs that have not finished, and those of them that cannot go on because their case has changed; tells of the others."""
+    waiting, stuck = [], []
     for run in runs:
         if run.status() == "finished":
             print(f"study: {run.name} has finished before", flush=True)
+        elif told := run.outdated():
+            print(f"study: {told}", flush=True)
+            stuck.append(run)
         else:
             waiting.append(run)
+    return waiting, stuck
+
+
+def run_all(runs, options):
+    """Runs what has not finished; returns the exit status."""
+    waiting, stuck = unfinished(runs)
     jobs, ranks = jobs_and_ranks(options, len(waiting))
     scheduler = Scheduler(options.program, ranks, jobs, lambda: report(runs, options, last=False))
     try:
-        return 0 if scheduler.work(waiting) else 1
+        return 0 if scheduler.work(waiting) and not stuck else 1
     except KeyboardInterrupt:
         print("study: interrupted; the same command goes on", flush=True)
         return 130

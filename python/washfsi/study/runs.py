@@ -41,6 +41,11 @@ class Run:
         """Returns the file that keeps the options of the run."""
         return self.folder / "study.opts"
 
+    @property
+    def checkpoint(self):
+        """Returns the file that an unfinished run goes on from."""
+        return self.folder / "checkpoint.h5"
+
     def options(self):
         """Returns all options of the run as it would be started now, in a text."""
         words = all_words(self.file, self.words)
@@ -49,6 +54,13 @@ class Run:
     def changed(self):
         """Returns whether the run was made with other options than it would be now."""
         return self.record.is_file() and words_in(self.record) != all_words(self.file, self.words)
+
+    def outdated(self):
+        """Returns a sentence on a run whose results are those of other options than it would be started with now; else nothing."""
+        finished = self.status() == "finished"
+        if not (finished or self.checkpoint.is_file()) or not self.changed():
+            return ""
+        return f"{self.name} was {'run' if finished else 'begun'} with other options than it has now; delete {self.folder} to run it anew."
 
     def summary(self):
         """Returns the run's summary, empty if there is none."""

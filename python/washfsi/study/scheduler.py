@@ -12,8 +12,8 @@ from washfsi.study.runs import ROOT
 def launch(run, program, ranks):
     """Starts a run, from its checkpoint if there is one, with a log in its folder."""
     words = ["-options_file", run.file.resolve(), "-output_dir", run.folder.resolve(), *run.words]
-    if (run.folder / "checkpoint.h5").is_file():
-        words += ["-restart", (run.folder / "checkpoint.h5").resolve()]
+    if run.checkpoint.is_file():
+        words += ["-restart", run.checkpoint.resolve()]
     run.folder.mkdir(parents=True, exist_ok=True)
     run.record.write_text(run.options(), encoding="utf-8")
     with open(run.folder / "run.log", "a", encoding="utf-8") as log:
