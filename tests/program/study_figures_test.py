@@ -5,6 +5,7 @@ import argparse
 import csv
 import itertools
 import json
+import signal
 import subprocess
 import sys
 import unittest
@@ -22,6 +23,7 @@ from washfsi.options_file import read_options  # noqa: E402
 from washfsi.study import refinement, verdict  # noqa: E402
 from washfsi.study.command import jobs_and_ranks  # noqa: E402
 from washfsi.study.runs import Run, all_words, seed_words  # noqa: E402
+from washfsi.study.scheduler import Scheduler  # noqa: E402
 from washfsi.study.tradeoff import draw_tradeoff  # noqa: E402
 
 ALIKE = {"round": (10, 0.02, 2e5), "square": (10, 0.02, 2e5)}
@@ -246,6 +248,20 @@ class Jobs(unittest.TestCase):
                                               (None, 16, 20, (1, 16))):
                 options = argparse.Namespace(jobs=jobs, ranks=ranks)
                 self.assertEqual(jobs_and_ranks(options, runs), wanted)
+
+
+class Errors(ProgramTest):
+    def test_an_error_stops_all_runs(self):
+        def ended():
+            raise RuntimeError("no space left")
+        for number in (signal.SIGINT, signal.SIGTERM):
+            self.addCleanup(signal.signal, number, signal.getsignal(number))
+        runs = [Run(name, self.folder / f"{name}.opts", self.folder / name) for name in ("short", "long")]
+        launchers = [subprocess.Popen(["sh", "-c", f"sleep {seconds}; true"]) for seconds in (0.5, 60)]
+        self.addCleanup(lambda: [launcher.kill() for launcher in launchers])
+        with unittest.mock.patch("washfsi.study.scheduler.launch", side_effect=launchers), self.assertRaisesRegex(RuntimeError, "space"):
+            Scheduler("washfsi", 1, 2, ended).work(runs)
+        self.assertIsNotNone(launchers[1].poll())
 
 
 class Picture(unittest.TestCase):

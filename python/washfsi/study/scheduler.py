@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs several cases at once; an interruption stops them all, each with a checkpoint."""
+"""Runs several cases at once; an interruption or an error stops them all, each with a checkpoint."""
 
 import signal
 import subprocess
@@ -42,7 +42,7 @@ class Scheduler:
         self.going = []  # runs, their launchers, and where their logs begin
 
     def work(self, runs):
-        """Runs all; returns whether all went well. KeyboardInterrupt leaves checkpoints behind."""
+        """Runs all; returns whether all went well. What ends it early, as KeyboardInterrupt, leaves checkpoints behind."""
         waiting, well = list(runs), True
         try:
             while waiting or self.going:
@@ -54,7 +54,7 @@ class Scheduler:
                     self.going.append((run, launch(run, self.program, self.ranks), place))
                 well = self.collect() and well
                 time.sleep(0.05)
-        except KeyboardInterrupt:
+        except BaseException:
             stop_all([launcher for _, launcher, _ in self.going])
             raise
         return well
