@@ -209,13 +209,26 @@ class Refinement(ProgramTest):
             self.assertEqual([row["case"] for row in csv.DictReader(file)],
                              ["gentle", "rough", "gentle_refined_1.5", "rough_refined_1.5"])
 
+    def refuse(self, told, *words):
+        """Holds the line in which a study is refused."""
+        outcome = subprocess.run([SOURCE / "scripts" / "study", "--table", "--output", self.folder / "study", *words],
+                                 capture_output=True, text=True, check=False)
+        self.assertEqual(outcome.returncode, 2, outcome.stdout)
+        self.assertIn(told, outcome.stderr)
+        self.assertNotIn("Traceback", outcome.stderr)
+
     def test_wrong_factors_are_told_in_a_line(self):
         files = write_study(self.folder, ALIKE, 1)
         for factor, told in (("0.5", "must be numbers above 1"), ("x", "must be numbers above 1"), ("2", "cannot be given together")):
-            outcome = subprocess.run([SOURCE / "scripts" / "study", "--table", "--refine", factor, "--output", self.folder / "study", *files,
-                                      "--", "-refine", "2"], capture_output=True, text=True, check=False)
-            self.assertEqual(outcome.returncode, 2)
-            self.assertIn(told, outcome.stderr)
+            self.refuse(told, "--refine", factor, *files, "--", "-refine", "2")
+        files[1].write_text("-Refine 2\n")
+        self.refuse(f"{files[1]}: --refine and -refine cannot be given together", "--refine", "1.5", *files)
+
+    def test_two_grids_in_one_folder_are_told_in_a_line(self):
+        files = [self.folder / name for name in ("wash.opts", "wash_refined_1.5.opts")]
+        for file in files:
+            file.touch()
+        self.refuse("two cases are named wash_refined_1.5", "--refine", "1.5", *files)
 
 
 class Seeds(ProgramTest):
@@ -257,7 +270,7 @@ class Errors(ProgramTest):
         for number in (signal.SIGINT, signal.SIGTERM):
             self.addCleanup(signal.signal, number, signal.getsignal(number))
         runs = [Run(name, self.folder / f"{name}.opts", self.folder / name) for name in ("short", "long")]
-        launchers = [subprocess.Popen(["sh", "-c", f"sleep {seconds}; true"]) for seconds in (0.5, 60)]
+        launchers = [subprocess.Popen(["sh", "-c", f"sleep {seconds}; true"], stderr=subprocess.DEVNULL) for seconds in (0.5, 60)]
         self.addCleanup(lambda: [launcher.kill() for launcher in launchers])
         with unittest.mock.patch("washfsi.study.scheduler.launch", side_effect=launchers), self.assertRaisesRegex(RuntimeError, "space"):
             Scheduler("washfsi", 1, 2, ended).work(runs)

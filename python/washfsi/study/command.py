@@ -9,7 +9,7 @@ import sys
 
 from washfsi.running import find_program
 from washfsi.study import refinement
-from washfsi.study.runs import ROOT, runs_of
+from washfsi.study.runs import ROOT, all_words, case_name, runs_of, value_of
 from washfsi.study.scheduler import Scheduler
 from washfsi.study.tables import HEADLINES, OF_THE_CELLS, cases_of, groups_of, samples_of, write_tables
 from washfsi.study.tradeoff import ACTIONS, DPI, draw_tradeoff
@@ -47,6 +47,18 @@ def make_parser(description):
     return parser
 
 
+def wrong_cases(options, words):
+    """Returns what is wrong with the cases, nothing if all is well; `words` are options for every run."""
+    names = [case_name(case, refine) for refine in (1, *options.refine) for case in options.cases]
+    for case in options.cases:
+        if not case.is_file():
+            return f"no file {case}"
+        if options.refine and value_of(all_words(case, words), "refine", "1") != "1":
+            return f"{case}: --refine and -refine cannot be given together"
+    twice = [name for name in names if names.count(name) > 1]
+    return f"two cases are named {twice[0]}" if twice else ""
+
+
 def parse_arguments(words, description):
     """Returns the command line's options, and those for every run."""
     cut = words.index("--") if "--" in words else len(words)
@@ -60,14 +72,8 @@ def parse_arguments(words, description):
     for name in ("seeds", "jobs", "ranks"):
         if getattr(options, name) is not None and getattr(options, name) < 1:
             parser.error(f"--{name} must be 1 or more")
-    if options.refine and "-refine" in words[cut:]:
-        parser.error("--refine and -refine cannot be given together")
-    names = [case.stem for case in options.cases]
-    for case in options.cases:
-        if not case.is_file():
-            parser.error(f"no file {case}")
-        if names.count(case.stem) > 1:
-            parser.error(f"two cases are named {case.stem}")
+    if told := wrong_cases(options, words[cut + 1:]):
+        parser.error(told)
     return options, words[cut + 1:]
 
 
