@@ -22,7 +22,7 @@ sys.path.insert(0, str(SOURCE / "python"))
 from washfsi.options_file import read_options  # noqa: E402
 from washfsi.study import refinement, verdict  # noqa: E402
 from washfsi.study.command import jobs_and_ranks  # noqa: E402
-from washfsi.study.runs import Run, all_words, seed_words  # noqa: E402
+from washfsi.study.runs import Run, all_words, folder_of, seed_words  # noqa: E402
 from washfsi.study.scheduler import Scheduler  # noqa: E402
 from washfsi.study.tradeoff import draw_tradeoff  # noqa: E402
 
@@ -239,6 +239,22 @@ class Seeds(ProgramTest):
         self.assertEqual(seed_words(case, ["-short_seed", "5"], 1), [])
         self.assertEqual(seed_words(case, ["-short_seed", "5"], 3),
                          ["-long_seed", "5", "-short_seed", "7", "-mat_seed", "9"])
+
+    def test_a_seed_that_is_no_number_is_told_in_a_line(self):
+        case = self.folder / "case.opts"
+        case.write_text("-cloths towel\n-towel_seed one\n")
+        outcome = subprocess.run([SOURCE / "scripts" / "study", "--table", "--seeds", "2", "--output", self.folder / "study", case],
+                                 capture_output=True, text=True, check=False)
+        self.assertEqual((outcome.returncode, outcome.stderr), (2, "study: the seed of towel, one, is not a whole number\n"))
+
+    def test_the_first_seed_stays_where_it_was_run(self):
+        case = self.folder / "case"
+        self.assertEqual([folder_of(case, 1, seeds) for seeds in (1, 3)], [case, case / "seed_1"])
+        case.mkdir()
+        (case / "run.log").touch()
+        self.assertEqual([folder_of(case, seed, 3) for seed in (1, 2)], [case, case / "seed_2"])
+        (case / "seed_1").mkdir()
+        self.assertEqual([folder_of(case, 1, seeds) for seeds in (1, 3)], [case / "seed_1"] * 2)
 
     def test_options_are_read_as_the_program_reads_them(self):
         (self.folder / "a #1.opts").write_text("-CLOTHS_seed 4\n-cloths 'Long,short' # two\n-Long_file \"my #2 towel\"\n-bodies \"\"#none\n")

@@ -217,7 +217,11 @@ def main(description):
     """Runs the study and reports."""
     options, words = parse_arguments(sys.argv[1:], description)
     signal.signal(signal.SIGTERM, raise_interrupt)
-    runs = runs_of(options.cases, options.output, options.seeds, words, options.refine)
+    try:
+        runs = runs_of(options.cases, options.output, options.seeds, words, options.refine)
+    except ValueError as error:
+        print(f"study: {error}", file=sys.stderr)
+        return 2
     status = 0 if options.table else run_all(runs, options)
     report(runs, options)
     return status

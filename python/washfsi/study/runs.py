@@ -118,15 +118,22 @@ def value_of(words, name, default):
     return values[-1] if values else default
 
 
+def seed_of(words, group):
+    """Returns the seed of a group of cloths. Raises ValueError where it is no whole number."""
+    text = value_of(words, f"{group}_seed", value_of(words, "cloths_seed", "1"))
+    try:
+        return int(text)
+    except ValueError:
+        raise ValueError(f"the seed of {group}, {text}, is not a whole number") from None
+
+
 def seed_words(file, words, seed):
     """Returns the options that change the seed of every group of cloths."""
     if seed == 1:
         return []
     every = all_words(file, words)
-    usual = value_of(every, "cloths_seed", "1")
     groups = [group for group in value_of(every, "cloths", "").split(",") if group]
-    return [word for group in groups
-            for word in (f"-{group}_seed", str(int(value_of(every, f"{group}_seed", usual)) + seed - 1))]
+    return [word for group in groups for word in (f"-{group}_seed", str(seed_of(every, group) + seed - 1))]
 
 
 def seeds_there(folder):
@@ -135,9 +142,10 @@ def seeds_there(folder):
 
 
 def folder_of(case_folder, seed, seeds):
-    """Returns a run's folder. One seed needs none of its own; and what has been run so remains seed 1."""
-    alone = seeds == 1 or seed == 1 and (case_folder / "run.log").is_file()
-    return case_folder if alone else case_folder / f"seed_{seed}"
+    """Returns a run's folder. One seed alone needs none of its own; and what has been run either way remains seed 1."""
+    own = case_folder / f"seed_{seed}"
+    alone = seed == 1 and not own.is_dir() and (seeds == 1 or (case_folder / "run.log").is_file())
+    return case_folder if alone else own
 
 
 def case_name(file, refine):
