@@ -24,6 +24,7 @@ from washfsi.study import refinement, verdict  # noqa: E402
 from washfsi.study.command import jobs_and_ranks  # noqa: E402
 from washfsi.study.runs import Run, all_words, folder_of, seed_words  # noqa: E402
 from washfsi.study.scheduler import Scheduler  # noqa: E402
+from washfsi.study.tables import figures_of  # noqa: E402
 from washfsi.study.tradeoff import draw_tradeoff  # noqa: E402
 
 ALIKE = {"round": (10, 0.02, 2e5), "square": (10, 0.02, 2e5)}
@@ -94,6 +95,11 @@ class Tables(ProgramTest):
                        stdout=subprocess.DEVNULL, check=True)
         rough = self.rows("study.csv")[1]
         self.assertEqual((rough["seeds"], rough["status"]), ("2", "2 of 3 finished"))
+
+    def test_figures_of_a_body_are_none_of_a_group(self):
+        write_run(self.folder / "run", towel_rack_work=3.0, towel_stress=2e5)
+        figures = figures_of(Run("case", self.folder / "case.opts", self.folder / "run"), "towel")
+        self.assertEqual(set(figures), {"work", "towel_rack_work", "stress"})
 
 
 class Changes(ProgramTest):

@@ -6,7 +6,7 @@ import json
 import numpy as np
 
 UNITS = {"agitator_work": "J", "agitator_power_mean": "W", "drum_work": "J", "towel_friction_work": "J", "towel_relative_speed": "m/s",
-         "towel_water_shear": "Pa", "towel_stress": "Pa", "towel_turns": "-", "towel_path": "m"}
+         "towel_water_shear": "Pa", "towel_stress": "Pa", "towel_turns": "-", "towel_path": "m", "towel_rack_work": "J"}
 PERIOD = 1.5
 
 
@@ -32,7 +32,7 @@ def write_run(folder, status="finished", cycles=4, **figures):
              for name, column in zip(figures, rows.T)} if cycles > 2 else {}
     summary = {"program": "washfsi", "case": "fixture", "status": status, "time": cycles * PERIOD, "steps": 100 * cycles,
                "wall_seconds": 12.0, "cloth_crossings": 3,
-               "bodies": {name: {} for name in ("drum", "agitator")},
+               "bodies": {name: {} for name in ("drum", "agitator", "towel_rack")},
                "cycles": {"time": PERIOD, "complete": cycles, "first": 2, "figures": means},
                "cloths": {"towel": {"stress_mean": 2e5, "stress_std": 1e4, "max_stretch": 1.2, "max_depth": 0.0,
                                     "tumbles": 0.5}}}

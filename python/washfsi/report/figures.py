@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The figures of a run: per cycle with mean and spread, of the whole run, and the headlines."""
 
+from washfsi.study.tables import owner_of
+
 MACHINE = "machine"
 LABELS = {  # of figures per cycle, without the name of their body or group
     "cfl": "largest CFL number", "kinetic_energy_change": "kinetic energy kept", "dissipated": "lost to friction",
@@ -27,12 +29,6 @@ HEADLINES = [("work", "Work in a cycle"), ("torque_peak", "Peak torque"), ("stre
              ("turns", "Turns of a cloth in a cycle")]
 
 
-def owner_of(name, owners):
-    """Returns the body or group that a figure belongs to and the rest of its name."""
-    mine = max((owner for owner in owners if name.startswith(f"{owner}_")), key=len, default=None)
-    return (mine, name[len(mine) + 1:]) if mine else (MACHINE, name)
-
-
 def label_of(rest):
     """Returns a figure's name for people."""
     return LABELS.get(rest, rest.replace("_", " "))
@@ -52,7 +48,7 @@ def cycle_figures(results):
     for name in list(cycles)[4:]:
         owner, rest = owner_of(name, owners)
         mean = means.get(name, {})
-        figures.append({"name": name, "owner": owner, "rest": rest, "label": label_of(rest), "unit": cycles.units[name],
+        figures.append({"name": name, "owner": owner or MACHINE, "rest": rest, "label": label_of(rest), "unit": cycles.units[name],
                         "values": list(map(float, cycles[name])), "mean": mean.get("mean"), "std": mean.get("std")})
     order = [MACHINE, *owners]
     return {"numbers": list(map(int, cycles["cycle"])), "start_up": list(map(bool, cycles["start_up"])),

@@ -12,10 +12,10 @@ OF_THE_CELLS = ("relative_speed", "water_shear")  # taken 1.5 cells from the clo
 HEADLINES = ("work", "relative_speed", "water_shear", "stress", "turns")  # figures in study.md
 
 
-def group_of(name, groups):
-    """Returns the group of cloths that a figure belongs to, None for one of the machine."""
-    owners = [group for group in groups if name.startswith(f"{group}_")]
-    return max(owners, key=len, default=None)
+def owner_of(name, owners):
+    """Returns the body or group of cloths that a figure belongs to, None for one of the machine, and the rest of its name."""
+    mine = max((owner for owner in owners if name.startswith(f"{owner}_")), key=len, default=None)
+    return (mine, name[len(mine) + 1:]) if mine else (None, name)
 
 
 def total_work(figures, bodies):
@@ -27,15 +27,15 @@ def total_work(figures, bodies):
 def figures_of(run, group):
     """Returns the figures of a run that concern a group or the machine: by name (mean over cycles, std, unit). `work` is
     that of all bodies."""
-    figures, groups = run.figures(), list(run.summary().get("cloths", {}))
-    work = total_work(figures, run.summary().get("bodies", {}))
+    figures, groups, bodies = run.figures(), run.summary().get("cloths", {}), run.summary().get("bodies", {})
+    work = total_work(figures, bodies)
     mine = {"work": (work[0], None, work[1])} if work else {}
     for name, figure in figures.items():
-        owner = group_of(name, groups)
-        if owner is None:
+        owner, rest = owner_of(name, [*bodies, *groups])
+        if owner not in groups:
             mine[name] = figure
         elif owner == group:
-            mine[name[len(owner) + 1:]] = figure
+            mine[rest] = figure
     return mine
 
 
