@@ -90,11 +90,11 @@ class Tables(ProgramTest):
     def test_unfinished_runs_do_not_count(self):
         files = write_study(self.folder, APART, 3)
         path = self.folder / "study" / "rough" / "seed_3" / "summary.json"
-        path.write_text(json.dumps(json.loads(path.read_text()) | {"status": "stopped"}))
+        path.write_text(json.dumps(json.loads(path.read_text()) | {"status": "stopped", "time": 0.1}))
         subprocess.run([SOURCE / "scripts" / "study", "--table", "--output", self.folder / "study", *files],
                        stdout=subprocess.DEVNULL, check=True)
         rough = self.rows("study.csv")[1]
-        self.assertEqual((rough["seeds"], rough["status"]), ("2", "2 of 3 finished"))
+        self.assertEqual((rough["seeds"], rough["status"], rough["time_s"]), ("2", "2 of 3 finished", "6"))
 
     def test_figures_of_a_body_are_none_of_a_group(self):
         write_run(self.folder / "run", towel_rack_work=3.0, towel_stress=2e5)

@@ -93,11 +93,12 @@ def spread(values):
 
 
 def case_rows(case, runs):
-    """Returns the rows of one case in study.csv: means over its seeds."""
+    """Returns the rows of one case in study.csv: means over its finished runs; where there are none, how far the others are."""
     start = {"case": case, "status": status_of(runs), "seeds": sum(run.status() == "finished" for run in runs)}
     rows, begun = [], [run for run in runs if run.summary()]
+    counted = [run for run in begun if run.status() == "finished"] or begun
     for group in groups_of(runs) if begun else []:
-        row, numbers = start | {"group": group}, [summary_row(run, group) for run in begun]
+        row, numbers = start | {"group": group}, [summary_row(run, group) for run in counted]
         for name in numbers[0]:
             values = [number[name] for number in numbers if number[name] is not None]
             row[name] = statistics.fmean(values) if values else None
