@@ -102,6 +102,24 @@ class Tables(ProgramTest):
         self.assertEqual(set(figures), {"work", "towel_rack_work", "stress"})
 
 
+    def test_the_work_is_that_of_every_design_whatever_its_groups(self):
+        loads = {"a": ["mat", "sock"], "b": ["sock"], "c": []}
+        figures = {"mat": {"mat_stress": 1e5}, "sock": {"sock_stress": 2e5}}
+        for (case, groups), grid in itertools.product(loads.items(), ("", "_refined_2")):
+            (self.folder / f"{case}.opts").touch()
+            groups = groups[-1:] if grid else groups
+            for seed in (1, 2):
+                write_run(self.folder / "study" / (case + grid) / f"seed_{seed}", cloths=groups, agitator_work=10.0 * ord(case) + seed,
+                          **{name: value + seed for group in groups for name, value in figures[group].items()})
+        files = [self.folder / f"{case}.opts" for case in loads]
+        printed = subprocess.run([SOURCE / "scripts" / "study", "--table", "--refine", "2", "--output", self.folder / "study", *files],
+                                 capture_output=True, text=True, check=True).stdout
+        self.assertIn("Work of the bodies in a cycle, cells x 1: ", printed)
+        self.assertRegex(printed, r"Work of the bodies in a cycle: may be ranked\. On both grids b > a; c > a; c > b\.")
+        self.assertIn("Stress of the cloth (sock), cells x 2: a (", printed)
+        self.assertRegex(printed, r"\| Stress of the cloth \(sock\) \[Pa\] \| b \| [^|]+ \| [^|]+ \| [^|]+ \(order 1\) \|")
+
+
 class Changes(ProgramTest):
     def test_a_run_begun_with_other_options_does_not_go_on(self):
         files = write_study(self.folder, APART, 1)

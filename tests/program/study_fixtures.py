@@ -6,7 +6,8 @@ import json
 import numpy as np
 
 UNITS = {"agitator_work": "J", "agitator_power_mean": "W", "drum_work": "J", "towel_friction_work": "J", "towel_relative_speed": "m/s",
-         "towel_water_shear": "Pa", "towel_stress": "Pa", "towel_turns": "-", "towel_path": "m", "towel_rack_work": "J"}
+         "towel_water_shear": "Pa", "towel_stress": "Pa", "towel_turns": "-", "towel_path": "m", "towel_rack_work": "J",
+         "mat_stress": "Pa", "sock_stress": "Pa"}
 PERIOD = 1.5
 
 
@@ -23,8 +24,8 @@ def write_cycles(folder, figures, cycles=4):
     return np.array(rows)[1:, 4:]
 
 
-def write_run(folder, status="finished", cycles=4, **figures):
-    """Writes the folder of a run with these figures (its means over cycles from the second on)."""
+def write_run(folder, status="finished", cycles=4, cloths=("towel",), **figures):
+    """Writes the folder of a run with these groups of cloths and figures (its means over cycles from the second on)."""
     folder.mkdir(parents=True)
     (folder / "run.log").touch()
     rows = write_cycles(folder, figures, cycles)
@@ -34,8 +35,8 @@ def write_run(folder, status="finished", cycles=4, **figures):
                "wall_seconds": 12.0, "cloth_crossings": 3,
                "bodies": {name: {} for name in ("drum", "agitator", "towel_rack")},
                "cycles": {"time": PERIOD, "complete": cycles, "first": 2, "figures": means},
-               "cloths": {"towel": {"stress_mean": 2e5, "stress_std": 1e4, "max_stretch": 1.2, "max_depth": 0.0,
-                                    "tumbles": 0.5}}}
+               "cloths": {group: {"stress_mean": 2e5, "stress_std": 1e4, "max_stretch": 1.2, "max_depth": 0.0,
+                                  "tumbles": 0.5} for group in cloths}}
     (folder / "summary.json").write_text(json.dumps(summary))
 
 

@@ -2,6 +2,7 @@
 """The command scripts/study."""
 
 import argparse
+import itertools
 import os
 import pathlib
 import signal
@@ -84,62 +85,65 @@ def jobs_and_ranks(options, runs):
     return jobs, options.ranks or (1 if jobs > 1 else min(2, cores))
 
 
-def samples_by_group(runs):
-    """Returns the figures of all designs for each group of cloths, of runs on one grid."""
-    cases = {mine[0].design: mine for mine in cases_of(runs).values()}
-    groups = dict.fromkeys(group for mine in cases.values() for group in groups_of(mine))
-    every = {group: {case: samples_of(mine, group) for case, mine in cases.items() if group in groups_of(mine)}
-             for group in groups if group or len(groups) == 1}
-    return {group: figures for group, designs in every.items()
-            if (figures := {case: samples for case, samples in designs.items() if samples})}
-
-
-def headlines_of(groups):
-    """Returns title, unit and the values of all designs for each headline figure of each group."""
-    found = []
-    for group, designs in groups.items():
-        for headline in HEADLINES:
-            samples = {case: values for case, figures in designs.items()
-                       for (name, _), values in figures.items() if name == headline}
-            unit = next((key[1] for figures in designs.values() for key in figures if key[0] == headline), "")
-            if samples and not (headline == "work" and group != next(iter(groups))):  # that of all is said once
-                of_group = f" ({group})" if len(groups) > 1 and headline != "work" else ""
-                found.append((TITLES[headline] + of_group, unit, samples))
+def samples_by_design(runs):
+    """Returns the figures of each design for each of its groups of cloths, of runs on one grid; the group is None without cloth."""
+    found = {}
+    for mine in cases_of(runs).values():
+        groups = {group: samples for group in groups_of(mine) if (samples := samples_of(mine, group))}
+        found |= {mine[0].design: groups} if groups else {}
     return found
 
 
 def by_refinement(runs):
-    """Returns the figures of all designs for each group of cloths, on each grid that has any."""
+    """Returns the figures of each design for each of its groups of cloths, on each grid that has any."""
     factors = sorted({run.refine for run in runs})
-    grids = {factor: samples_by_group([run for run in runs if run.refine == factor]) for factor in factors}
-    return {factor: groups for factor, groups in grids.items() if groups}
+    grids = {factor: samples_by_design([run for run in runs if run.refine == factor]) for factor in factors}
+    return {factor: designs for factor, designs in grids.items() if designs}
+
+
+def by_group(designs):
+    """Returns the figures of all designs that have it for each group of cloths."""
+    groups = dict.fromkeys(group for mine in designs.values() for group in mine if group)
+    return {group: {design: mine[group] for design, mine in designs.items() if group in mine} for group in groups}
+
+
+def headline(name, designs):
+    """Returns the values of a headline figure of all designs that have it, and its unit."""
+    found = {design: (unit, values) for design, figures in designs.items() for (figure, unit), values in figures.items() if figure == name}
+    return {design: values for design, (_, values) in found.items()}, next((unit for unit, _ in found.values()), "")
+
+
+def headlines_of(grids):
+    """Returns for each headline figure, the work of all bodies and those of each group, its title and what headline() has on each grid."""
+    groups = dict.fromkeys(group for designs in grids.values() for group in by_group(designs))
+    works = {factor: {design: next(iter(mine.values())) for design, mine in designs.items()} for factor, designs in grids.items()}
+    told = {TITLES["work"]: {factor: headline("work", designs) for factor, designs in works.items()}}
+    for group, name in itertools.product(groups, HEADLINES):
+        if name != "work":
+            title = TITLES[name] + (f" ({group})" if len(groups) > 1 else "")
+            told[title] = {factor: headline(name, by_group(designs).get(group, {})) for factor, designs in grids.items()}
+    return {title: found for title, every in told.items() if (found := {factor: one for factor, one in every.items() if one[0]})}
 
 
 def sentences(grids):
     """Returns a sentence for each headline figure on each grid."""
-    lines = []
-    for factor, groups in grids.items():
-        of_grid = f", cells x {factor:g}" if len(grids) > 1 else ""
-        lines += [sentence(title + of_grid, samples, unit) for title, unit, samples in headlines_of(groups)]
-    return lines
+    figures = headlines_of(grids)
+    return [sentence(title + (f", cells x {factor:g}" if len(grids) > 1 else ""), *found[factor])
+            for factor in grids for title, found in figures.items() if factor in found]
 
 
 def on_finer_grids(grids):
     """Returns the table of estimates and the sentences on the ranking, of studies on several grids."""
-    figures = {}
-    for factor, groups in grids.items():
-        for title, unit, samples in headlines_of(groups):
-            figures.setdefault((title, unit), {})[factor] = samples
     rows, lines = [], []
-    for (title, unit), found in figures.items():
+    for title, found in headlines_of(grids).items():
         designs = {}
-        for factor, samples in found.items():
+        for factor, (samples, unit) in found.items():
             for design, values in samples.items():
                 designs.setdefault(design, {})[factor] = values
         if not any(title.startswith(TITLES[name]) for name in OF_THE_CELLS):
             rows += refinement.estimate_rows(title, unit, designs)
         if len(found) > 1:
-            lines.append(refinement.ranking(title, [found[factor] for factor in sorted(found)[-2:]]))
+            lines.append(refinement.ranking(title, [found[factor][0] for factor in sorted(found)[-2:]]))
     return (refinement.table(rows) if rows else ""), lines
 
 
@@ -154,10 +158,10 @@ def doubts(runs):
     return lines
 
 
-def draw(groups, options):
+def draw(designs, options):
     """Writes study.png if there is anything to draw."""
-    if not any(name == options.action for designs in groups.values() for figures in designs.values()
-               for name, _ in figures):
+    groups = {group: mine for group, mine in by_group(designs).items() if headline(options.action, mine)[0]}
+    if not groups:
         return
     seeds = min(len(values) for designs in groups.values() for figures in designs.values() for values in figures.values())
     figure, _ = draw_tradeoff(groups, seeds, options.action)
