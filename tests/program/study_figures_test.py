@@ -215,6 +215,21 @@ class Refinement(ProgramTest):
         self.assertIn("may not be ranked. The order is b > a on the coarser grid and a > b",
                       refinement.ranking("Work", [{"a": [1], "b": [2]}, {"a": [4], "b": [3]}]))
 
+    def test_designs_that_one_grid_lacks_are_named(self):
+        low, high = [0.99, 1, 1.01], [1.99, 2, 2.01]
+        told = refinement.ranking("Work", [{"a": low, "b": high, "c": low}, {"d": low, "a": low, "b": high}])
+        self.assertEqual(told, "Work: may be ranked. On both grids b > a. On one grid only: c, d.")
+        self.assertEqual(refinement.ranking("Work", [{"a": low, "b": high}, {"a": low}]),
+                         "Work: fewer than two designs have this figure on both grids. On one grid only: b.")
+
+    def test_designs_whose_seeds_change_nothing_are_not_taken_for_one_seed(self):
+        low, high, still = [0.99, 1, 1.01], [1.99, 2, 2.01], [3 * (1 + 1e-15), 3, 3]
+        told = refinement.ranking("Work", [{"a": low, "b": high, "c": still}] * 2)
+        self.assertEqual(told, "Work: may be ranked. On both grids b > a; c > a; c > b.")
+        self.assertEqual(refinement.ranking("Work", [{"a": low, "b": high}, {"a": still, "b": [2.0, 2.0]}]),
+                         "Work: seeds change nothing in a, b. The spread is not known, so nothing can be decided.")
+        self.assertIn("One seed", refinement.ranking("Work", [{"a": still, "b": [2.0, 2.0]}, {"a": still, "b": [2.0]}]))
+
     def test_a_study_on_two_grids_says_which_figures_keep_their_ranking(self):
         files = write_study(self.folder, APART, 3)
         write_study(self.folder, {"gentle": (8, 0.04, 1e5), "rough": (10, 0.03, 2e5)}, 3, grid="_refined_1.5")

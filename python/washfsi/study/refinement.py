@@ -6,7 +6,7 @@ import math
 import statistics
 from dataclasses import dataclass
 
-from washfsi.study.verdict import compare
+from washfsi.study.verdict import compare, still_text, value_text
 
 FIRST = 1.0  # order of convergence of the immersed boundary, where no third grid shows another
 ORDERS = (0.3, 4.0)  # an observed order outside of these says that the grids are too coarse to show one
@@ -14,8 +14,8 @@ ORDERS = (0.3, 4.0)  # an observed order outside of these says that the grids ar
 EXPLANATION = """How the estimates are made. Richardson's extrapolation continues the two finest grids to cells of no width:
 f + (f - c)/(r^p - 1), with the figures f and c on the finer and the coarser grid, r times as many cells, and the order of convergence
 p. With three grids p is the observed order, if there is one; otherwise it is 1, that of the immersed boundary. The band behind ± is the size of
-the continuation itself and twice the standard error over seeds, as the root of their squares: the figure on the finest grid lies at its
-edge. It is an estimate of the error of the cells, not a bound.
+the continuation itself and twice the standard error over seeds, as the root of their squares: the figure on the finest grid lies within it,
+near its edge. It is an estimate of the error of the cells, not a bound.
 
 A pair of designs may be ranked by a figure if it differs with the same sign on both of the two finest grids by more than the spread
 over seeds.
@@ -99,11 +99,19 @@ def ranking(title, grids):
     """Returns what of the ranking by a figure survives, in a sentence. `grids`: of the two finest grids, the coarser first, the values
     over seeds of each design."""
     common = [name for name in grids[0] if name in grids[1]]
-    grids = [{name: samples[name] for name in common} for samples in grids]
-    if len(common) < 2:
+    missing = [name for name in {**grids[0], **grids[1]} if name not in common]
+    told = ranking_of(title, [{name: samples[name] for name in common} for samples in grids])
+    return told + (f" On one grid only: {', '.join(missing)}." if missing else "")
+
+
+def ranking_of(title, grids):
+    """Returns the sentence on designs that both grids have."""
+    if len(grids[0]) < 2:
         return f"{title}: fewer than two designs have this figure on both grids."
-    if any(len(values) < 2 or statistics.pstdev(values) == 0 for samples in grids for values in samples.values()):
+    if any(len(values) < 2 for samples in grids for values in samples.values()):
         return by_means(title, grids)
+    if undecided := still_text(title, grids[0]) or still_text(title, grids[1]):
+        return undecided
     kept, reversed_pairs, rest = pairs_of(grids)
     if reversed_pairs:
         return f"{title}: may not be ranked. On the finer grid, other than on the coarser, {named_pairs(reversed_pairs)}."
@@ -112,12 +120,6 @@ def ranking(title, grids):
     if not rest:
         return f"{title}: may be ranked. On both grids {named_pairs(kept)}."
     return f"{title}: may be ranked in part. On both grids {named_pairs(kept)}; not told apart on one of them at least: {named_pairs(rest)}."
-
-
-def values_text(values):
-    """Returns mean and spread of a figure."""
-    text = f"{statistics.fmean(values):.4g}"
-    return text + (f" ± {statistics.stdev(values):.2g}" if len(values) > 1 else "")
 
 
 def estimate_text(samples):
@@ -139,6 +141,6 @@ def table(rows):
     heads = ["figure", "design", *(f"cells x {factor:g}" for factor in factors), "estimate"]
     lines = ["| " + " | ".join(heads) + " |", "|" + "---|" * len(heads)]
     for title, design, samples, told in rows:
-        cells = [values_text(samples[factor]) if factor in samples else "" for factor in factors]
+        cells = [value_text(samples[factor]) if factor in samples else "" for factor in factors]
         lines.append("| " + " | ".join([title, design, *cells, told]) + " |")
     return "\n".join(lines) + "\n"

@@ -102,10 +102,10 @@ def chance_text(chance):
     return "p < 0.0001" if chance < 1e-4 else f"p = {chance:.2g}"
 
 
-def value_text(values, unit):
-    """Returns mean and spread of a design."""
-    unit = "" if unit in ("-", "") else f" {unit}"
-    return f"{statistics.fmean(values):.4g} ± {statistics.stdev(values):.2g}{unit}"
+def value_text(values, unit=""):
+    """Returns mean and spread of a design; the mean alone with one seed."""
+    spread = f" ± {statistics.stdev(values):.2g}" if len(values) > 1 else ""
+    return f"{statistics.fmean(values):.4g}{spread}" + ("" if unit in ("-", "") else f" {unit}")
 
 
 def seeds_text(samples):
@@ -147,6 +147,13 @@ def several_designs(title, samples, unit):
             f"From most to least: {listed}.{alike_text(tests, next(iter(samples)))}")
 
 
+def still_text(title, samples):
+    """Returns that the spread of two designs or more is not known, since seeds change nothing in them; else nothing."""
+    still = [name for name, values in samples.items() if statistics.pstdev(values) <= 1e-12 * abs(statistics.fmean(values))]
+    return "" if len(still) < 2 else (
+        f"{title}: seeds change nothing in {', '.join(still)}. The spread is not known, so nothing can be decided.")
+
+
 def sentence(title, samples, unit):
     """Returns what can be said of a figure; `samples` has each design's values, one for each seed."""
     if len(samples) < 2:
@@ -156,7 +163,4 @@ def sentence(title, samples, unit):
         who = "each design has" if len(single) == len(samples) else f"{', '.join(single)} {'has' if len(single) == 1 else 'have'}"
         return (f"{title}: {who} one seed only. The spread over seeds is not known, so nothing can be decided; "
                 "run it with --seeds 3 or more.")
-    still = [name for name, values in samples.items() if statistics.pstdev(values) <= 1e-12 * abs(statistics.fmean(values))]
-    if len(still) > 1:
-        return f"{title}: seeds change nothing in {', '.join(still)}. The spread is not known, so nothing can be decided."
-    return (two_designs if len(samples) == 2 else several_designs)(title, samples, unit)
+    return still_text(title, samples) or (two_designs if len(samples) == 2 else several_designs)(title, samples, unit)
