@@ -217,15 +217,45 @@ class Contents(ProgramTest):
         self.assertTrue(any(line.startswith("work: ") and "differ by more than their spread" in line
                             for line in made["verdicts"]), made["verdicts"])
 
+    @staticmethod
+    def run_on(cells, work, mean=True, vanes=3, **options):
+        """Makes up a run on a grid, of which nothing but the start-up is known without a mean."""
+        figures = [{"owner": owner, "rest": rest, "label": rest, "unit": "J", "values": [1, work] if mean else [work],
+                    "mean": work if mean else None, "std": 0.1, "name": f"{owner}_{rest}"}
+                   for owner, rest in (("agitator", "work"), ("towel", "relative_speed"))]
+        options = {"grid_cells": cells, "towel_markers": cells[:2], "agitator_vanes": str(vanes), "time_end": "3", "check": "false"} | options
+        return {"name": cells, "design": f"{vanes}", "groups": ["towel"], "cycles": {"figures": figures}, "options": options}
+
+    def test_start_up_on_one_grid_is_not_continued_with_later_cycles_of_another(self):
+        coarse, fine, fine_start = self.run_on("20,20", 10.0), self.run_on("40,40", 8.0), self.run_on("40,40", 3.0, mean=False)
+        self.assertEqual(comparison_of([coarse, fine_start])["grids"], [])
+        row, = comparison_of([coarse, fine, fine_start])["grids"][0]["rows"]
+        self.assertEqual([figure["value"] for figure in row["values"]], [10.0, 8.0])
+        row, = comparison_of([self.run_on("20,20", 4.0, mean=False), fine_start])["grids"][0]["rows"]
+        self.assertEqual([figure["value"] for figure in row["values"]], [4.0, 3.0])
+
+    def test_only_grids_that_are_refined_alike_are_continued(self):
+        def grids_of(*cells):
+            return [table["grids"] for table in comparison_of([self.run_on(one, 10.0 + place) for place, one in enumerate(cells)])["grids"]]
+        self.assertEqual(grids_of("64,32", "32,64"), [])
+        self.assertEqual(grids_of("32,32", "64,32"), [])
+        self.assertEqual(grids_of("64,64", "33,32", "66,32", "99,96", "96,98"), [["33 × 32", "64 × 64", "99 × 96"]])
+        self.assertEqual(grids_of("1,32", "1,64"), [["1 × 32", "1 × 64"]])
+
+    def test_runs_with_other_markers_or_steps_are_no_seeds(self):
+        coarse, fine = self.run_on("20,20", 10.0), self.run_on("40,40", 8.0)
+        for options in ({"towel_markers": "9"}, {"time_step": "1e-3"}):
+            self.assertEqual(comparison_of([coarse, fine, self.run_on("40,40", 7.0, **options)])["grids"], [])
+        for options in ({"towel_seed": "2"}, {"max_steps": "900", "strict": "true"}):
+            row, = comparison_of([coarse, fine, self.run_on("40,40", 7.0, **options)])["grids"][0]["rows"]
+            self.assertEqual([figure["value"] for figure in row["values"]], [10.0, 7.5])
+        row, = comparison_of([coarse, fine, self.run_on("40,40", 7.0, time_end="9")])["grids"][0]["rows"]
+        self.assertEqual([figure["value"] for figure in row["values"]], [10.0, 8.0])
+
     def test_a_case_on_several_grids_is_continued_to_cells_of_no_width(self):
-        runs = []
-        for cells, seed, work, vanes in (("20,20,10", 1, 10.0, 3), ("20,20,10", 2, 12.0, 3), ("40,40,20", 1, 8.0, 3), ("40,40,20", 2, 8.4, 3),
-                                         ("20,20,10", 1, 7.0, 2)):
-            figures = [{"owner": owner, "rest": rest, "label": rest, "unit": "J", "values": [1, work], "mean": work, "std": 0.1,
-                        "name": f"{owner}_{rest}"} for owner, rest in (("agitator", "work"), ("towel", "relative_speed"))]
-            options = {"grid_cells": cells, "towel_markers": cells[:2], "towel_seed": str(seed), "agitator_vanes": str(vanes)}
-            runs.append({"name": f"{vanes}/{cells}/{seed}", "design": f"{vanes}", "groups": ["towel"], "cycles": {"figures": figures},
-                         "options": options})
+        runs = [self.run_on(cells, work, vanes=vanes, towel_seed=seed)
+                for cells, seed, work, vanes in (("20,20,10", "1", 10.0, 3), ("20,20,10", "2", 12.0, 3), ("40,40,20", "1", 8.0, 3),
+                                                 ("40,40,20", "2", 8.4, 3), ("20,20,10", "1", 7.0, 2))]
         table, = comparison_of(runs)["grids"]
         self.assertEqual((table["designs"], table["grids"]), (["3"], ["20 × 20 × 10", "40 × 40 × 20"]))
         row, = table["rows"]

@@ -34,7 +34,7 @@ def figures_for(run, group):
     of the first cycle alone. `work` is that of all bodies."""
     found = {}
     for figure in (run["cycles"] or {"figures": []})["figures"]:
-        best = value_of(figure) | {"first": figure["mean"] is None}
+        best = value_of(figure)
         if best["value"] is None:  # no number
             continue
         key = (figure["rest"], figure["unit"])
@@ -108,7 +108,6 @@ def comparison_of(runs):
         return None
     groups = list(dict.fromkeys(group for run in runs for group in run["groups"]))
     rows = figure_rows(runs)
-    notes = {value["note"] for row in rows for value in row["values"] if value}
     return {"rows": rows, "tradeoffs": tradeoffs(runs, groups), "verdicts": verdicts(runs, groups), "grids": on_grids(runs),
-            "first": any(note.startswith("first") for note in notes),
+            "first": any(value["first"] for row in rows for value in row["values"] if value),
             "designs": list(dict.fromkeys(run["design"] for run in runs))}

@@ -100,8 +100,8 @@ def run_figures(summary):
 def value_of(figure):
     """Returns what a figure is at best: mean and spread from the second cycle on, else the value of the first alone."""
     if figure["mean"] is not None:
-        return {"value": figure["mean"], "std": figure["std"], "note": "mean of a cycle, from the second on"}
-    return {"value": figure["values"][-1], "std": None, "note": "first cycle alone: start-up, no spread"}
+        return {"value": figure["mean"], "std": figure["std"], "first": False, "note": "mean of a cycle, from the second on"}
+    return {"value": figure["values"][-1], "std": None, "first": True, "note": "first cycle alone: start-up, no spread"}
 
 
 def figure_rows(runs):
