@@ -223,7 +223,7 @@ class Contents(ProgramTest):
         figures = [{"owner": owner, "rest": rest, "label": rest, "unit": "J", "values": [1, work] if mean else [work],
                     "mean": work if mean else None, "std": 0.1, "name": f"{owner}_{rest}"}
                    for owner, rest in (("agitator", "work"), ("towel", "relative_speed"))]
-        options = {"grid_cells": cells, "towel_markers": cells[:2], "agitator_vanes": str(vanes), "time_end": "3", "check": "false"} | options
+        options = {"grid_cells": cells, "towel_markers": cells[:2], "agitator_vanes": str(vanes), "time_end": "3"} | options
         return {"name": cells, "design": f"{vanes}", "groups": ["towel"], "cycles": {"figures": figures}, "options": options}
 
     def test_start_up_on_one_grid_is_not_continued_with_later_cycles_of_another(self):

@@ -296,7 +296,8 @@ class Seeds(ProgramTest):
         self.assertEqual([folder_of(case, 1, seeds) for seeds in (1, 3)], [case / "seed_1"] * 2)
 
     def test_options_are_read_as_the_program_reads_them(self):
-        (self.folder / "a #1.opts").write_text("-CLOTHS_seed 4\n-cloths 'Long,short' # two\n-Long_file \"my #2 towel\"\n-bodies \"\"#none\n")
+        (self.folder / "a #1.opts").write_text("-CLOTHS_seed 4\n-cloths 'Long,short' # two\n-Long_file \"my #2 towel\"\n"
+                                               "-bodies \"\"#none\n")
         case = self.folder / "case.opts"
         case.write_text(f"-options_file '{self.folder / 'a #1.opts'}'\n--long_SEED 3\n")
         words = ["-CLOTHS_seed", "4", "-cloths", "Long,short", "-Long_file", "my #2 towel", "-bodies", "", "--long_SEED", "3"]

@@ -11,7 +11,8 @@ from washfsi.study.tables import OF_THE_CELLS, spread
 
 OF_THE_GRID = {"grid_cells", "time_step", "contact_distance", "contact_body_distance"}
 # As in simulation/changed_options.cpp, without time_end: a longer run has means over other cycles.
-OF_THE_RUN = {"max_steps", "output_dir", "history_interval", "case_name", "output_interval", "checkpoint_interval", "restart", "check", "strict"}
+OF_THE_RUN = {"max_steps", "output_dir", "history_interval", "case_name", "output_interval", "checkpoint_interval", "restart", "check",
+              "strict"}
 ROUNDING = 1.05  # of ratios of cells that count as one
 
 
