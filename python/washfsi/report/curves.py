@@ -86,7 +86,7 @@ def panels_of(history, bodies, groups):
         ("Turns of the cloths", "in the plane of radius and height, mean over the cloths",
          columns_of(history, groups, ["tumbles"])),
         ("Kinetic energy", "of water and cloth", {name: "" for name in there(history, ["kinetic_energy"])}),
-        ("Markers through another cloth", "so far; only the water keeps cloths apart",
+        ("Passages through another cloth", "of markers, so far; only the water keeps cloths apart",
          {name: "" for name in there(history, ["cloth_crossings"])}),
         ("CFL number", "of the step", {name: "" for name in there(history, ["cfl"])}),
     ]

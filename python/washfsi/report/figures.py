@@ -6,10 +6,10 @@ from washfsi.study.tables import owner_of
 MACHINE = "machine"
 LABELS = {  # of figures per cycle, without the name of their body or group
     "cfl": "largest CFL number", "kinetic_energy_change": "kinetic energy kept", "dissipated": "lost to friction",
-    "advection_dissipated": "lost to the advection scheme", "mask_dissipated": "lost at moving walls",
+    "advection_dissipated": "numerical dissipation", "mask_dissipated": "lost at moving walls",
     "cloth_dissipated": "lost in cloth and coupling", "load_work": "work of weight and loads",
     "cloth_slip": "slip of the cloth",
-    "cloth_crossings": "markers through another cloth", "energy_open": "energy left open", "work": "work",
+    "cloth_crossings": "passages through another cloth", "energy_open": "energy-balance residual", "work": "work",
     "power_mean": "power, mean", "power_peak": "power, peak", "power_rms": "power, rms", "torque_mean": "torque, mean",
     "torque_peak": "torque, peak", "torque_rms": "torque, rms", "elastic_energy_change": "elastic energy kept",
     "stress": "stress", "relative_speed": "speed of the water along it", "water_shear": "shear of the water on it",
@@ -90,7 +90,7 @@ def run_figures(summary):
     told = {"steps": ("steps", "-"), "time": ("simulated time", "s"), "wall_seconds": ("wall time", "s"),
             "seconds_per_step": ("wall time of a step", "s"), "max_divergence": ("largest divergence", "1/s"),
             "max_cfl": ("largest CFL number", "-"), "peak_memory_bytes": ("memory", "B"),
-            "cloth_crossings": ("markers through another cloth", "-")}
+            "cloth_crossings": ("passages through another cloth", "-")}
     rows = [{"owner": "run", "label": label, "unit": unit, "value": summary[name], "std": None, "path": [name]}
             for name, (label, unit) in told.items() if summary.get(name) is not None]
     return rows + [{"owner": "run", "label": f"iterations, {name}", "unit": "-", "value": count, "std": None,

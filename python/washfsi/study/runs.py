@@ -10,8 +10,8 @@ from washfsi.options_file import quoted, words_of_line
 from washfsi.results import Results
 from washfsi.running import HERE
 
-# Where runs start, and names of files in the options for every run are relative to: the source's root, or, of what is
-# installed, the folder in which the command is called.
+# The working directory of all runs: the source's root, or, where washfsi is installed, the folder in which the command is
+# called. File names in options behind -- are relative to it.
 ROOT = HERE.parents[2] if (HERE.parents[2] / "CMakeLists.txt").is_file() else pathlib.Path.cwd()
 
 
