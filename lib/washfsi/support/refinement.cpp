@@ -11,7 +11,7 @@ namespace washfsi {
 Refinement Refinement::from_options(Options& options) {
   constexpr Range factors{0.1, 10.0, false, "a number from 0.1 to 10"};
   Refinement refinement;
-  options.block("", "Run", [&](OptionBlock& block) {
+  options.block("", "Refinement", [&](OptionBlock& block) {
     block.real("refine", refinement.factor_, "-", factors,
                "so many times as many cells and markers along each axis, so many times shorter -time_step and contact "
                "distances, where they are given; below 1: coarser");
