@@ -12,6 +12,7 @@
 #include "washfsi/immersed_boundary/edge_nearness.hpp"
 #include "washfsi/mask/drum_walls.hpp"
 #include "washfsi/motion/repeat_bodies.hpp"
+#include "washfsi/support/errors.hpp"
 
 namespace washfsi {
 
