@@ -101,7 +101,6 @@ class Tables(ProgramTest):
         figures = figures_of(Run("case", self.folder / "case.opts", self.folder / "run"), "towel")
         self.assertEqual(set(figures), {"work", "towel_rack_work", "stress"})
 
-
     def test_the_work_is_that_of_every_design_whatever_its_groups(self):
         loads = {"a": ["mat", "sock"], "b": ["sock"], "c": []}
         figures = {"mat": {"mat_stress": 1e5}, "sock": {"sock_stress": 2e5}}

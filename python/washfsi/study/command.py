@@ -114,33 +114,34 @@ def headline(name, designs):
 
 
 def headlines_of(grids):
-    """Returns for each headline figure, the work of all bodies and those of each group, its title and what headline() has on each grid."""
-    groups = dict.fromkeys(group for designs in grids.values() for group in by_group(designs))
+    """Returns for each headline figure, the work of all bodies and those of each group, by name and title what headline() has on each
+    grid."""
+    grouped = {factor: by_group(designs) for factor, designs in grids.items()}
+    groups = dict.fromkeys(group for mine in grouped.values() for group in mine)
     works = {factor: {design: next(iter(mine.values())) for design, mine in designs.items()} for factor, designs in grids.items()}
-    told = {TITLES["work"]: {factor: headline("work", designs) for factor, designs in works.items()}}
+    told = {("work", TITLES["work"]): {factor: headline("work", designs) for factor, designs in works.items()}}
     for group, name in itertools.product(groups, HEADLINES):
         if name != "work":
             title = TITLES[name] + (f" ({group})" if len(groups) > 1 else "")
-            told[title] = {factor: headline(name, by_group(designs).get(group, {})) for factor, designs in grids.items()}
-    return {title: found for title, every in told.items() if (found := {factor: one for factor, one in every.items() if one[0]})}
+            told[name, title] = {factor: headline(name, mine.get(group, {})) for factor, mine in grouped.items()}
+    return {key: found for key, every in told.items() if (found := {factor: one for factor, one in every.items() if one[0]})}
 
 
-def sentences(grids):
+def sentences(figures, factors):
     """Returns a sentence for each headline figure on each grid."""
-    figures = headlines_of(grids)
-    return [sentence(title + (f", cells x {factor:g}" if len(grids) > 1 else ""), *found[factor])
-            for factor in grids for title, found in figures.items() if factor in found]
+    return [sentence(title + (f", cells x {factor:g}" if len(factors) > 1 else ""), *found[factor])
+            for factor in factors for (_, title), found in figures.items() if factor in found]
 
 
-def on_finer_grids(grids):
+def on_finer_grids(figures):
     """Returns the table of estimates and the sentences on the ranking, of studies on several grids."""
     rows, lines = [], []
-    for title, found in headlines_of(grids).items():
+    for (name, title), found in figures.items():
         designs = {}
         for factor, (samples, unit) in found.items():
             for design, values in samples.items():
                 designs.setdefault(design, {})[factor] = values
-        if not any(title.startswith(TITLES[name]) for name in OF_THE_CELLS):
+        if name not in OF_THE_CELLS:
             rows += refinement.estimate_rows(title, unit, designs)
         if len(found) > 1:
             lines.append(refinement.ranking(title, [found[factor][0] for factor in sorted(found)[-2:]]))
@@ -173,9 +174,10 @@ def report(runs, options, last=True):
     """Writes the tables and, when all has been run, what can be decided; prints it."""
     table = write_tables(runs, options.output)
     grids = by_refinement(runs)
-    estimates, rankings = on_finer_grids(grids)
+    figures = headlines_of(grids)
+    estimates, rankings = on_finer_grids(figures)
     lines = [told for run in runs if (told := run.outdated())] + doubts(runs)
-    lines += sentences(grids) or ["No finished run has figures of agitation cycles, so there is nothing to decide."]
+    lines += sentences(figures, list(grids)) or ["No finished run has figures of agitation cycles, so there is nothing to decide."]
     text = table + "\n" + "\n".join(f"- {line}" for line in lines) + "\n\n" + EXPLANATION
     if estimates:
         text += "\n## On finer grids\n\n" + "\n".join([estimates, *(f"- {line}" for line in rankings), "", refinement.EXPLANATION])
