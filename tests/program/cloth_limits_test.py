@@ -70,10 +70,11 @@ class ClothLimits(ProgramTest):
 
     def test_ranks(self):
         exact = ("-time_end", 0.1, "-coupling_tolerance", 1e-11, "-pressure_tolerance", 1e-10, "-momentum_tolerance", 1e-11)
-        for options in (("-cloth_limits_advection", "-sheet_permeance", 0.3), WALL_MODEL):
+        # along a sheet that slides, the force on a single row may be small: it agrees to a part of the largest
+        for options, near in ((("-cloth_limits_advection", "-sheet_permeance", 0.3), {"rtol": 1e-6}), (WALL_MODEL, {"rtol": 0, "atol": 2e-5})):
             with self.subTest(options[0]):
                 one, two = (self.history(f"on{ranks}", *exact, *options, ranks=ranks)["sheet_water_force_x"] for ranks in (1, 2))
-                np.testing.assert_allclose(two, one, rtol=0, atol=1e-7 * np.abs(one).max())
+                np.testing.assert_allclose(two, one, **near)
 
     def test_restart(self):
         self.assert_restart_goes_on(self.results, ("-cloth_limits_advection",), 0.1, 0.2)

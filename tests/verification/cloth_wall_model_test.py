@@ -19,7 +19,8 @@ from tables import command, print_record, print_record_head, read_columns, run_t
 
 SPEED, LENGTH, DENSITY = 0.5, 0.15, 1000
 ALONG = 0.35
-ACROSS, ACROSS_THIN = 0.12, 0.25  # the aim is 0.05: missed; at Re = 7.5e4 means scatter by 0.07 (9 and 17 % of two programs)
+ACROSS = 0.12  # the aim is 0.05: missed
+THIN_MISS = 0.05, 0.25  # expected miss at Re = 7.5e4, where means scatter: 0.09 and 0.17 of programs that differ by round-off
 VISCOSITIES = 1e-3, 1e-4, 1e-6  # nu [m2/s]
 SPACINGS = 0.02, 0.01, 0.005  # [m]
 
@@ -68,14 +69,15 @@ def along():
 
 
 def across():
-    """Prints the table of sheets across a stream; returns whether all are near those without a model."""
+    """Prints the table of sheets across a stream; returns whether all are as near those without a model as recorded."""
     print_record_head("Re", "cell [mm]", "Cd without a model", "with it", "apart")
     passed = True
     for nu, spacing in ((1e-3, 0.02), (1e-3, 0.01), (1e-6, 0.02)):
         without, found = drag("across", nu, spacing, "none"), drag("across", nu, spacing, "equilibrium")
         print_record(scientific(SPEED * LENGTH / nu, 1), 1000 * spacing, f"{without:.3f}", f"{found:.3f}",
                      f"{100 * (found / without - 1):+.1f} %", arguments=["across"])
-        passed &= abs(found / without - 1) <= (ACROSS if nu > 1e-5 else ACROSS_THIN)
+        apart = abs(found / without - 1)
+        passed &= apart <= ACROSS if nu > 1e-5 else THIN_MISS[0] <= apart <= THIN_MISS[1]
     return passed
 
 
